@@ -1,0 +1,42 @@
+// The background grid: square cells, row by row, with a rim of ghost cells around the cells of the scene.
+//
+// Node (i, j) has index j * nodes_x + i; i and j count from the ghost rim's lower left corner. The rim takes
+// the weight of particle corners that leave the scene's cells by a fraction of a cell.
+#pragma once
+
+#include "solver/conventions.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace quicksand {
+
+struct BackgroundGrid {
+    static constexpr int ghost_cells = 3;
+
+    Vector2 origin = Vector2::Zero(); // lower left corner of the scene's cells [m]
+    double cell_size = 0.0;           // h [m]
+    int cells_x = 0;                  // cells of the scene, without the rim [-]
+    int cells_y = 0;
+
+    int all_cells_x() const { return cells_x + 2 * ghost_cells; }
+    int all_cells_y() const { return cells_y + 2 * ghost_cells; }
+    int nodes_x() const { return all_cells_x() + 1; }
+    int nodes_y() const { return all_cells_y() + 1; }
+    std::size_t cell_count() const { return static_cast<std::size_t>(all_cells_x()) * static_cast<std::size_t>(all_cells_y()); }
+    std::size_t node_count() const { return static_cast<std::size_t>(nodes_x()) * static_cast<std::size_t>(nodes_y()); }
+
+    /// Lower left corner of the rim [m].
+    Vector2 rim_origin() const { return origin - Vector2::Constant(ghost_cells * cell_size); }
+    Vector2 node_position(int i, int j) const { return rim_origin() + cell_size * Vector2(i, j); }
+    Vector2 node_position(std::size_t node) const
+    {
+        const auto row = static_cast<std::size_t>(nodes_x());
+        return node_position(static_cast<int>(node % row), static_cast<int>(node / row));
+    }
+
+    /// Upper right corner of the scene's cells [m].
+    Vector2 upper_corner() const { return origin + cell_size * Vector2(cells_x, cells_y); }
+};
+
+} // namespace quicksand

@@ -1,0 +1,52 @@
+// The three kinds of failure: the user's input (InputError), a run that went bad (NumericalError) and
+// our own bug (ENSURE). Files and disk have io's FileError.
+#pragma once
+
+#include "solver/conventions.hpp"
+
+#include <cstdint>
+#include <source_location>
+#include <stdexcept>
+#include <string>
+
+namespace quicksand {
+
+/// The user's input cannot be run. The text is complete: place, what is wrong, what is allowed, a hint.
+class InputError : public std::runtime_error {
+public:
+    using std::runtime_error::runtime_error;
+};
+
+/// Where and why a run went bad.
+struct FailureRecord {
+    std::string phase;             // phase of the step, e.g. "gather"
+    std::string what;              // what was found, with the numbers
+    std::string causes;            // likely causes, the most likely first
+    std::int64_t step = 0;         // step number [-]
+    double time = 0.0;             // t [s]
+    double time_step = 0.0;        // dt [s]
+    std::int64_t identifier = -1;  // the particle's lasting number [-], -1 when no particle is involved
+    Vector2 position = Vector2::Zero(); // [m]
+};
+
+/// The run went bad: the state is no longer meaningful and nothing of it should be written.
+class NumericalError : public std::runtime_error {
+public:
+    explicit NumericalError(FailureRecord record_);
+    FailureRecord record;
+};
+
+/// Our own bug: an invariant of the program does not hold.
+class InternalError : public std::logic_error {
+public:
+    using std::logic_error::logic_error;
+};
+
+[[noreturn]] void fail_invariant(const char* expression, std::source_location where);
+
+} // namespace quicksand
+
+/// Check an invariant of the program; a violation is our bug, never the user's.
+#define ENSURE(expression)                                                                                   \
+    (static_cast<bool>(expression) ? void(0)                                                                 \
+                                   : quicksand::fail_invariant(#expression, std::source_location::current()))

@@ -1,0 +1,122 @@
+// The material points: one array per quantity, so that kernels run across particles.
+#pragma once
+
+#include "solver/conventions.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+using Scalars = std::vector<double>;
+
+struct Vectors {
+    Scalars x, y;
+    Vector2 operator[](std::size_t p) const { return {x[p], y[p]}; }
+    void set(std::size_t p, const Vector2& v) { x[p] = v.x(), y[p] = v.y(); }
+};
+
+/// Velocity gradients, L_ab = d v_a / d x_b [1/s].
+struct Gradients {
+    Scalars xx, xy, yx, yy;
+};
+
+/// Plane-strain symmetric tensors with their out-of-plane component.
+struct SymmetricTensors {
+    Scalars xx, yy, zz, xy;
+};
+
+/// Structure of arrays; every array has `size()` entries, or none where the scene does not need it:
+/// a dry scene carries no fluid arrays.
+struct Particles {
+    std::vector<std::int32_t> identifier; // lasting number, as sampled; the arrays are reordered [-]
+    std::vector<std::int32_t> material;   // index into Problem::materials [-]
+    std::vector<std::int32_t> region;     // index into Problem::region_names [-]
+
+    Vectors position;           // x_p, centre of the domain [m]
+    Vectors half_edge_1;        // r_1, half an edge of the parallelogram domain [m]
+    Vectors half_edge_2;        // r_2, the other half edge, r_1 x r_2 > 0 [m]
+    Vectors reference_position; // x_p when displacements were last set to zero [m]
+    Vectors reference_edge_1;   // r_1 at that time [m]
+    Vectors reference_edge_2;   // r_2 at that time [m]
+    Scalars volume;             // V_p per metre of thickness [m3/m]
+
+    Vectors velocity_solid;            // v_s [m/s]
+    Gradients velocity_gradient_solid; // L_s [1/s]
+    Scalars mass_solid;                // (1-n) rho_s V_p, constant [kg/m]
+    SymmetricTensors stress;           // effective stress sigma', tension positive [Pa]
+
+    Vectors velocity_fluid;                   // v_w, true velocity [m/s]
+    Gradients velocity_gradient_fluid;        // L_w [1/s]
+    Scalars porosity;                         // n [-]
+    Scalars pore_pressure;                    // excess over the static water pressure, compression positive [Pa]
+    Scalars initial_vertical_effective_stress; // sigma'_v0 at the start of shaking, compression positive [Pa]
+
+    std::size_t size() const { return identifier.size(); }
+    bool has_fluid() const { return !pore_pressure.empty(); }
+};
+
+/// Call `visit(name, values)` for every array of doubles, in a fixed order. `ParticleSet` is Particles or
+/// const Particles. Reordering, checkpoints and memory counts go through here.
+template <class ParticleSet, class Visitor>
+void for_each_array(ParticleSet& particles, Visitor&& visit)
+{
+    const auto vectors = [&](const char* name_x, const char* name_y, auto& field) {
+        visit(name_x, field.x);
+        visit(name_y, field.y);
+    };
+    const auto gradients = [&](const char* xx, const char* xy, const char* yx, const char* yy, auto& field) {
+        visit(xx, field.xx);
+        visit(xy, field.xy);
+        visit(yx, field.yx);
+        visit(yy, field.yy);
+    };
+    vectors("position_x", "position_y", particles.position);
+    vectors("half_edge_1_x", "half_edge_1_y", particles.half_edge_1);
+    vectors("half_edge_2_x", "half_edge_2_y", particles.half_edge_2);
+    vectors("reference_position_x", "reference_position_y", particles.reference_position);
+    vectors("reference_edge_1_x", "reference_edge_1_y", particles.reference_edge_1);
+    vectors("reference_edge_2_x", "reference_edge_2_y", particles.reference_edge_2);
+    visit("volume", particles.volume);
+    vectors("velocity_solid_x", "velocity_solid_y", particles.velocity_solid);
+    gradients("velocity_gradient_solid_xx", "velocity_gradient_solid_xy", "velocity_gradient_solid_yx",
+              "velocity_gradient_solid_yy", particles.velocity_gradient_solid);
+    visit("mass_solid", particles.mass_solid);
+    visit("stress_xx", particles.stress.xx);
+    visit("stress_yy", particles.stress.yy);
+    visit("stress_zz", particles.stress.zz);
+    visit("stress_xy", particles.stress.xy);
+    vectors("velocity_fluid_x", "velocity_fluid_y", particles.velocity_fluid);
+    gradients("velocity_gradient_fluid_xx", "velocity_gradient_fluid_xy", "velocity_gradient_fluid_yx",
+              "velocity_gradient_fluid_yy", particles.velocity_gradient_fluid);
+    visit("porosity", particles.porosity);
+    visit("pore_pressure", particles.pore_pressure);
+    visit("initial_vertical_effective_stress", particles.initial_vertical_effective_stress);
+}
+
+/// As for_each_array, for the arrays of 32-bit integers.
+template <class ParticleSet, class Visitor>
+void for_each_index_array(ParticleSet& particles, Visitor&& visit)
+{
+    visit("identifier", particles.identifier);
+    visit("material", particles.material);
+    visit("region", particles.region);
+}
+
+/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`.
+void resize(Particles& particles, std::size_t count, bool saturated);
+
+/// Permute the particles: the new particle k is the old particle order[k].
+void reorder(Particles& particles, const std::vector<std::int32_t>& order);
+
+/// Declare the present shape the reference of displacement and strain.
+void reset_reference(Particles& particles);
+
+/// Deformation gradient since the reference, from the domain's edges [-].
+Eigen::Matrix2d deformation_gradient(const Particles& particles, std::size_t p);
+
+/// Bytes held by the particle arrays [byte].
+std::size_t memory_bytes(const Particles& particles);
+
+} // namespace quicksand

@@ -1,0 +1,18 @@
+#include "solver/problem.hpp"
+
+#include <algorithm>
+
+namespace quicksand {
+
+double static_water_pressure(const Problem& problem, double y)
+{
+    if (!problem.water) return 0.0;
+    return problem.water->density * problem.gravity * std::max(0.0, problem.water->level - y);
+}
+
+double drag_coefficient(const Material& material, const Water& water, double porosity)
+{
+    return porosity * porosity * water.density * material.conductivity_gravity / material.hydraulic_conductivity;
+}
+
+} // namespace quicksand

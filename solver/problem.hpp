@@ -1,0 +1,70 @@
+// What a run is given and never changes: grid, materials, water, boundaries, loads.
+#pragma once
+
+#include "solver/background_grid.hpp"
+#include "solver/base_motion.hpp"
+#include "solver/skeleton_law.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+struct Material {
+    std::string name;
+    SkeletonLaw law;
+    double grain_density = 0.0;          // rho_s [kg/m3]
+    double porosity = 0.0;               // n, initial [-]
+    double hydraulic_conductivity = 0.0; // k [m/s]; not intrinsic permeability
+    double conductivity_gravity = standard_gravity; // g_k, the gravity at which k is stated [m/s2]
+};
+
+struct Water {
+    double density = 1000.0;      // rho_w [kg/m3]
+    double bulk_modulus = 2.2e9;  // K_w [Pa]
+    double level = 0.0;           // y of the still water surface [m]
+};
+
+enum class SoilCondition { free, fixed, roller, tied };
+enum class WaterCondition { drained, impervious };
+
+/// A straight piece of a boundary curve; the soil lies to its left, going from start to end.
+struct Segment {
+    Vector2 start, end; // [m]
+};
+
+/// One named boundary curve.
+struct Boundary {
+    std::string name;
+    SoilCondition soil = SoilCondition::free;
+    WaterCondition water = WaterCondition::drained;
+    std::vector<Segment> segments;
+};
+
+/// Two vertical sides whose points of equal height move together, as in a laminar box.
+struct TiedSides {
+    std::string left, right;   // names of the boundary curves
+    double x_left = 0.0;       // [m], on a grid line
+    double x_right = 0.0;      // [m], on a grid line
+};
+
+/// Immutable inputs of a run. Without `water` the scene is dry.
+struct Problem {
+    BackgroundGrid grid;
+    std::vector<Material> materials;
+    std::vector<std::string> region_names;
+    std::optional<Water> water;
+    double gravity = standard_gravity; // magnitude, acting in -y [m/s2]
+    BaseMotion base_motion;
+    std::vector<Boundary> boundaries;
+    std::optional<TiedSides> tied_sides;
+};
+
+/// Static pressure of the still water at height y, zero above the level [Pa].
+double static_water_pressure(const Problem& problem, double y);
+
+/// C = n^2 rho_w g_k / k, the drag between water and grains [N s/m4].
+double drag_coefficient(const Material& material, const Water& water, double porosity);
+
+} // namespace quicksand

@@ -1,0 +1,69 @@
+// The run: the stages, the loop over the steps, and the observers that look on. No file access.
+#pragma once
+
+#include "solver/monitors.hpp"
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+#include "solver/time_step_control.hpp"
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace quicksand {
+
+/// What an observer is told of the step just taken.
+struct StepReport {
+    Stage stage = Stage::shaking;
+    std::int64_t step = 0; // steps taken in the stage [-]
+    double time = 0.0;     // t at the end of the step [s]
+    TimeStep time_step;    // and its limiting reason
+    std::int64_t limited_domains = 0; // particle domains shortened to a cell in the step [-]
+};
+
+/// Looks at the run without changing it. `observe` is called when the time `next_time` is hit exactly (the
+/// loop shortens dt for it), also at the start of the stage; `after_step` after every step.
+class Observer {
+public:
+    virtual ~Observer() = default;
+    /// Next time to observe [s], infinite when there is none.
+    virtual double next_time() const = 0;
+    /// The state stands at next_time(); the observer moves its next_time() on.
+    virtual void observe(const Problem& problem, const State& state, const StepReport& report) = 0;
+    virtual void after_step(const StepReport&) {}
+};
+
+struct RelaxationControls {
+    double damping = 0.7;             // local damping factor [-]
+    double tolerance = 1e-6;          // out-of-balance force / body force at which the stage ends [-]
+    std::int64_t max_steps = 200'000; // then the stage is a NumericalError [-]
+};
+
+/// Outcome of the relaxation stage.
+struct RelaxationReport {
+    std::int64_t steps = 0;         // [-]
+    double out_of_balance = 0.0;    // out-of-balance force / body force at the end [-]
+    double max_displacement = 0.0;  // how far the soil moved while settling [m]
+};
+
+/// Out-of-balance force / body force of the state, all forces in the norm sum_i |f_i| over the free
+/// directions of the nodes [-].
+double out_of_balance(const Problem& problem, const State& state);
+
+/// Settle under gravity, drained and damped; then velocities are zero, displacements are counted from the
+/// settled shape and sigma'_v0 is frozen. `progress(steps, out_of_balance)` is called now and then.
+RelaxationReport relax(const Problem& problem, const RelaxationControls& controls, State& state,
+                       const std::function<void(std::int64_t, double)>& progress = {});
+
+/// Freeze sigma'_v0 from the present stress and set the reference of displacements: the start of shaking.
+void begin_shaking(State& state);
+
+/// Run from state.time to end_time. Throws NumericalError. `stop_requested` is asked after every step.
+void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
+         const std::function<bool()>& stop_requested = {});
+
+/// Threads used by the kernels; results do not depend on it.
+void set_thread_count(int threads);
+int thread_count();
+
+} // namespace quicksand

@@ -1,0 +1,15 @@
+// The constitutive laws of the grain skeleton behind one small interface.
+//
+// A law is a plain struct of parameters with three functions: `update_stress`, `constrained_modulus` and
+// `shear_modulus`. Laws are visited once per run of particles, never per particle.
+#pragma once
+
+#include "solver/linear_elastic.hpp"
+
+#include <variant>
+
+namespace quicksand {
+
+using SkeletonLaw = std::variant<LinearElastic>;
+
+} // namespace quicksand

@@ -1,0 +1,39 @@
+// The largest stable time step and what limits it.
+#pragma once
+
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+
+#include <string>
+
+namespace quicksand {
+
+struct WaveSpeeds {
+    double undrained = 0.0;  // c_u, P wave with grains and water moving together [m/s]
+    double fast = 0.0;       // c_1, P wave without drag between grains and water [m/s]
+    double slow = 0.0;       // c_2, slow P wave without drag [m/s]
+    double skeleton = 0.0;   // P wave of the drained skeleton carrying the water's mass [m/s]
+    double shear = 0.0;      // shear wave of the mixture [m/s]
+};
+
+/// Wave speeds at a porosity; without water only `skeleton` and `shear` of the dry soil differ from zero.
+/// method: eigenvalues of R^-1 K of the drag-free two-phase P wave (Biot).
+WaveSpeeds wave_speeds(const Material& material, const std::optional<Water>& water, double porosity);
+
+enum class TimeStepLimiter { wave, motion, output };
+
+struct TimeStep {
+    double dt = 0.0;                                 // [s]
+    TimeStepLimiter limiter = TimeStepLimiter::wave; // why it is not larger
+    std::string material;                            // whose wave limits it
+};
+
+/// Largest stable step of the two-phase (or dry) stage: min(0.65 h / c_fast, 0.2 h / max|v|) [s].
+TimeStep stable_time_step(const Problem& problem, const Particles& particles);
+
+/// Largest stable step of the drained relaxation stage [s].
+TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles);
+
+const char* name_of(TimeStepLimiter limiter);
+
+} // namespace quicksand
