@@ -1,0 +1,49 @@
+// Messages about the user's input: collected, then shown together with the place, the source line and a caret.
+#pragma once
+
+#include "io/scene.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quicksand {
+
+enum class Severity { error, warning };
+
+/// One finding. Shown as
+///     file:line:column: error[kind]: what
+///        31 | fluid_bulk_modulus = 2.2e6
+///           |                      ^~~~~
+///     expected: ...
+///     hint: ...
+struct Diagnostic {
+    Severity severity = Severity::error;
+    std::string kind; // "unknown-key", "unit", "range", ...
+    SourcePlace place;
+    int width = 1; // of the marked text [characters]
+    std::string what;
+    std::string expected; // may be empty
+    std::string hint;     // may be empty
+};
+
+/// A batch of findings about one source text.
+class Diagnostics {
+public:
+    void add(Diagnostic diagnostic) { findings_.push_back(std::move(diagnostic)); }
+    bool has_errors() const;
+    bool empty() const { return findings_.empty(); }
+    const std::vector<Diagnostic>& findings() const { return findings_; }
+
+    /// At most 20 errors and five warnings of a kind, in the order of the file, then a count of the rest.
+    /// `source` is the text the places refer to, "" when there is none to quote.
+    std::string render(std::string_view source) const;
+
+private:
+    std::vector<Diagnostic> findings_;
+};
+
+/// The name nearest to `name` within edit distance 3 (and a third of its length), "" when there is none.
+std::string nearest_name(std::string_view name, const std::vector<std::string>& names);
+
+} // namespace quicksand

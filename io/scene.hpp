@@ -1,0 +1,103 @@
+// A scene as the user wrote it, checked and in SI units: plain data, no files, no gmsh.
+#pragma once
+
+#include "solver/problem.hpp"
+#include "solver/simulation.hpp"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace quicksand {
+
+/// Place of a value in a text file, 1-based; line 0 when it was not in the file (a default or --set).
+struct SourcePlace {
+    std::filesystem::path file;
+    int line = 0;
+    int column = 0;
+};
+
+struct LatticeSampling {
+    int per_cell_x = 3; // particles per cell [-]
+    int per_cell_y = 3;
+    int boundary_refinement = 1; // splits of domains cut by the outline, each way [-]
+};
+
+struct MeshSampling {
+    double quad_size = 0.0; // edge length of the quadrilaterals; 0: a third of a cell [m]
+};
+
+struct SceneMaterial {
+    Material material;
+    SourcePlace place;
+};
+
+struct SceneRegion {
+    std::string name;     // physical surface
+    std::string material; // name of a material
+    SourcePlace place;
+};
+
+struct SceneBoundary {
+    std::string name; // physical curve
+    SoilCondition soil = SoilCondition::free;
+    WaterCondition water = WaterCondition::drained;
+    std::string tied_to; // the partner curve when soil is tied
+    SourcePlace place;
+};
+
+enum class ProbeKind {
+    material, // rides with the particle nearest to the point
+    fixed,    // a point in space; empty where there is no soil
+    surface,  // the highest soil at an x
+    profile,  // points along a line from `at` to `to`
+};
+
+struct SceneProbe {
+    std::string name;
+    ProbeKind kind = ProbeKind::material;
+    std::optional<Vector2> at; // [m]; none: the physical point of the probe's name
+    std::optional<Vector2> to; // end of a profile [m]
+    int points = 21;           // of a profile [-]
+    SourcePlace place;
+};
+
+struct SceneOutput {
+    double frame_interval = 0.0;      // between fields.pvd frames [s]
+    double probe_interval = 0.0;      // between probe rows [s]
+    double history_interval = 0.0;    // between history.csv and steps.csv rows [s]
+    double checkpoint_interval = 0.0; // between checkpoints [s of wall time]
+};
+
+struct Scene {
+    std::filesystem::path file;
+    std::string text; // as read, for the manifest's hash and the copy in the results
+    std::string title;
+
+    std::filesystem::path geometry_file; // resolved against the scene's folder
+    std::map<std::string, double> geometry_parameters;
+    SourcePlace geometry_place;
+
+    double cell_size = 0.0;                        // h [m]
+    std::optional<Vector2> grid_origin;            // none: lower left corner of the section [m]
+    std::optional<std::pair<int, int>> grid_cells; // none: what covers the section, plus room above it
+    SourcePlace grid_place;
+    std::variant<LatticeSampling, MeshSampling> sampling;
+
+    double gravity = standard_gravity; // [m/s2]
+    std::optional<Water> water;        // none: a dry scene
+    std::vector<SceneMaterial> materials;
+    std::vector<SceneRegion> regions;
+    std::vector<SceneBoundary> boundaries;
+    double k0 = 0.5;                              // sigma'_h / sigma'_v of the initial state [-]
+    std::optional<RelaxationControls> relaxation; // none: start from the K0 state as it is
+    BaseMotion base_motion;
+    std::vector<SceneProbe> probes;
+    double end_time = 0.0; // [s]
+    SceneOutput output;
+};
+
+} // namespace quicksand
