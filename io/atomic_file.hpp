@@ -1,0 +1,25 @@
+// Files that are replaced as a whole: a reader sees the old text or the new one, never a half.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace quicksand {
+
+/// Name of the temporary file beside `path`.
+std::filesystem::path temporary_name(const std::filesystem::path& path);
+
+/// Rename the finished temporary file to `path`. Throws FileError.
+void replace_file(const std::filesystem::path& path);
+
+/// Write `text` to the temporary file and rename it to `path`. Throws FileError.
+void write_atomically(const std::filesystem::path& path, std::string_view text);
+
+/// Put a file's or folder's content on the disk itself, so that it survives a power cut. Throws FileError.
+void synchronize(const std::filesystem::path& path);
+
+/// The whole text of a file. Throws FileError.
+std::string read_text(const std::filesystem::path& path);
+
+} // namespace quicksand
