@@ -23,8 +23,14 @@ struct BackgroundGrid {
     int all_cells_y() const { return cells_y + 2 * ghost_cells; }
     int nodes_x() const { return all_cells_x() + 1; }
     int nodes_y() const { return all_cells_y() + 1; }
-    std::size_t cell_count() const { return static_cast<std::size_t>(all_cells_x()) * static_cast<std::size_t>(all_cells_y()); }
-    std::size_t node_count() const { return static_cast<std::size_t>(nodes_x()) * static_cast<std::size_t>(nodes_y()); }
+    std::size_t cell_count() const
+    {
+        return static_cast<std::size_t>(all_cells_x()) * static_cast<std::size_t>(all_cells_y());
+    }
+    std::size_t node_count() const
+    {
+        return static_cast<std::size_t>(nodes_x()) * static_cast<std::size_t>(nodes_y());
+    }
 
     /// Lower left corner of the rim [m].
     Vector2 rim_origin() const { return origin - Vector2::Constant(ghost_cells * cell_size); }

@@ -43,10 +43,11 @@ double sampled_acceleration(const SampledMotion& record, double time)
 
 double base_acceleration(const BaseMotion& motion, double time)
 {
-    return std::visit(Overload{[](const NoMotion&) { return 0.0; },
-                               [&](const SineMotion& sine) { return sine_acceleration(sine, time); },
-                               [&](const SampledMotion& record) { return sampled_acceleration(record, time); }},
-                      motion);
+    return std::visit(
+        Overload{[](const NoMotion&) { return 0.0; },
+                 [&](const SineMotion& sine) { return sine_acceleration(sine, time); },
+                 [&](const SampledMotion& record) { return sampled_acceleration(record, time); }},
+        motion);
 }
 
 double peak_acceleration(const BaseMotion& motion)
@@ -63,15 +64,15 @@ double peak_acceleration(const BaseMotion& motion)
 
 double duration(const BaseMotion& motion)
 {
-    return std::visit(
-        Overload{[](const NoMotion&) { return 0.0; },
-                 [](const SineMotion& sine) { return sine.cycles / sine.frequency; },
-                 [](const SampledMotion& record) {
-                     return record.accelerations.empty()
-                                ? 0.0
-                                : record.interval * static_cast<double>(record.accelerations.size() - 1);
-                 }},
-        motion);
+    return std::visit(Overload{[](const NoMotion&) { return 0.0; },
+                               [](const SineMotion& sine) { return sine.cycles / sine.frequency; },
+                               [](const SampledMotion& record) {
+                                   return record.accelerations.empty()
+                                              ? 0.0
+                                              : record.interval *
+                                                    static_cast<double>(record.accelerations.size() - 1);
+                               }},
+                      motion);
 }
 
 } // namespace quicksand

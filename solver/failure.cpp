@@ -11,11 +11,11 @@ std::string describe(const FailureRecord& record)
 {
     std::ostringstream text;
     text.precision(8);
-    text << "the run went bad in phase '" << record.phase << "' of step " << record.step << ", t = " << record.time
-         << " s, dt = " << record.time_step << " s: " << record.what;
+    text << "the run went bad in phase '" << record.phase << "' of step " << record.step
+         << ", t = " << record.time << " s, dt = " << record.time_step << " s: " << record.what;
     if (record.identifier >= 0) {
-        text << "\n  particle " << record.identifier << " at (" << record.position.x() << ", " << record.position.y()
-             << ") m";
+        text << "\n  particle " << record.identifier << " at (" << record.position.x() << ", "
+             << record.position.y() << ") m";
     }
     if (!record.causes.empty()) text << "\n  likely causes: " << record.causes;
     return text.str();

@@ -19,13 +19,13 @@ public:
 
 /// Where and why a run went bad.
 struct FailureRecord {
-    std::string phase;             // phase of the step, e.g. "gather"
-    std::string what;              // what was found, with the numbers
-    std::string causes;            // likely causes, the most likely first
-    std::int64_t step = 0;         // step number [-]
-    double time = 0.0;             // t [s]
-    double time_step = 0.0;        // dt [s]
-    std::int64_t identifier = -1;  // the particle's lasting number [-], -1 when no particle is involved
+    std::string phase;                  // phase of the step, e.g. "gather"
+    std::string what;                   // what was found, with the numbers
+    std::string causes;                 // likely causes, the most likely first
+    std::int64_t step = 0;              // step number [-]
+    double time = 0.0;                  // t [s]
+    double time_step = 0.0;             // dt [s]
+    std::int64_t identifier = -1;       // the particle's lasting number [-], -1 when no particle is involved
     Vector2 position = Vector2::Zero(); // [m]
 };
 
@@ -48,5 +48,6 @@ public:
 
 /// Check an invariant of the program; a violation is our bug, never the user's.
 #define ENSURE(expression)                                                                                   \
-    (static_cast<bool>(expression) ? void(0)                                                                 \
-                                   : quicksand::fail_invariant(#expression, std::source_location::current()))
+    (static_cast<bool>(expression)                                                                           \
+         ? void(0)                                                                                           \
+         : quicksand::fail_invariant(#expression, std::source_location::current()))

@@ -17,7 +17,8 @@ double shear_modulus(const LinearElastic& law)
     return law.shear_modulus;
 }
 
-void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last, Particles& particles)
+void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
+                   Particles& particles)
 {
     // d sigma' = lambda tr(d eps) I + 2 G d eps,  d eps = sym(L) dt,  d eps_zz = 0
     const double lambda = lame_modulus(law);

@@ -23,6 +23,7 @@ double constrained_modulus(const LinearElastic& law);
 double shear_modulus(const LinearElastic& law);
 
 /// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
-void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last, Particles& particles);
+void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
+                   Particles& particles);
 
 } // namespace quicksand

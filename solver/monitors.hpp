@@ -10,18 +10,17 @@
 namespace quicksand {
 
 struct Monitors {
-    double mass_solid = 0.0;       // [kg/m]
-    double mass_fluid = 0.0;       // [kg/m]
-    double volume = 0.0;           // [m3/m]
-    double momentum_x = 0.0;       // of both phases [N s/m]
+    double mass_solid = 0.0; // [kg/m]
+    double mass_fluid = 0.0; // [kg/m]
+    double volume = 0.0;     // [m3/m]
+    double momentum_x = 0.0; // of both phases [N s/m]
     double momentum_y = 0.0;
-    double kinetic_energy = 0.0;   // of both phases [J/m]
-    double max_velocity = 0.0;     // of the grains [m/s]
-    double max_displacement = 0.0; // since the reference [m]
+    double kinetic_energy = 0.0;           // of both phases [J/m]
+    double max_velocity = 0.0;             // of the grains [m/s]
+    double max_displacement = 0.0;         // since the reference [m]
     double max_excess_pore_pressure = 0.0; // [Pa]
     double max_ru = 0.0;           // largest excess pore pressure / initial vertical effective stress [-]
     double crest_settlement = 0.0; // mean of the particles that lay highest, downward positive [m]
-    std::int64_t limited_domains = 0; // particle domains shortened in the last step [-]
 };
 
 /// Lasting numbers of the particles of the highest layer of the soil as sampled: the crest.

@@ -12,17 +12,17 @@ namespace quicksand {
 /// One entry per node of the grid with its rim; zero where `volume` is zero. Fluid arrays are empty in a
 /// dry scene.
 struct NodalFields {
-    Scalars volume;                // V_i, soil volume carried by the node [m3/m]
-    Vectors displacement;          // since the reference [m]
-    Vectors velocity_solid;        // [m/s]
-    Vectors velocity_fluid;        // [m/s]
-    Scalars pore_pressure;         // total: static plus excess [Pa]
-    Scalars excess_pore_pressure;  // [Pa]
-    Scalars ru;                    // excess pore pressure / initial vertical effective stress [-]
-    Scalars mean_effective_stress; // compression positive, (xx + yy + zz)/3 [Pa]
+    Scalars volume;                    // V_i, soil volume carried by the node [m3/m]
+    Vectors displacement;              // since the reference [m]
+    Vectors velocity_solid;            // [m/s]
+    Vectors velocity_fluid;            // [m/s]
+    Scalars pore_pressure;             // total: static plus excess [Pa]
+    Scalars excess_pore_pressure;      // [Pa]
+    Scalars ru;                        // excess pore pressure / initial vertical effective stress [-]
+    Scalars mean_effective_stress;     // compression positive, (xx + yy + zz)/3 [Pa]
     Scalars vertical_effective_stress; // compression positive [Pa]
-    Scalars shear_stress_xy;       // [Pa]
-    Scalars porosity;              // [-]
+    Scalars shear_stress_xy;           // [Pa]
+    Scalars porosity;                  // [-]
 };
 
 NodalFields nodal_fields(const Problem& problem, const Particles& particles);

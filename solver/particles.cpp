@@ -3,7 +3,6 @@
 #include "solver/failure.hpp"
 
 #include <Eigen/LU>
-
 #include <string_view>
 
 namespace quicksand {
@@ -12,8 +11,8 @@ namespace {
 
 bool belongs_to_fluid(std::string_view name)
 {
-    return name.starts_with("velocity_fluid") || name.starts_with("velocity_gradient_fluid") || name == "porosity" ||
-           name == "pore_pressure";
+    return name.starts_with("velocity_fluid") || name.starts_with("velocity_gradient_fluid") ||
+           name == "porosity" || name == "pore_pressure";
 }
 
 template <class Value>
@@ -30,7 +29,8 @@ void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order,
 
 void resize(Particles& particles, std::size_t count, bool saturated)
 {
-    for_each_index_array(particles, [&](const char*, std::vector<std::int32_t>& values) { values.assign(count, 0); });
+    for_each_index_array(particles,
+                         [&](const char*, std::vector<std::int32_t>& values) { values.assign(count, 0); });
     for_each_array(particles, [&](const char* name, Scalars& values) {
         values.assign(saturated || !belongs_to_fluid(name) ? count : 0, 0.0);
     });
@@ -39,8 +39,9 @@ void resize(Particles& particles, std::size_t count, bool saturated)
 void reorder(Particles& particles, const std::vector<std::int32_t>& order)
 {
     std::vector<std::int32_t> index_buffer;
-    for_each_index_array(particles,
-                         [&](const char*, std::vector<std::int32_t>& values) { permute(values, order, index_buffer); });
+    for_each_index_array(particles, [&](const char*, std::vector<std::int32_t>& values) {
+        permute(values, order, index_buffer);
+    });
     Scalars buffer;
     for_each_array(particles, [&](const char*, Scalars& values) { permute(values, order, buffer); });
 }
@@ -64,7 +65,9 @@ Eigen::Matrix2d deformation_gradient(const Particles& particles, std::size_t p)
 std::size_t memory_bytes(const Particles& particles)
 {
     std::size_t bytes = 0;
-    const auto count = [&](const char*, const auto& values) { bytes += values.capacity() * sizeof(values[0]); };
+    const auto count = [&](const char*, const auto& values) {
+        bytes += values.capacity() * sizeof(values[0]);
+    };
     for_each_index_array(particles, count);
     for_each_array(particles, count);
     return bytes;

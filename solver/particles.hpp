@@ -47,10 +47,10 @@ struct Particles {
     Scalars mass_solid;                // (1-n) rho_s V_p, constant [kg/m]
     SymmetricTensors stress;           // effective stress sigma', tension positive [Pa]
 
-    Vectors velocity_fluid;                   // v_w, true velocity [m/s]
-    Gradients velocity_gradient_fluid;        // L_w [1/s]
-    Scalars porosity;                         // n [-]
-    Scalars pore_pressure;                    // excess over the static water pressure, compression positive [Pa]
+    Vectors velocity_fluid;            // v_w, true velocity [m/s]
+    Gradients velocity_gradient_fluid; // L_w [1/s]
+    Scalars porosity;                  // n [-]
+    Scalars pore_pressure;             // excess over the static water pressure, compression positive [Pa]
     Scalars initial_vertical_effective_stress; // sigma'_v0 at the start of shaking, compression positive [Pa]
 
     std::size_t size() const { return identifier.size(); }

@@ -12,7 +12,8 @@ double static_water_pressure(const Problem& problem, double y)
 
 double drag_coefficient(const Material& material, const Water& water, double porosity)
 {
-    return porosity * porosity * water.density * material.conductivity_gravity / material.hydraulic_conductivity;
+    return porosity * porosity * water.density * material.conductivity_gravity /
+           material.hydraulic_conductivity;
 }
 
 } // namespace quicksand

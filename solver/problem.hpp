@@ -14,16 +14,16 @@ namespace quicksand {
 struct Material {
     std::string name;
     SkeletonLaw law;
-    double grain_density = 0.0;          // rho_s [kg/m3]
-    double porosity = 0.0;               // n, initial [-]
-    double hydraulic_conductivity = 0.0; // k [m/s]; not intrinsic permeability
+    double grain_density = 0.0;                     // rho_s [kg/m3]
+    double porosity = 0.0;                          // n, initial [-]
+    double hydraulic_conductivity = 0.0;            // k [m/s]; not intrinsic permeability
     double conductivity_gravity = standard_gravity; // g_k, the gravity at which k is stated [m/s2]
 };
 
 struct Water {
-    double density = 1000.0;      // rho_w [kg/m3]
-    double bulk_modulus = 2.2e9;  // K_w [Pa]
-    double level = 0.0;           // y of the still water surface [m]
+    double density = 1000.0;     // rho_w [kg/m3]
+    double bulk_modulus = 2.2e9; // K_w [Pa]
+    double level = 0.0;          // y of the still water surface [m]
 };
 
 enum class SoilCondition { free, fixed, roller, tied };
@@ -44,9 +44,9 @@ struct Boundary {
 
 /// Two vertical sides whose points of equal height move together, as in a laminar box.
 struct TiedSides {
-    std::string left, right;   // names of the boundary curves
-    double x_left = 0.0;       // [m], on a grid line
-    double x_right = 0.0;      // [m], on a grid line
+    std::string left, right; // names of the boundary curves
+    double x_left = 0.0;     // [m], on a grid line
+    double x_right = 0.0;    // [m], on a grid line
 };
 
 /// Immutable inputs of a run. Without `water` the scene is dry.

@@ -15,9 +15,9 @@ namespace quicksand {
 /// What an observer is told of the step just taken.
 struct StepReport {
     Stage stage = Stage::shaking;
-    std::int64_t step = 0; // steps taken in the stage [-]
-    double time = 0.0;     // t at the end of the step [s]
-    TimeStep time_step;    // and its limiting reason
+    std::int64_t step = 0;            // steps taken in the stage [-]
+    double time = 0.0;                // t at the end of the step [s]
+    TimeStep time_step;               // and its limiting reason
     std::int64_t limited_domains = 0; // particle domains shortened to a cell in the step [-]
 };
 
@@ -41,9 +41,9 @@ struct RelaxationControls {
 
 /// Outcome of the relaxation stage.
 struct RelaxationReport {
-    std::int64_t steps = 0;         // [-]
-    double out_of_balance = 0.0;    // out-of-balance force / body force at the end [-]
-    double max_displacement = 0.0;  // how far the soil moved while settling [m]
+    std::int64_t steps = 0;        // [-]
+    double out_of_balance = 0.0;   // out-of-balance force / body force at the end [-]
+    double max_displacement = 0.0; // how far the soil moved while settling [m]
 };
 
 /// Out-of-balance force / body force of the state, all forces in the norm sum_i |f_i| over the free

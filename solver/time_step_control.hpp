@@ -9,11 +9,11 @@
 namespace quicksand {
 
 struct WaveSpeeds {
-    double undrained = 0.0;  // c_u, P wave with grains and water moving together [m/s]
-    double fast = 0.0;       // c_1, P wave without drag between grains and water [m/s]
-    double slow = 0.0;       // c_2, slow P wave without drag [m/s]
-    double skeleton = 0.0;   // P wave of the drained skeleton carrying the water's mass [m/s]
-    double shear = 0.0;      // shear wave of the mixture [m/s]
+    double undrained = 0.0; // c_u, P wave with grains and water moving together [m/s]
+    double fast = 0.0;      // c_1, P wave without drag between grains and water [m/s]
+    double slow = 0.0;      // c_2, slow P wave without drag [m/s]
+    double skeleton = 0.0;  // P wave of the drained skeleton carrying the water's mass [m/s]
+    double shear = 0.0;     // shear wave of the mixture [m/s]
 };
 
 /// Wave speeds at a porosity; without water only `skeleton` and `shear` of the dry soil differ from zero.

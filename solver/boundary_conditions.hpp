@@ -1,0 +1,48 @@
+// The boundary curves as conditions on nodes.
+//
+// A wall (fixed or roller) constrains the nodes on it and beyond it, so that particle corners that touch the
+// wall see the wall's velocity. A wall goes on straight beyond its ends where the soil's corner is convex:
+// soil that rises along a side wall or spreads on the base still meets it. A wall off the grid lines acts at
+// the first nodes beyond it.
+#pragma once
+
+#include "solver/problem.hpp"
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace quicksand {
+
+/// Conditions on one node, direction by direction; combined by or.
+enum NodeCondition : std::uint8_t {
+    solid_x_fixed = 1,
+    solid_y_fixed = 2,
+    fluid_x_fixed = 4,
+    fluid_y_fixed = 8,
+    film_x = 16, // an impervious film: grains and water move together in x
+    film_y = 32,
+};
+
+/// Conditions normal to a slanted wall.
+struct SlantedNode {
+    std::size_t node = 0;
+    Vector2 normal = Vector2::Zero(); // outward [-]
+    std::uint8_t conditions = 0;      // the _x conditions act along the normal, the _y ones across
+};
+
+/// Nodes that share one velocity with another: the second carries the sum of both.
+struct TiedNodes {
+    std::size_t node = 0;
+    std::size_t master = 0;
+};
+
+struct NodeConditions {
+    std::vector<std::uint8_t> of_node; // NodeCondition bits, one entry per node
+    std::vector<SlantedNode> slanted;
+    std::vector<TiedNodes> tied;
+};
+
+NodeConditions node_conditions(const Problem& problem);
+
+} // namespace quicksand

@@ -1,0 +1,80 @@
+// Which particles lie in which cell, and the tiles of cells that threads work on.
+//
+// Cells are grouped in square tiles of 8 x 8. A particle of a tile reaches nodes at most three cells outside
+// it, so tiles of the same colour (even or odd tile row, even or odd tile column) never share a node and are
+// scattered at the same time; the four colours follow each other. Each tile is worked through by one thread
+// in a fixed order: sums are the same bits for any number of threads.
+#pragma once
+
+#include "solver/background_grid.hpp"
+#include "solver/particles.hpp"
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// A square of cells; its particles follow each other in CellLists::order.
+struct Tile {
+    std::int32_t number = 0;     // counts the tiles of the grid [-]
+    std::int32_t first_cell = 0; // slots [first_cell, last_cell) of CellLists::cell_start
+    std::int32_t last_cell = 0;
+};
+
+struct CellLists {
+    static constexpr int tile_cells = 8;
+
+    std::vector<std::int32_t> slot_of_cell;     // grid cell -> place in the tile-by-tile order of cells [-]
+    std::vector<std::int32_t> cell_of_particle; // slot of the cell of the particle's centre [-]
+    std::vector<std::int32_t> cell_start;       // slot -> first entry of `order`; one more than slots [-]
+    std::vector<std::int32_t> order;            // particles, cell by cell [-]
+    std::array<std::vector<Tile>, 4> tiles_of_colour;
+    std::vector<std::int32_t> scratch; // buffer of the counting sort
+    std::size_t tile_count = 0;
+
+    /// Entries of `order` that belong to a tile: [first_entry, last_entry).
+    std::size_t first_entry(const Tile& tile) const
+    {
+        return static_cast<std::size_t>(cell_start[static_cast<std::size_t>(tile.first_cell)]);
+    }
+    std::size_t last_entry(const Tile& tile) const
+    {
+        return static_cast<std::size_t>(cell_start[static_cast<std::size_t>(tile.last_cell)]);
+    }
+};
+
+/// Lists for a grid, still without particles.
+CellLists make_cell_lists(const BackgroundGrid& grid);
+
+/// Bring the lists up to date with the positions. Returns the index of a particle whose centre lies more than
+/// a cell outside the scene's grid or is not a number, or -1.
+std::int64_t update_cell_lists(const BackgroundGrid& grid, const Particles& particles, CellLists& lists);
+
+/// Fraction of particles whose neighbour in memory is not their neighbour in the lists [-].
+double disorder(const CellLists& lists);
+
+/// Call work(tile) for every tile, tiles of one colour at the same time, one colour after another.
+template <class Work>
+void for_each_tile_by_colour(const CellLists& lists, Work&& work)
+{
+    for (const std::vector<Tile>& tiles : lists.tiles_of_colour) {
+        const auto count = static_cast<std::int64_t>(tiles.size());
+#pragma omp parallel for schedule(dynamic, 1)
+        for (std::int64_t t = 0; t < count; ++t) work(tiles[static_cast<std::size_t>(t)]);
+    }
+}
+
+/// Call work(tile) for every tile, all at the same time: for work that writes only to the tile's particles.
+template <class Work>
+void for_each_tile(const CellLists& lists, Work&& work)
+{
+#pragma omp parallel
+    for (const std::vector<Tile>& tiles : lists.tiles_of_colour) {
+        const auto count = static_cast<std::int64_t>(tiles.size());
+#pragma omp for schedule(dynamic, 1) nowait
+        for (std::int64_t t = 0; t < count; ++t) work(tiles[static_cast<std::size_t>(t)]);
+    }
+}
+
+} // namespace quicksand

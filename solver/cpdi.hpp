@@ -1,0 +1,29 @@
+// Convected particle domain interpolation with parallelogram domains (Sadeghirad, Brannon and Burghardt
+// 2011).
+//
+// The grid's bilinear functions N_i are replaced on a particle's domain by the bilinear interpolation of
+// their values at its four corners x_1..x_4 (counter-clockwise, half edges r_1, r_2, V = 4 r_1 x r_2):
+//   phi_ip  = 1/4 sum_c N_i(x_c)
+//   grad phi_ip = 1/V { [N_i(x_1) - N_i(x_3)] (r_1y - r_2y, r_2x - r_1x)
+//                     + [N_i(x_2) - N_i(x_4)] (r_1y + r_2y, -r_1x - r_2x) }
+#pragma once
+
+#include "solver/background_grid.hpp"
+#include "solver/node_weights.hpp"
+
+namespace quicksand {
+
+/// A parallelogram domain: centre and half edges, r_1 x r_2 > 0 [m].
+struct ParallelogramDomain {
+    Vector2 centre, half_edge_1, half_edge_2;
+};
+
+/// Shorten edges that are longer than a cell in either direction: a longer domain would give no weight to the
+/// nodes inside it, and the body would fall apart there (Homel, Brannon and Guilkey 2016 scale likewise).
+/// Returns whether an edge was shortened.
+bool limit_domain(double cell_size, ParallelogramDomain& domain);
+
+/// Weights of a domain whose centre lies in the grid and whose edges are limited.
+void evaluate_cpdi(const BackgroundGrid& grid, const ParallelogramDomain& domain, NodePatch& patch);
+
+} // namespace quicksand

@@ -1,0 +1,202 @@
+#include "solver/grid_momentum.hpp"
+
+#include <cmath>
+#include <cstdint>
+
+namespace quicksand {
+
+namespace {
+
+/// One direction of a node's balance: impulses b = momentum + dt force.
+struct Balance {
+    double mass_solid, mass_fluid, dt_drag;
+    double impulse_solid, impulse_fluid;
+};
+
+/// Solve with the conditions of one direction inside: a held solid still drags the water.
+PhaseVelocities solve_direction(const Balance& balance, bool solid_fixed, bool fluid_fixed, bool film)
+{
+    if (solid_fixed) {
+        const double fluid = fluid_fixed || balance.mass_fluid == 0.0
+                                 ? 0.0
+                                 : balance.impulse_fluid / (balance.mass_fluid + balance.dt_drag);
+        return {0.0, fluid};
+    }
+    if (film) {
+        const double both =
+            (balance.impulse_solid + balance.impulse_fluid) / (balance.mass_solid + balance.mass_fluid);
+        return {both, both};
+    }
+    return solve_drag(balance.mass_solid, balance.mass_fluid, balance.dt_drag, balance.impulse_solid,
+                      balance.impulse_fluid);
+}
+
+struct NodeImpulses {
+    Vector2 solid, fluid; // [N s/m]
+};
+
+NodeImpulses two_phase_impulses(const Problem& problem, double dt, double acceleration,
+                                const TwoPhaseSums& node)
+{
+    // the porosity of the node stands outside the sum of F^p: a constant pressure across a porosity jump
+    // then gives no force between the phases
+    const double fluid_density = problem.water->density;
+    const double porosity = node.mass_fluid / (fluid_density * node.volume);
+    const double buoyant_mass = node.mass_solid + node.mass_fluid - fluid_density * node.volume;
+    const Vector2 pressure_force(node.pressure_force_x, node.pressure_force_y);
+    const Vector2 stress_force(node.stress_force_x, node.stress_force_y);
+    const Vector2 base(acceleration, 0.0);
+
+    const Vector2 force_fluid = porosity * pressure_force - node.mass_fluid * base;
+    const Vector2 force_solid = stress_force + (1.0 - porosity) * pressure_force - node.mass_solid * base -
+                                Vector2(0.0, buoyant_mass * problem.gravity);
+    return {Vector2(node.momentum_solid_x, node.momentum_solid_y) + dt * force_solid,
+            Vector2(node.momentum_fluid_x, node.momentum_fluid_y) + dt * force_fluid};
+}
+
+Balance balance_along(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
+                      const Vector2& direction)
+{
+    return {node.mass_solid, node.mass_fluid, dt * node.drag, impulses.solid.dot(direction),
+            impulses.fluid.dot(direction)};
+}
+
+void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
+{
+    const double porosity = node.mass_fluid / (problem.water->density * node.volume);
+    motion.flux_x = (1.0 - porosity) * motion.solid_x + porosity * motion.fluid_x;
+    motion.flux_y = (1.0 - porosity) * motion.solid_y + porosity * motion.fluid_y;
+}
+
+TwoPhaseMotion solve_aligned(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
+                             std::uint8_t held)
+{
+    const PhaseVelocities x = solve_direction(balance_along(node, impulses, dt, Vector2::UnitX()),
+                                              held & solid_x_fixed, held & fluid_x_fixed, held & film_x);
+    const PhaseVelocities y = solve_direction(balance_along(node, impulses, dt, Vector2::UnitY()),
+                                              held & solid_y_fixed, held & fluid_y_fixed, held & film_y);
+    return {x.solid, y.solid, x.fluid, y.fluid, 0.0, 0.0};
+}
+
+TwoPhaseMotion solve_slanted(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
+                             const SlantedNode& wall)
+{
+    const Vector2 across(-wall.normal.y(), wall.normal.x());
+    const std::uint8_t held = wall.conditions;
+    const PhaseVelocities n = solve_direction(balance_along(node, impulses, dt, wall.normal),
+                                              held & solid_x_fixed, held & fluid_x_fixed, held & film_x);
+    const PhaseVelocities s = solve_direction(balance_along(node, impulses, dt, across), held & solid_y_fixed,
+                                              held & fluid_y_fixed, held & film_y);
+    const Vector2 solid = n.solid * wall.normal + s.solid * across;
+    const Vector2 fluid = n.fluid * wall.normal + s.fluid * across;
+    return {solid.x(), solid.y(), fluid.x(), fluid.y(), 0.0, 0.0};
+}
+
+template <class Sums, class Add>
+void add_tied(const NodeConditions& conditions, std::vector<Sums>& sums, Add&& add)
+{
+    for (const TiedNodes& tie : conditions.tied) add(sums[tie.master], sums[tie.node]);
+}
+
+} // namespace
+
+void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums)
+{
+    add_tied(conditions, sums, [](TwoPhaseSums& master, const TwoPhaseSums& node) {
+        master.mass_solid += node.mass_solid;
+        master.mass_fluid += node.mass_fluid;
+        master.volume += node.volume;
+        master.drag += node.drag;
+        master.momentum_solid_x += node.momentum_solid_x;
+        master.momentum_solid_y += node.momentum_solid_y;
+        master.momentum_fluid_x += node.momentum_fluid_x;
+        master.momentum_fluid_y += node.momentum_fluid_y;
+        master.stress_force_x += node.stress_force_x;
+        master.stress_force_y += node.stress_force_y;
+        master.pressure_force_x += node.pressure_force_x;
+        master.pressure_force_y += node.pressure_force_y;
+    });
+}
+
+void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseSums>& sums)
+{
+    add_tied(conditions, sums, [](SinglePhaseSums& master, const SinglePhaseSums& node) {
+        master.mass += node.mass;
+        master.momentum_x += node.momentum_x;
+        master.momentum_y += node.momentum_y;
+        master.weight += node.weight;
+        master.stress_force_x += node.stress_force_x;
+        master.stress_force_y += node.stress_force_y;
+    });
+}
+
+PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,
+                           double impulse_fluid)
+{
+    if (mass_fluid == 0.0) return {impulse_solid / mass_solid, impulse_solid / mass_solid};
+    // relative velocity r and velocity of the mixture
+    const double mixture = (impulse_solid + impulse_fluid) / (mass_solid + mass_fluid);
+    const double relative = (impulse_fluid / mass_fluid - impulse_solid / mass_solid) /
+                            (1.0 + dt_drag * (1.0 / mass_solid + 1.0 / mass_fluid));
+    const double fluid_share = mass_fluid / (mass_solid + mass_fluid);
+    return {mixture - fluid_share * relative, mixture + (1.0 - fluid_share) * relative};
+}
+
+void solve_two_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
+                              double acceleration, const std::vector<TwoPhaseSums>& sums,
+                              std::vector<TwoPhaseMotion>& motion)
+{
+    const auto count = static_cast<std::int64_t>(sums.size());
+#pragma omp parallel for schedule(static)
+    for (std::int64_t k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (!sums[i].active()) {
+            motion[i] = {};
+            continue;
+        }
+        const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, sums[i]);
+        motion[i] = solve_aligned(sums[i], impulses, dt, conditions.of_node[i]);
+        set_flux(problem, sums[i], motion[i]);
+    }
+    for (const SlantedNode& wall : conditions.slanted) {
+        const TwoPhaseSums& node = sums[wall.node];
+        if (!node.active() || conditions.of_node[wall.node] != 0) continue;
+        const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, node);
+        motion[wall.node] = solve_slanted(node, impulses, dt, wall);
+        set_flux(problem, node, motion[wall.node]);
+    }
+}
+
+void solve_single_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
+                                 double acceleration, double damping,
+                                 const std::vector<SinglePhaseSums>& sums,
+                                 std::vector<SinglePhaseMotion>& motion)
+{
+    const auto damped = [&](double force, double momentum) {
+        return momentum == 0.0 ? force : force - std::copysign(damping * std::abs(force), momentum);
+    };
+    const auto count = static_cast<std::int64_t>(sums.size());
+#pragma omp parallel for schedule(static)
+    for (std::int64_t k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        const SinglePhaseSums& node = sums[i];
+        if (!node.active()) {
+            motion[i] = {0.0, 0.0};
+            continue;
+        }
+        const double force_x = damped(node.stress_force_x - node.mass * acceleration, node.momentum_x);
+        const double force_y = damped(node.stress_force_y - node.weight * problem.gravity, node.momentum_y);
+        const std::uint8_t held = conditions.of_node[i];
+        motion[i].x = held & solid_x_fixed ? 0.0 : (node.momentum_x + dt * force_x) / node.mass;
+        motion[i].y = held & solid_y_fixed ? 0.0 : (node.momentum_y + dt * force_y) / node.mass;
+    }
+    for (const SlantedNode& wall : conditions.slanted) {
+        if (!sums[wall.node].active() || conditions.of_node[wall.node] != 0) continue;
+        Vector2 velocity(motion[wall.node].x, motion[wall.node].y);
+        if (wall.conditions & solid_x_fixed) velocity -= velocity.dot(wall.normal) * wall.normal;
+        if (wall.conditions & solid_y_fixed) velocity.setZero();
+        motion[wall.node] = {velocity.x(), velocity.y()};
+    }
+}
+
+} // namespace quicksand

@@ -1,0 +1,50 @@
+// The momentum balances on the nodes, with the velocity conditions inside the solve.
+#pragma once
+
+#include "solver/boundary_conditions.hpp"
+#include "solver/nodes.hpp"
+#include "solver/problem.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+/// Velocities of the two phases in one direction [m/s].
+struct PhaseVelocities {
+    double solid, fluid;
+};
+
+/// Backward Euler on the drag alone: the 2 x 2 system of one node and direction
+///   (m_s + dt C) v_s - dt C v_w = b_s,   -dt C v_s + (m_w + dt C) v_w = b_w
+/// in a form without cancellation, valid for dt C from 0 to infinity.
+PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,
+                           double impulse_fluid);
+
+/// Add the sums of tied nodes to their masters.
+void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums);
+void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseSums>& sums);
+
+/// Give tied nodes their masters' velocities.
+template <class Motion>
+void spread_tied_motion(const NodeConditions& conditions, std::vector<Motion>& motion)
+{
+    for (const TiedNodes& tie : conditions.tied) motion[tie.node] = motion[tie.master];
+}
+
+/// Velocities at t + dt of both phases; `acceleration` is the horizontal acceleration of the base [m/s2].
+///   water  m_w dv_w/dt = n_i F^p - m_w a - C (v_w - v_s)
+///   grains m_s dv_s/dt = f' + (1-n_i) F^p + (m_s + m_w - rho_w V) g - m_s a + C (v_w - v_s)
+/// F^p is the force of the excess pressure; the static pressure carries the water's weight and leaves the
+/// grains their buoyant weight.
+void solve_two_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
+                              double acceleration, const std::vector<TwoPhaseSums>& sums,
+                              std::vector<TwoPhaseMotion>& motion);
+
+/// Velocities at t + dt of a body that moves as one phase. `damping` is the local damping factor: the part of
+/// a node's force that is taken away while it accelerates the node, and added while it brakes it [-].
+void solve_single_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
+                                 double acceleration, double damping,
+                                 const std::vector<SinglePhaseSums>& sums,
+                                 std::vector<SinglePhaseMotion>& motion);
+
+} // namespace quicksand

@@ -1,0 +1,44 @@
+// What the nodes of the background grid carry within a step. Nothing of it outlives the step.
+#pragma once
+
+#include <vector>
+
+namespace quicksand {
+
+/// Sums scattered from the particles of a saturated body.
+struct alignas(64) TwoPhaseSums {
+    double mass_solid;                         // m_s [kg/m]
+    double mass_fluid;                         // m_w [kg/m]
+    double volume;                             // sum phi V [m3/m]
+    double drag;                               // C = sum phi V n^2 rho_w g_k / k [N s/m2 per metre]
+    double momentum_solid_x, momentum_solid_y; // [N s/m]
+    double momentum_fluid_x, momentum_fluid_y; // [N s/m]
+    double stress_force_x, stress_force_y;     // - sum V sigma' grad phi [N/m]
+    double pressure_force_x, pressure_force_y; // sum V p grad phi, of the whole mixture [N/m]
+
+    bool active() const { return mass_solid > 0.0; }
+};
+
+/// Velocities at the end of the step.
+struct alignas(64) TwoPhaseMotion {
+    double solid_x, solid_y; // v_s [m/s]
+    double fluid_x, fluid_y; // v_w [m/s]
+    double flux_x, flux_y;   // (1-n) v_s + n v_w [m/s]
+};
+
+/// Sums scattered from the particles of a body that moves as one phase.
+struct alignas(64) SinglePhaseSums {
+    double mass;                           // inertia [kg/m]
+    double momentum_x, momentum_y;         // [N s/m]
+    double weight;                         // mass the gravity acts on [kg/m]
+    double stress_force_x, stress_force_y; // - sum V sigma' grad phi [N/m]
+
+    bool active() const { return mass > 0.0; }
+};
+
+/// Velocities at the end of the step.
+struct SinglePhaseMotion {
+    double x, y; // v [m/s]
+};
+
+} // namespace quicksand

@@ -1,0 +1,98 @@
+#include "solver/particle_motion.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::int64_t chunk = 512; // particles a thread takes at a time [-]
+
+/// Call work(first, last) for chunks of the particles, on all threads.
+template <class Work>
+void for_each_chunk(std::size_t count, Work&& work)
+{
+    const auto total = static_cast<std::int64_t>(count);
+#pragma omp parallel for schedule(static)
+    for (std::int64_t first = 0; first < total; first += chunk) {
+        work(static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(total, first + chunk)));
+    }
+}
+
+void stretch(double dt, const Gradients& L, std::size_t p, Vectors& edge)
+{
+    const double x = edge.x[p], y = edge.y[p];
+    edge.x[p] = x + dt * (L.xx[p] * x + L.xy[p] * y);
+    edge.y[p] = y + dt * (L.yx[p] * x + L.yy[p] * y);
+}
+
+void turn_stress(double dt, std::size_t first, std::size_t last, Particles& particles)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    SymmetricTensors& stress = particles.stress;
+    for (std::size_t p = first; p < last; ++p) {
+        const double t = 0.25 * dt * (L.yx[p] - L.xy[p]); // tangent of half the angle
+        const double scale = 1.0 / (1.0 + t * t);
+        const double c = (1.0 - t * t) * scale, s = 2.0 * t * scale; // its cosine and sine
+        // mean and deviator: the deviator turns by twice the angle
+        const double cos2 = c * c - s * s, sin2 = 2.0 * s * c;
+        const double mean = 0.5 * (stress.xx[p] + stress.yy[p]),
+                     deviator = 0.5 * (stress.xx[p] - stress.yy[p]);
+        const double shear = stress.xy[p];
+        const double turned = cos2 * deviator - sin2 * shear;
+        stress.xx[p] = mean + turned;
+        stress.yy[p] = mean - turned;
+        stress.xy[p] = sin2 * deviator + cos2 * shear;
+    }
+}
+
+/// Call update(law, first, last) for every run of particles of one material.
+template <class Update>
+void for_each_material_run(const Problem& problem, const Particles& particles, std::size_t first,
+                           std::size_t last, Update&& update)
+{
+    while (first < last) {
+        const std::int32_t material = particles.material[first];
+        std::size_t end = first + 1;
+        while (end < last && particles.material[end] == material) ++end;
+        std::visit([&](const auto& law) { update(law, first, end); },
+                   problem.materials[static_cast<std::size_t>(material)].law);
+        first = end;
+    }
+}
+
+} // namespace
+
+void advance_domains(const Problem& problem, double dt, Particles& particles)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+            particles.position.x[p] += dt * particles.velocity_solid.x[p];
+            particles.position.y[p] += dt * particles.velocity_solid.y[p];
+            stretch(dt, L, p, particles.half_edge_1);
+            stretch(dt, L, p, particles.half_edge_2);
+            particles.volume[p] *= (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p];
+        }
+        if (!problem.water) return;
+        for (std::size_t p = first; p < last; ++p) {
+            const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+            particles.porosity[p] =
+                1.0 - particles.mass_solid[p] / (material.grain_density * particles.volume[p]);
+        }
+    });
+}
+
+void update_effective_stress(const Problem& problem, double dt, Particles& particles)
+{
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+        turn_stress(dt, first, last, particles);
+        for_each_material_run(problem, particles, first, last,
+                              [&](const auto& law, std::size_t run_first, std::size_t run_last) {
+                                  update_stress(law, dt, run_first, run_last, particles);
+                              });
+    });
+}
+
+} // namespace quicksand

@@ -1,0 +1,37 @@
+// Particles to nodes: masses, momenta, internal forces and drag, tile by tile.
+#pragma once
+
+#include "solver/cell_lists.hpp"
+#include "solver/node_weights.hpp"
+#include "solver/nodes.hpp"
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// Inertia and weight of the particles when the body moves as one phase.
+struct CarriedMasses {
+    Scalars inertia; // mass that is accelerated [kg/m]
+    Scalars weight;  // mass that gravity acts on, less the water it displaces [kg/m]
+};
+
+/// Dry: both are the grains' mass. Saturated: inertia of grains and water, buoyant weight.
+void compute_carried_masses(const Problem& problem, const Particles& particles, CarriedMasses& masses);
+
+/// Weights of the particles of a tile, in the order of the lists. Returns how many domains were shortened.
+std::int64_t evaluate_weights(const BackgroundGrid& grid, const Particles& particles, const CellLists& lists,
+                              const Tile& tile, PatchStore& store);
+
+/// Add the particles of a tile to the nodes' sums. Velocities are carried with their gradient (Taylor
+/// transfer, Jiang, Schroeder and Teran 2017): the particle gives node i the velocity v_p + L_p (x_i - x_p).
+void scatter_two_phase(const Problem& problem, const Particles& particles, const CellLists& lists,
+                       const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums);
+
+void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
+                          const CellLists& lists, const Tile& tile, const PatchStore& store,
+                          std::vector<SinglePhaseSums>& sums);
+
+} // namespace quicksand

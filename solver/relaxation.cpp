@@ -1,0 +1,106 @@
+#include "solver/failure.hpp"
+#include "solver/particle_order.hpp"
+#include "solver/simulation.hpp"
+#include "solver/single_phase_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::int64_t steps_between_checks = 50;
+
+/// sum |f_i| over the free directions / sum of the weights, from scattered sums.
+double out_of_balance(const Problem& problem, const SinglePhaseWorkspace& work)
+{
+    double residual = 0.0, weight = 0.0;
+    std::vector<std::uint8_t> counted(work.sums.size(), 1);
+    for (const TiedNodes& tie : work.conditions.tied) counted[tie.node] = 0; // their masters stand for them
+    for (std::size_t i = 0; i < work.sums.size(); ++i) {
+        const SinglePhaseSums& node = work.sums[i];
+        if (!node.active() || counted[i] == 0) continue;
+        const std::uint8_t held = work.conditions.of_node[i];
+        if (!(held & solid_x_fixed)) residual += std::abs(node.stress_force_x);
+        if (!(held & solid_y_fixed))
+            residual += std::abs(node.stress_force_y - node.weight * problem.gravity);
+        weight += node.weight * problem.gravity;
+    }
+    return weight > 0.0 ? residual / weight : 0.0;
+}
+
+void set_at_rest(Particles& particles)
+{
+    for_each_array(particles, [](const char* name, Scalars& values) {
+        if (std::string_view(name).starts_with("velocity")) std::fill(values.begin(), values.end(), 0.0);
+    });
+}
+
+[[noreturn]] void fail_to_settle(const RelaxationControls& controls, double residual, double dt,
+                                 const State& state)
+{
+    std::ostringstream what;
+    what << "the soil does not settle: after " << state.step << " steps the out-of-balance force is "
+         << residual << " of the weight, the tolerance " << controls.tolerance;
+    FailureRecord record;
+    record.phase = "relaxation";
+    record.what = what.str();
+    record.causes =
+        "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
+        "small or max_steps too few";
+    record.step = state.step;
+    record.time_step = dt;
+    throw NumericalError(record);
+}
+
+} // namespace
+
+double out_of_balance(const Problem& problem, const State& state)
+{
+    State copy = state;
+    SinglePhaseWorkspace work = make_single_phase_workspace(problem);
+    sort_particles(problem.grid, 0.0, copy, work.lists);
+    scatter_to_nodes(problem, copy.particles, work);
+    return out_of_balance(problem, work);
+}
+
+RelaxationReport relax(const Problem& problem, const RelaxationControls& controls, State& state,
+                       const std::function<void(std::int64_t, double)>& progress)
+{
+    state.stage = Stage::relaxation;
+    state.time = 0.0;
+    state.step = 0;
+    SinglePhaseWorkspace work = make_single_phase_workspace(problem);
+    RelaxationReport report;
+    for (;;) {
+        const double dt = stable_relaxation_step(problem, state.particles).dt;
+        advance_single_phase_step(problem, dt, controls.damping, state, work);
+        if (state.step % steps_between_checks != 0) continue;
+        check_particles(dt, state);
+        report.out_of_balance = out_of_balance(problem, work);
+        if (progress) progress(state.step, report.out_of_balance);
+        if (report.out_of_balance <= controls.tolerance) break;
+        if (state.step >= controls.max_steps) fail_to_settle(controls, report.out_of_balance, dt, state);
+    }
+    report.steps = state.step;
+    report.max_displacement = monitor(problem, state, {}).max_displacement;
+    set_at_rest(state.particles);
+    begin_shaking(state);
+    return report;
+}
+
+void begin_shaking(State& state)
+{
+    state.stage = Stage::shaking;
+    state.time = 0.0;
+    state.step = 0;
+    reset_reference(state.particles);
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        state.particles.initial_vertical_effective_stress[p] = -state.particles.stress.yy[p];
+    }
+}
+
+} // namespace quicksand

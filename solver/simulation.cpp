@@ -1,0 +1,115 @@
+#include "solver/simulation.hpp"
+
+#include "solver/particle_order.hpp"
+#include "solver/single_phase_step.hpp"
+#include "solver/two_phase_step.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quicksand {
+
+namespace {
+
+/// The stepper of a scene: what a saturated or a dry body needs for a step, and no more.
+class TwoPhaseStepper {
+public:
+    explicit TwoPhaseStepper(const Problem& problem) : work_(make_two_phase_workspace(problem)) {}
+    void advance(const Problem& problem, double dt, State& state)
+    {
+        advance_two_phase_step(problem, dt, state, work_);
+    }
+    std::int64_t limited_domains() const { return work_.limited_domains; }
+
+private:
+    TwoPhaseWorkspace work_;
+};
+
+class DryStepper {
+public:
+    explicit DryStepper(const Problem& problem) : work_(make_single_phase_workspace(problem)) {}
+    void advance(const Problem& problem, double dt, State& state)
+    {
+        advance_single_phase_step(problem, dt, 0.0, state, work_);
+    }
+    std::int64_t limited_domains() const { return work_.limited_domains; }
+
+private:
+    SinglePhaseWorkspace work_;
+};
+
+double next_event(double end_time, const std::vector<Observer*>& observers)
+{
+    double next = end_time;
+    for (const Observer* observer : observers) next = std::min(next, observer->next_time());
+    return next;
+}
+
+void observe_due(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
+                 const StepReport& report)
+{
+    for (Observer* observer : observers) {
+        if (observer->next_time() <= state.time) observer->observe(problem, state, report);
+    }
+}
+
+/// Equal steps to the next event: the step is shortened a little each time rather than much at the end.
+TimeStep divide_evenly(TimeStep stable, double remaining)
+{
+    constexpr double rounding = 1e-6; // of a step: the last division is not split by rounding
+    const double steps = std::max(1.0, std::ceil(remaining / stable.dt - rounding));
+    if (steps == 1.0 && remaining < 0.5 * stable.dt) stable.limiter = TimeStepLimiter::output;
+    stable.dt = remaining / steps;
+    return stable;
+}
+
+template <class Stepper>
+void run_with(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
+              const std::function<bool()>& stop_requested)
+{
+    Stepper stepper(problem);
+    StepReport report{state.stage, state.step, state.time, {}, 0};
+    observe_due(problem, observers, state, report);
+    while (state.time < end_time) {
+        const double event = next_event(end_time, observers);
+        const TimeStep stable = stable_time_step(problem, state.particles);
+        report.time_step = divide_evenly(stable, event - state.time);
+        const bool arrives = report.time_step.dt >= event - state.time;
+        stepper.advance(problem, report.time_step.dt, state);
+        if (arrives) state.time = event; // hit exactly, without the sum's rounding
+        check_particles(report.time_step.dt, state);
+        report.step = state.step;
+        report.time = state.time;
+        report.limited_domains = stepper.limited_domains();
+        for (Observer* observer : observers) observer->after_step(report);
+        if (arrives) observe_due(problem, observers, state, report);
+        if (stop_requested && stop_requested()) return;
+    }
+}
+
+} // namespace
+
+void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
+         const std::function<bool()>& stop_requested)
+{
+    if (problem.water) {
+        run_with<TwoPhaseStepper>(problem, end_time, observers, state, stop_requested);
+    } else {
+        run_with<DryStepper>(problem, end_time, observers, state, stop_requested);
+    }
+}
+
+void set_thread_count(int threads)
+{
+    omp_set_num_threads(threads);
+}
+
+int thread_count()
+{
+    return omp_get_max_threads();
+}
+
+} // namespace quicksand

@@ -1,0 +1,63 @@
+#include "solver/single_phase_step.hpp"
+
+#include "solver/grid_momentum.hpp"
+#include "solver/grid_to_particle.hpp"
+#include "solver/particle_motion.hpp"
+#include "solver/particle_order.hpp"
+
+#include <atomic>
+
+namespace quicksand {
+
+SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem)
+{
+    SinglePhaseWorkspace work;
+    work.lists = make_cell_lists(problem.grid);
+    work.conditions = node_conditions(problem);
+    work.patches.resize(work.lists.tile_count);
+    work.sums.resize(problem.grid.node_count());
+    work.motion.resize(problem.grid.node_count());
+    return work;
+}
+
+void scatter_to_nodes(const Problem& problem, const Particles& particles, SinglePhaseWorkspace& work)
+{
+    compute_carried_masses(problem, particles, work.masses);
+    work.sums.assign(work.sums.size(), SinglePhaseSums{});
+    std::atomic<std::int64_t> limited = 0;
+    for_each_tile_by_colour(work.lists, [&](const Tile& tile) {
+        PatchStore& store = work.patches[static_cast<std::size_t>(tile.number)];
+        limited += evaluate_weights(problem.grid, particles, work.lists, tile, store);
+        scatter_single_phase(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);
+    });
+    work.limited_domains = limited;
+    gather_tied_sums(work.conditions, work.sums);
+}
+
+void advance_single_phase_step(const Problem& problem, double dt, double damping, State& state,
+                               SinglePhaseWorkspace& work)
+{
+    Particles& particles = state.particles;
+    timed(work.timers, Phase::sort, [&] { sort_particles(problem.grid, dt, state, work.lists); });
+    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, particles, work); });
+    timed(work.timers, Phase::momentum, [&] {
+        const bool shaking = state.stage == Stage::shaking;
+        const double acceleration =
+            shaking ? base_acceleration(problem.base_motion, state.time + 0.5 * dt) : 0.0;
+        solve_single_phase_momentum(problem, work.conditions, dt, acceleration, damping, work.sums,
+                                    work.motion);
+        spread_tied_motion(work.conditions, work.motion);
+    });
+    timed(work.timers, Phase::gather, [&] {
+        for_each_tile(work.lists, [&](const Tile& tile) {
+            gather_single_phase(problem.grid, work.lists, tile,
+                                work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles);
+        });
+    });
+    timed(work.timers, Phase::motion, [&] { advance_domains(problem, dt, particles); });
+    timed(work.timers, Phase::stress, [&] { update_effective_stress(problem, dt, particles); });
+    state.time += dt;
+    ++state.step;
+}
+
+} // namespace quicksand

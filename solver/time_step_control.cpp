@@ -1,0 +1,129 @@
+#include "solver/time_step_control.hpp"
+
+#include "solver/failure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quicksand {
+
+namespace {
+
+// Largest stable step of the cycle with affine velocities is 0.8 h / c for the two-phase step and 0.9 h / c
+// for one phase (growth tests of the filtered CPDI weights); the rest is margin for partly filled cells.
+constexpr double wave_safety = 0.65;
+constexpr double motion_safety = 0.2; // of a cell per step [-]
+
+/// What of the particles' state decides the step.
+struct Extremes {
+    double max_speed = 0.0;                         // [m/s]
+    std::vector<double> min_porosity, max_porosity; // per material, of the saturated particles [-]
+};
+
+Extremes find_extremes(const Problem& problem, const Particles& particles)
+{
+    Extremes extremes;
+    double speed_squared = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double x = particles.velocity_solid.x[p], y = particles.velocity_solid.y[p];
+        speed_squared = std::max(speed_squared, x * x + y * y);
+    }
+    extremes.max_speed = std::sqrt(speed_squared);
+    extremes.min_porosity.assign(problem.materials.size(), 1.0);
+    extremes.max_porosity.assign(problem.materials.size(), 0.0);
+    for (std::size_t p = 0; p < particles.porosity.size(); ++p) {
+        const auto m = static_cast<std::size_t>(particles.material[p]);
+        extremes.min_porosity[m] = std::min(extremes.min_porosity[m], particles.porosity[p]);
+        extremes.max_porosity[m] = std::max(extremes.max_porosity[m], particles.porosity[p]);
+    }
+    return extremes;
+}
+
+/// The fastest of a wave over all materials and their extreme porosities.
+template <class Speed>
+TimeStep wave_limit(const Problem& problem, const Extremes& extremes, Speed&& speed)
+{
+    TimeStep limit;
+    limit.dt = std::numeric_limits<double>::infinity();
+    for (std::size_t m = 0; m < problem.materials.size(); ++m) {
+        const Material& material = problem.materials[m];
+        const bool present = extremes.min_porosity[m] <= extremes.max_porosity[m];
+        const double low = present ? extremes.min_porosity[m] : material.porosity;
+        const double high = present ? extremes.max_porosity[m] : material.porosity;
+        for (const double porosity : {low, high}) {
+            const double dt =
+                wave_safety * problem.grid.cell_size / speed(wave_speeds(material, problem.water, porosity));
+            if (dt < limit.dt) limit = {dt, TimeStepLimiter::wave, material.name};
+        }
+    }
+    return limit;
+}
+
+TimeStep limit_motion(const Problem& problem, const Extremes& extremes, TimeStep limit)
+{
+    const double dt = motion_safety * problem.grid.cell_size / extremes.max_speed;
+    return dt < limit.dt ? TimeStep{dt, TimeStepLimiter::motion, ""} : limit;
+}
+
+} // namespace
+
+WaveSpeeds wave_speeds(const Material& material, const std::optional<Water>& water, double porosity)
+{
+    const double n = porosity;
+    const double M = std::visit([](const auto& law) { return constrained_modulus(law); }, material.law);
+    const double G = std::visit([](const auto& law) { return shear_modulus(law); }, material.law);
+    WaveSpeeds speeds;
+    if (!water) {
+        const double density = (1.0 - material.porosity) * material.grain_density;
+        speeds.skeleton = std::sqrt(M / density);
+        speeds.shear = std::sqrt(G / density);
+        return speeds;
+    }
+    // drag-free plane waves of (v_s, v_w): c^2 are the eigenvalues of R^-1 K with R = diag(r1, r2) and
+    // K = [[M + (1-n)^2 K_w/n, (1-n) K_w], [(1-n) K_w, n K_w]]
+    const double r1 = (1.0 - n) * material.grain_density, r2 = n * water->density;
+    const double a = (M + (1.0 - n) * (1.0 - n) * water->bulk_modulus / n) / r1;
+    const double d = n * water->bulk_modulus / r2;
+    const double bc = (1.0 - n) * (1.0 - n) * water->bulk_modulus * water->bulk_modulus / (r1 * r2);
+    const double half = 0.5 * (a + d);
+    const double root = std::sqrt(0.25 * (a - d) * (a - d) + bc);
+    speeds.fast = std::sqrt(half + root);
+    speeds.slow = std::sqrt((a * d - bc) / (half + root));
+    speeds.undrained = std::sqrt((M + water->bulk_modulus / n) / (r1 + r2));
+    speeds.skeleton = std::sqrt(M / (r1 + r2));
+    speeds.shear = std::sqrt(G / (r1 + r2));
+    return speeds;
+}
+
+TimeStep stable_time_step(const Problem& problem, const Particles& particles)
+{
+    const Extremes extremes = find_extremes(problem, particles);
+    const TimeStep wave = wave_limit(problem, extremes, [&](const WaveSpeeds& speeds) {
+        return problem.water ? speeds.fast : speeds.skeleton;
+    });
+    return limit_motion(problem, extremes, wave);
+}
+
+TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles)
+{
+    const Extremes extremes = find_extremes(problem, particles);
+    const TimeStep wave =
+        wave_limit(problem, extremes, [](const WaveSpeeds& speeds) { return speeds.skeleton; });
+    return limit_motion(problem, extremes, wave);
+}
+
+const char* name_of(TimeStepLimiter limiter)
+{
+    switch (limiter) {
+    case TimeStepLimiter::wave:
+        return "wave";
+    case TimeStepLimiter::motion:
+        return "motion";
+    case TimeStepLimiter::output:
+        return "output";
+    }
+    ENSURE(false);
+}
+
+} // namespace quicksand

@@ -1,0 +1,75 @@
+#include "solver/two_phase_step.hpp"
+
+#include "solver/grid_momentum.hpp"
+#include "solver/grid_to_particle.hpp"
+#include "solver/particle_motion.hpp"
+#include "solver/particle_order.hpp"
+#include "solver/particle_to_grid.hpp"
+#include "solver/pore_pressure.hpp"
+
+#include <atomic>
+
+namespace quicksand {
+
+namespace {
+
+void scatter(const Problem& problem, const Particles& particles, TwoPhaseWorkspace& work)
+{
+    work.sums.assign(work.sums.size(), TwoPhaseSums{});
+    std::atomic<std::int64_t> limited = 0;
+    for_each_tile_by_colour(work.lists, [&](const Tile& tile) {
+        PatchStore& store = work.patches[static_cast<std::size_t>(tile.number)];
+        limited += evaluate_weights(problem.grid, particles, work.lists, tile, store);
+        scatter_two_phase(problem, particles, work.lists, tile, store, work.sums);
+    });
+    work.limited_domains = limited;
+}
+
+void solve_momentum(const Problem& problem, double time, double dt, TwoPhaseWorkspace& work)
+{
+    gather_tied_sums(work.conditions, work.sums);
+    const double acceleration = base_acceleration(problem.base_motion, time + 0.5 * dt);
+    solve_two_phase_momentum(problem, work.conditions, dt, acceleration, work.sums, work.motion);
+    spread_tied_motion(work.conditions, work.motion);
+}
+
+} // namespace
+
+TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
+{
+    TwoPhaseWorkspace work;
+    work.lists = make_cell_lists(problem.grid);
+    work.conditions = node_conditions(problem);
+    work.patches.resize(work.lists.tile_count);
+    work.sums.resize(problem.grid.node_count());
+    work.motion.resize(problem.grid.node_count());
+    return work;
+}
+
+void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
+{
+    Particles& particles = state.particles;
+    work.flux_divergence.resize(particles.size());
+
+    timed(work.timers, Phase::sort, [&] { sort_particles(problem.grid, dt, state, work.lists); });
+    timed(work.timers, Phase::scatter, [&] { scatter(problem, particles, work); });
+    timed(work.timers, Phase::momentum, [&] { solve_momentum(problem, state.time, dt, work); });
+    timed(work.timers, Phase::gather, [&] {
+        for_each_tile(work.lists, [&](const Tile& tile) {
+            gather_two_phase(problem.grid, work.lists, tile,
+                             work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles,
+                             work.flux_divergence);
+        });
+    });
+    timed(work.timers, Phase::pore_pressure, [&] {
+        for_each_tile(work.lists, [&](const Tile& tile) {
+            update_pore_pressure(problem, dt, work.lists, tile, work.flux_divergence, particles);
+        });
+    });
+    timed(work.timers, Phase::motion, [&] { advance_domains(problem, dt, particles); });
+    timed(work.timers, Phase::stress, [&] { update_effective_stress(problem, dt, particles); });
+    state.time += dt;
+    ++state.step;
+}
+
+} // namespace quicksand

@@ -1,0 +1,44 @@
+// THE step of a saturated body: explicit, water and grains with their own velocities (v-w form).
+#pragma once
+
+#include "solver/boundary_conditions.hpp"
+#include "solver/cell_lists.hpp"
+#include "solver/node_weights.hpp"
+#include "solver/nodes.hpp"
+#include "solver/phase_timers.hpp"
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+/// Memory of the steps; nothing of it has to survive a checkpoint.
+struct TwoPhaseWorkspace {
+    CellLists lists;
+    NodeConditions conditions;
+    std::vector<PatchStore> patches; // per tile
+    std::vector<TwoPhaseSums> sums;
+    std::vector<TwoPhaseMotion> motion;
+    Scalars flux_divergence;          // [1/s]
+    std::int64_t limited_domains = 0; // domains shortened in the last step [-]
+    PhaseTimers timers;
+};
+
+TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
+
+/// Advance the saturated state by one explicit step, t -> t + dt.
+///
+///  1  particles by cell; CPDI weights from their domains
+///  2  particles -> nodes: masses, momenta, forces of stress and excess pressure, drag
+///  3  momentum balances of water and grains on the nodes, drag implicit at each node, with the velocity
+///     conditions inside; the base's acceleration acts on both phases as a body force
+///  4  nodes -> particles: velocities, velocity gradients, divergence of the flux
+///  5  water: excess pore pressure, one increment per cell
+///  6  particles: position, domain, volume, porosity
+///  7  grains: effective stress from the new velocity gradient (stress last)
+///
+/// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
+void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work);
+
+} // namespace quicksand
