@@ -70,15 +70,18 @@ void draw_axis_y(const PictureLayout& layout, Canvas& canvas)
     TextStyle text = small_text;
     text.across = AlignX::right;
     text.along = AlignY::centre;
+    double widest = 0.0;
     for (const double value : ticks.values) {
         const double y = std::round(layout.place({0.0, value}).y);
         canvas.draw_line({left - tick_length, y}, {left, y}, ink, frame_line);
-        canvas.write(tick_label(value, ticks.decimals), {left - 13.0, y}, text);
+        const std::string label = tick_label(value, ticks.decimals);
+        canvas.write(label, {left - 13.0, y}, text);
+        widest = std::max(widest, canvas.text_width(label, text));
     }
     TextStyle name = axis_text;
     name.across = AlignX::centre;
     name.upwards = true;
-    canvas.write("y [m]", {36.0, layout.axes.top + 0.5 * layout.axes.height}, name);
+    canvas.write("y [m]", {left - 13.0 - widest - 18.0, layout.axes.top + 0.5 * layout.axes.height}, name);
 }
 
 /// Triangles at the ends of the bar tell that values lie beyond its limits.
@@ -125,6 +128,18 @@ void draw_colour_bar(const FieldPicture& picture, const PictureLayout& layout, c
     name.upwards = true;
     canvas.write(label_with_unit(picture.quantity, unit),
                  {bar.right() + 13.0 + widest + 16.0, bar.top + 0.5 * bar.height}, name);
+}
+
+/// The sample line and its text, below the axes at the right.
+void draw_legend(const FieldPicture& picture, const PictureLayout& layout, Canvas& canvas)
+{
+    if (picture.initial_domains.empty()) return;
+    TextStyle text{.size = 16.0, .across = AlignX::right, .along = AlignY::top, .colour = faint_ink};
+    const std::string name = "initial outline";
+    const double top = layout.axes.bottom() + 47.0;
+    canvas.write(name, {layout.axes.right(), top}, text);
+    const double end = layout.axes.right() - canvas.text_width(name, text) - 8.0;
+    canvas.draw_line({end - 30.0, top + 6.0}, {end, top + 6.0}, outline_grey, 2.0);
 }
 
 std::string time_text(double time)
@@ -175,6 +190,7 @@ void draw_field_picture(const FieldPicture& picture, const std::filesystem::path
     draw_axis_x(layout, canvas);
     draw_axis_y(layout, canvas);
     draw_colour_bar(picture, layout, range, unit, canvas);
+    draw_legend(picture, layout, canvas);
     draw_heading(picture, layout, canvas);
     canvas.save(file);
 }

@@ -33,11 +33,11 @@ struct FieldPicture {
 
 /// Where things stand on the sheet.
 struct PictureLayout {
-    int width = 0, height = 0;         // of the sheet [pixel]
-    PixelBox axes;                     // the frame of the section
+    int width = 0, height = 0; // of the sheet [pixel]
+    PixelBox axes;             // the frame of the section
     PixelBox colour_bar;
-    Interval x, y;                     // visible section [m]
-    double pixels_per_metre = 1.0;     // the same for x and y [pixel/m]
+    Interval x, y;                 // visible section [m]
+    double pixels_per_metre = 1.0; // the same for x and y [pixel/m]
 
     PixelPoint place(const Vector2& point) const; // [m] to [pixel]
 };

@@ -43,22 +43,31 @@ double shift_along(AlignY align, const cairo_font_extents_t& font)
     // Digits and capitals reach up to about three quarters of the font's ascent.
     const double capital_height = 0.77 * font.ascent;
     switch (align) {
-    case AlignY::top: return capital_height;
-    case AlignY::centre: return 0.5 * capital_height;
-    case AlignY::bottom: return -font.descent;
-    case AlignY::baseline: break;
+    case AlignY::top:
+        return capital_height;
+    case AlignY::centre:
+        return 0.5 * capital_height;
+    case AlignY::bottom:
+        return -font.descent;
+    case AlignY::baseline:
+        break;
     }
     return 0.0;
 }
 
 } // namespace
 
-void Canvas::Release::operator()(cairo_t* context) const { cairo_destroy(context); }
-void Canvas::Release::operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+void Canvas::Release::operator()(cairo_t* context) const
+{
+    cairo_destroy(context);
+}
+void Canvas::Release::operator()(cairo_surface_t* surface) const
+{
+    cairo_surface_destroy(surface);
+}
 
 Canvas::Canvas(int width, int height)
-    : width_(width), height_(height),
-      surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
+    : width_(width), height_(height), surface_(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height)),
       context_(cairo_create(surface_.get()))
 {
     const cairo_status_t status = cairo_status(context_.get());
@@ -84,26 +93,33 @@ void Canvas::fill_seamless(const PixelQuad& quad, const Colour& colour)
 void Canvas::draw_union_outline(const std::vector<PixelQuad>& quads, const Colour& colour, double line_width)
 {
     // Every quad is outlined broadly on a transparent sheet; then all insides are wiped out again. What is
-    // left is a band around the union, whether or not neighbours share whole edges.
-    const double gap = 1.2; // of hairline gaps between neighbours, closed by the wiping [pixel]
-    const std::unique_ptr<cairo_surface_t, Release> sheet(
-        cairo_image_surface_create(CAIRO_FORMAT_A8, width_, height_));
+    // left is a band around the union, whether or not neighbours share whole edges. The sheet is finer than
+    // the picture and unsmoothed: smoothed strokes would add up where they meet.
+    const double fineness = 3.0;
+    const double gap = 1.0; // hairline gaps between neighbours are closed by the wiping [pixel]
+    const std::unique_ptr<cairo_surface_t, Release> sheet(cairo_image_surface_create(
+        CAIRO_FORMAT_A8, static_cast<int>(fineness) * width_, static_cast<int>(fineness) * height_));
     const std::unique_ptr<cairo_t, Release> pen(cairo_create(sheet.get()));
-    cairo_set_line_join(pen.get(), CAIRO_LINE_JOIN_ROUND);
+    cairo_scale(pen.get(), fineness, fineness);
+    cairo_set_antialias(pen.get(), CAIRO_ANTIALIAS_NONE);
+    cairo_set_line_join(pen.get(), CAIRO_LINE_JOIN_MITER);
     cairo_set_line_width(pen.get(), gap + 2.0 * line_width);
     for (const PixelQuad& quad : quads) {
         trace(pen.get(), quad);
         cairo_stroke(pen.get());
     }
-    cairo_set_operator(pen.get(), CAIRO_OPERATOR_CLEAR);
+    cairo_set_operator(pen.get(), CAIRO_OPERATOR_DEST_OUT);
     cairo_set_line_width(pen.get(), gap);
     for (const PixelQuad& quad : quads) {
         trace(pen.get(), quad);
         cairo_fill_preserve(pen.get());
         cairo_stroke(pen.get());
     }
+    cairo_save(context_.get());
+    cairo_scale(context_.get(), 1.0 / fineness, 1.0 / fineness);
     use_colour(context_.get(), colour);
     cairo_mask_surface(context_.get(), sheet.get(), 0.0, 0.0);
+    cairo_restore(context_.get());
 }
 
 void Canvas::fill_box(const PixelBox& box, const Colour& colour)
@@ -169,7 +185,10 @@ void Canvas::clip(const PixelBox& box)
     cairo_clip(context_.get());
 }
 
-void Canvas::unclip() { cairo_restore(context_.get()); }
+void Canvas::unclip()
+{
+    cairo_restore(context_.get());
+}
 
 void Canvas::save(const std::filesystem::path& file) const
 {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <limits>
 
 namespace quicksand {
@@ -91,8 +92,7 @@ PictureLayout lay_out_picture(const FieldPicture& picture)
 {
     const Extent extent = visible_extent(picture);
     PictureLayout layout;
-    layout.pixels_per_metre =
-        std::min(largest_width / extent.x.width(), largest_height / extent.y.width());
+    layout.pixels_per_metre = std::min(largest_width / extent.x.width(), largest_height / extent.y.width());
     layout.x = widen(extent.x, smallest_width / layout.pixels_per_metre);
     layout.y = widen(extent.y, smallest_height / layout.pixels_per_metre);
     // Frame and sheet on whole pixels, so that their lines are crisp.

@@ -26,8 +26,8 @@ int decimals_of(double step)
 }
 
 struct Prefix {
-    int thousands;         // the prefix stands for 1000^thousands [-]
-    std::string_view text; // before a unit
+    int thousands;          // the prefix stands for 1000^thousands [-]
+    std::string_view text;  // before a unit
     std::string_view power; // where there is no unit
 };
 
