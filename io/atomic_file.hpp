@@ -16,8 +16,8 @@ void replace_file(const std::filesystem::path& path);
 /// Write `text` to the temporary file and rename it to `path`. Throws FileError.
 void write_atomically(const std::filesystem::path& path, std::string_view text);
 
-/// Put a file's or folder's content on the disk itself, so that it survives a power cut. Throws FileError.
-void synchronize(const std::filesystem::path& path);
+/// As write_atomically(), and on the disk itself when it returns: it survives a power cut. Throws FileError.
+void write_durably(const std::filesystem::path& path, std::string_view bytes);
 
 /// The whole text of a file. Throws FileError.
 std::string read_text(const std::filesystem::path& path);

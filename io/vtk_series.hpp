@@ -36,6 +36,7 @@ public:
     const std::vector<FrameEntry>& entries() const { return entries_; }
 
 private:
+    VtkSeries(std::filesystem::path index, std::vector<FrameEntry> entries);
     void write_index() const;
     void remove_stray_frames() const;
 

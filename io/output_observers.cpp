@@ -1,0 +1,73 @@
+#include "io/output_observers.hpp"
+
+#include "io/checkpoint.hpp"
+#include "io/frame_writer.hpp"
+#include "io/grid_frame.hpp"
+#include "io/history_csv.hpp"
+#include "io/particle_frame.hpp"
+#include "io/probe_writer.hpp"
+#include "io/results_folder.hpp"
+#include "io/steps_csv.hpp"
+
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+std::unique_ptr<Observer> make_frame_writer(const Scene& scene, const State& state,
+                                            const OutputSettings& settings,
+                                            const std::filesystem::path& index,
+                                            FrameWriter::MakeFrame make_frame)
+{
+    VtkSeries series = settings.resume ? VtkSeries::resume(index, state.time) : VtkSeries(index);
+    return std::make_unique<FrameWriter>(std::move(series),
+                                         ObservationClock(scene.output.frame_interval, scene.end_time),
+                                         state.time, std::move(make_frame));
+}
+
+} // namespace
+
+std::vector<std::unique_ptr<Observer>> make_output_observers(const Scene& scene, const Problem& problem,
+                                                             const State& state,
+                                                             const OutputSettings& settings)
+{
+    const ResultsFolder folder{settings.directory};
+    const RunLabel label{scene.file, settings.scene_hash};
+    const SceneOutput& output = scene.output;
+    std::vector<std::unique_ptr<Observer>> observers;
+    if (output.frame_interval > 0.0) {
+        observers.push_back(
+            make_frame_writer(scene, state, settings, folder.particle_series(), particle_frame));
+        observers.push_back(make_frame_writer(
+            scene, state, settings, folder.grid_series(), [](const Problem& problem_, const State& state_) {
+                return grid_frame(problem_, nodal_fields(problem_, state_.particles), state_.time);
+            }));
+    }
+    if (output.probe_interval > 0.0 && !scene.probes.empty())
+        observers.push_back(
+            std::make_unique<ProbeWriter>(scene, problem, state, label, settings.directory, settings.resume));
+    if (output.history_interval > 0.0) {
+        observers.push_back(
+            std::make_unique<HistoryWriter>(scene, problem, state, label, folder.history(), settings.resume));
+        observers.push_back(
+            std::make_unique<StepsWriter>(scene, problem, state, label, folder.steps(), settings.resume));
+    }
+    if (output.checkpoint_interval > 0.0)
+        observers.push_back(std::make_unique<CheckpointWriter>(
+            folder.checkpoint(), output.checkpoint_interval, state, settings.scene_hash));
+    return observers;
+}
+
+std::vector<std::string> output_names(const Scene& scene)
+{
+    std::vector<std::string> names;
+    if (scene.output.frame_interval > 0.0) names.insert(names.end(), {"fields.pvd", "grid.pvd"});
+    if (scene.output.probe_interval > 0.0)
+        for (const SceneProbe& probe : scene.probes) names.push_back("probes/" + probe.name + ".csv");
+    if (scene.output.history_interval > 0.0) names.insert(names.end(), {"history.csv", "steps.csv"});
+    if (scene.output.checkpoint_interval > 0.0) names.emplace_back("checkpoint/state.h5");
+    return names;
+}
+
+} // namespace quicksand

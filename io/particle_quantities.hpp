@@ -1,0 +1,34 @@
+// What is written of a particle, derived from its state: pressures, stress measures, strains.
+#pragma once
+
+#include "solver/particles.hpp"
+#include "solver/problem.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace quicksand {
+
+/// Corners of the parallelogram domain, counter-clockwise from x - r_1 - r_2 [m].
+std::array<Vector2, 4> corners(const Particles& particles, std::size_t p);
+
+/// Displacement since the reference [m].
+Vector2 displacement(const Particles& particles, std::size_t p);
+
+/// Static plus excess pore pressure, compression positive [Pa].
+double total_pore_pressure(const Problem& problem, const Particles& particles, std::size_t p);
+
+/// r_u = excess pore pressure / sigma'_v0; NaN where sigma'_v0 is below ru_stress_threshold [-].
+double excess_pressure_ratio(const Particles& particles, std::size_t p);
+
+/// p' = -(xx + yy + zz) / 3, compression positive [Pa].
+double mean_effective_stress(const SymmetricTensors& stress, std::size_t p);
+
+/// q = sqrt(3 J_2) [Pa].
+double deviatoric_stress(const SymmetricTensors& stress, std::size_t p);
+
+/// Greatest engineering shear strain (s_1 - s_2) / sqrt(s_1 s_2) of a deformation gradient with the singular
+/// values s; gamma in simple shear [-].
+double greatest_shear_strain(const Eigen::Matrix2d& gradient);
+
+} // namespace quicksand

@@ -1,0 +1,211 @@
+#include "io/probe_writer.hpp"
+
+#include "io/results_folder.hpp"
+#include "io/run_manifest.hpp"
+#include "solver/failure.hpp"
+#include "solver/monitors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+/// What the probe looks at, in words.
+std::string description(const SceneProbe& probe, std::int32_t identifier)
+{
+    const Vector2 at = *probe.at;
+    switch (probe.kind) {
+    case ProbeKind::material:
+        return fmt::format("{}, material: rides with particle {}, nearest to ({}, {}) m when shaking began",
+                           probe.name, identifier, at.x(), at.y());
+    case ProbeKind::fixed:
+        return fmt::format(
+            "{}, fixed: the point ({}, {}) m, interpolated in the nodal averages; empty where there is "
+            "no soil",
+            probe.name, at.x(), at.y());
+    case ProbeKind::surface:
+        return fmt::format("{}, surface: the highest soil at x = {} m, values of the particle that is there",
+                           probe.name, at.x());
+    case ProbeKind::profile:
+        return fmt::format(
+            "{}, profile: {} fixed points from ({}, {}) to ({}, {}) m, interpolated in the nodal "
+            "averages; empty where there is no soil",
+            probe.name, probe.points, at.x(), at.y(), probe.to->x(), probe.to->y());
+    }
+    return probe.name;
+}
+
+std::vector<std::string> probe_comments(const SceneProbe& probe, std::int32_t identifier,
+                                        const RunLabel& label, bool saturated)
+{
+    std::vector<std::string> comments = run_comments(label);
+    comments.push_back("probe: " + description(probe, identifier));
+    comments.insert(
+        comments.end(),
+        {"u displacement since shaking began, v velocity and a acceleration of the grains, all relative to "
+         "the base; y is up",
+         "a: change of v over the probe interval; empty in the first row",
+         "mean and vertical effective stress: compression positive; shear_stress_xy: of the tensor that is "
+         "positive in tension",
+         "shear_strain_xy: engineering shear strain du_x/dy + du_y/dx"});
+    if (saturated)
+        comments.insert(
+            comments.end(),
+            {"pore_pressure: static plus excess, compression positive",
+             fmt::format("ru: excess pore pressure / initial vertical effective stress, which is {}",
+                         probe.kind == ProbeKind::material || probe.kind == ProbeKind::surface
+                             ? fmt::format("empty where the latter is below {} Pa", ru_stress_threshold)
+                             : fmt::format("taken as {} Pa at least", ru_stress_threshold))});
+    comments.push_back("an empty cell: no soil or no value");
+    return comments;
+}
+
+std::vector<std::string> probe_columns(const SceneProbe& probe, bool saturated)
+{
+    std::vector<std::string> columns{"time_s"};
+    if (probe.kind == ProbeKind::profile) columns.emplace_back("distance_m");
+    const std::vector<std::string> sampled = sample_columns(saturated);
+    columns.insert(columns.end(), sampled.begin(), sampled.end());
+    return columns;
+}
+
+void require_place(const SceneProbe& probe)
+{
+    if (!probe.at) throw InputError("probe '" + probe.name + "' has no place: give it `at`");
+    if (probe.kind == ProbeKind::profile && !probe.to)
+        throw InputError("probe '" + probe.name + "' is a profile and has no end: give it `to`");
+}
+
+/// The particle a material probe rides with; a point more than two cells from any soil is a mistake.
+std::int32_t find_rider(const SceneProbe& probe, const Problem& problem, const Particles& particles)
+{
+    const std::size_t p = nearest_particle(particles, *probe.at);
+    const Vector2 found = particles.reference_position[p];
+    if ((found - *probe.at).norm() > 2.0 * problem.grid.cell_size)
+        throw InputError(
+            fmt::format("probe '{}' at ({}, {}) m lies outside the soil: the nearest particle is at "
+                        "({:.4g}, {:.4g}) m",
+                        probe.name, probe.at->x(), probe.at->y(), found.x(), found.y()));
+    return particles.identifier[p];
+}
+
+std::size_t index_of(const Particles& particles, std::int32_t identifier)
+{
+    const auto found = std::find(particles.identifier.begin(), particles.identifier.end(), identifier);
+    ENSURE(found != particles.identifier.end());
+    return static_cast<std::size_t>(found - particles.identifier.begin());
+}
+
+/// Position of the k-th point of a profile.
+Vector2 profile_point(const SceneProbe& probe, int k)
+{
+    if (probe.points < 2) return *probe.at;
+    return *probe.at + (*probe.to - *probe.at) * (static_cast<double>(k) / (probe.points - 1));
+}
+
+} // namespace
+
+std::vector<std::string> run_comments(const RunLabel& label)
+{
+    return {"Quicksand " + program_version(),
+            fmt::format("scene: {}, hash {}", label.scene_file.filename().string(), label.scene_hash)};
+}
+
+ProbeWriter::ProbeWriter(const Scene& scene, const Problem& problem, const State& state,
+                         const RunLabel& label, const std::filesystem::path& results, bool resume)
+    : saturated_(problem.water.has_value()), clock_(scene.output.probe_interval, scene.end_time)
+{
+    // A kill may have come between two files: go on after the shortest one; write() leaves the others alone.
+    double last_time = std::numeric_limits<double>::infinity();
+    for (const SceneProbe& scene_probe : scene.probes) {
+        probes_.push_back(open_probe(scene_probe, problem, state, label, results, resume));
+        const bool by_nodes = scene_probe.kind == ProbeKind::fixed || scene_probe.kind == ProbeKind::profile;
+        needs_nodal_fields_ = needs_nodal_fields_ || by_nodes;
+        last_time = std::min(last_time, probes_.back().file.last_time().value_or(-1.0));
+    }
+    if (!probes_.empty()) clock_.go_on(state.time, last_time);
+}
+
+ProbeWriter::Probe ProbeWriter::open_probe(const SceneProbe& scene_probe, const Problem& problem,
+                                           const State& state, const RunLabel& label,
+                                           const std::filesystem::path& results, bool resume) const
+{
+    require_place(scene_probe);
+    std::int32_t identifier = -1;
+    if (scene_probe.kind == ProbeKind::material)
+        identifier = find_rider(scene_probe, problem, state.particles);
+    const auto path = ResultsFolder{results}.probe(scene_probe.name);
+    const auto comments = probe_comments(scene_probe, identifier, label, saturated_);
+    const auto columns = probe_columns(scene_probe, saturated_);
+    Probe probe{scene_probe,
+                identifier,
+                resume ? CsvFile::resume(path, comments, columns, state.time)
+                       : CsvFile::begin(path, comments, columns),
+                ProbeSample::none,
+                {}};
+    // The numbers in the file read back exactly, so accelerations go on as if there had been no stop.
+    if (const auto last = probe.file.last_time()) probe.previous_time = *last;
+    for (const CsvRow& row : probe.file.last_rows())
+        probe.previous_velocities.emplace_back(probe.file.value(row, "vx_m_s"),
+                                               probe.file.value(row, "vy_m_s"));
+    return probe;
+}
+
+void ProbeWriter::observe(const Problem& problem, const State& state, const StepReport&)
+{
+    const NodalFields fields = needs_nodal_fields_ ? nodal_fields(problem, state.particles) : NodalFields{};
+    for (Probe& probe : probes_) write(probe, state.time, sample(probe, problem, state, fields));
+    clock_.advance();
+}
+
+std::vector<ProbeSample> ProbeWriter::sample(const Probe& probe, const Problem& problem, const State& state,
+                                             const NodalFields& fields) const
+{
+    const Particles& particles = state.particles;
+    switch (probe.scene.kind) {
+    case ProbeKind::material:
+        return {sample_particle(problem, particles, index_of(particles, probe.identifier))};
+    case ProbeKind::fixed:
+        return {sample_point(problem, fields, *probe.scene.at)};
+    case ProbeKind::surface: {
+        const double x = probe.scene.at->x();
+        const SurfacePoint surface = surface_point(particles, x);
+        if (!surface.found) return {ProbeSample{}};
+        ProbeSample sample = sample_particle(problem, particles, surface.particle);
+        sample.position = {x, surface.height};
+        return {sample};
+    }
+    case ProbeKind::profile:
+        break;
+    }
+    std::vector<ProbeSample> samples;
+    for (int k = 0; k < probe.scene.points; ++k)
+        samples.push_back(sample_point(problem, fields, profile_point(probe.scene, k)));
+    return samples;
+}
+
+void ProbeWriter::write(Probe& probe, double time, std::vector<ProbeSample> samples) const
+{
+    if (probe.previous_time >= time) return;
+    if (probe.previous_velocities.size() == samples.size())
+        for (std::size_t k = 0; k < samples.size(); ++k)
+            samples[k].acceleration =
+                (samples[k].velocity - probe.previous_velocities[k]) / (time - probe.previous_time);
+    probe.previous_time = time;
+    probe.previous_velocities.clear();
+    for (const ProbeSample& sample : samples) {
+        probe.previous_velocities.push_back(sample.velocity);
+        CsvRow row{csv_number(time)};
+        if (probe.scene.kind == ProbeKind::profile)
+            row.push_back(csv_number((sample.position - *probe.scene.at).norm()));
+        append_cells(sample, saturated_, row);
+        probe.file.add_row(row);
+    }
+    probe.file.flush();
+}
+
+} // namespace quicksand

@@ -1,0 +1,137 @@
+#include "io/results_folder.hpp"
+
+#include "io/atomic_file.hpp"
+#include "io/file_error.hpp"
+#include "solver/failure.hpp"
+
+#include <array>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array single_files{"run_manifest.json", "fields.pvd", "grid.pvd",           "history.csv",
+                                  "steps.csv",         "log.txt",    "checkpoint/state.h5"};
+
+/// First file or folder of a former run, "" when there is none.
+std::string trace_of_former_run(const fs::path& directory)
+{
+    for (const char* name : single_files)
+        if (fs::exists(directory / name)) return name;
+    return {};
+}
+
+bool holds_other_scene(const ResultsFolder& folder, const Scene& scene)
+{
+    return fs::exists(folder.scene_copy()) && read_text(folder.scene_copy()) != scene.text;
+}
+
+bool is_frame(const fs::path& file)
+{
+    const std::string name = file.filename().string();
+    return name.starts_with("frame_") && (name.ends_with(".vtu") || name.ends_with(".vtu.tmp"));
+}
+
+/// Our CSV files say so in their first line.
+bool is_probe(const fs::path& file)
+{
+    std::string line;
+    std::ifstream stream(file);
+    return file.extension() == ".csv" && std::getline(stream, line) && line.starts_with("# Quicksand ");
+}
+
+void remove_file(const fs::path& file)
+{
+    std::error_code error;
+    fs::remove(file, error);
+    if (error) throw FileError(file, "cannot remove the file of the former run", error.message(), "");
+}
+
+template <class Ours>
+void remove_in(const fs::path& folder, Ours&& ours)
+{
+    if (!fs::is_directory(folder)) return;
+    std::vector<fs::path> files;
+    for (const auto& item : fs::directory_iterator(folder)) files.push_back(item.path());
+    for (const fs::path& file : files)
+        if (ours(file)) remove_file(file);
+    // A folder with the user's own files stays.
+    if (fs::is_empty(folder)) remove_file(folder);
+}
+
+void remove_former_run(const ResultsFolder& folder)
+{
+    const fs::path& directory = folder.directory;
+    remove_in(directory / "fields", is_frame);
+    remove_in(directory / "grid", is_frame);
+    remove_in(directory / "probes", is_probe);
+    remove_in(directory / "checkpoint",
+              [](const fs::path& file) { return file.filename().string().starts_with("state.h5"); });
+    for (const char* name : single_files) {
+        remove_file(directory / name);
+        remove_file(temporary_name(directory / name));
+    }
+    remove_file(folder.scene_copy());
+}
+
+void require_empty(const ResultsFolder& folder, const Scene& scene)
+{
+    std::string trace = trace_of_former_run(folder.directory);
+    if (trace.empty() && holds_other_scene(folder, scene)) trace = "scene.toml";
+    if (!trace.empty())
+        throw InputError(
+            folder.directory.string() + " holds a former run (" + trace +
+            "). Choose another folder, or --resume to go on with it, or --overwrite to replace it");
+}
+
+/// Only a folder with a manifest is surely ours to clean.
+void require_ours(const ResultsFolder& folder, const Scene& scene)
+{
+    const bool anything = !trace_of_former_run(folder.directory).empty() || holds_other_scene(folder, scene);
+    if (anything && !fs::exists(folder.manifest()))
+        throw InputError(folder.directory.string() +
+                         " has no run_manifest.json, so it may not be Quicksand's results: "
+                         "nothing was removed. Choose another folder");
+}
+
+void require_checkpoint(const ResultsFolder& folder)
+{
+    if (!fs::exists(folder.checkpoint()))
+        throw InputError(folder.directory.string() + " cannot be resumed: there is no " +
+                         folder.checkpoint().lexically_relative(folder.directory).string());
+}
+
+} // namespace
+
+ResultsFolder prepare_results_folder(const fs::path& directory, const Scene& scene, FolderUse use)
+{
+    const ResultsFolder folder{directory};
+    std::error_code error;
+    if (fs::exists(directory) && !fs::is_directory(directory))
+        throw InputError(directory.string() + " is a file, not a folder for results");
+    if (fs::equivalent(folder.scene_copy(), scene.file, error))
+        throw InputError(directory.string() +
+                         " is the scene's own folder: choose another one for the results");
+    if (use == FolderUse::resume) {
+        require_checkpoint(folder);
+        return folder;
+    }
+    if (use == FolderUse::fresh) {
+        require_empty(folder, scene);
+    } else {
+        require_ours(folder, scene);
+        remove_former_run(folder);
+    }
+    fs::create_directories(directory, error);
+    if (error) throw FileError(directory, "cannot create the folder", error.message(), "");
+    write_atomically(folder.scene_copy(), scene.text);
+    return folder;
+}
+
+} // namespace quicksand
