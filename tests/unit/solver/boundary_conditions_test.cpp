@@ -1,0 +1,94 @@
+#include "solver/boundary_conditions.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/fixtures/soil_block.hpp"
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+/// A box of 4 x 3 m on a grid of 1 m cells with a margin of one cell on every side.
+Problem box(SoilCondition base, SoilCondition sides)
+{
+    Problem problem;
+    problem.grid = {{-1.0, -1.0}, 1.0, 6, 5};
+    problem.materials = {stiff_sand()};
+    problem.water = water_to(3.0);
+    problem.boundaries = rectangle(0.0, 0.0, 4.0, 3.0, base, sides, SoilCondition::free);
+    return problem;
+}
+
+std::uint8_t conditions_at(const Problem& problem, const NodeConditions& conditions, double x, double y)
+{
+    const Vector2 cells = (Vector2(x, y) - problem.grid.rim_origin()) / problem.grid.cell_size;
+    return conditions.of_node[static_cast<std::size_t>(std::lround(cells.y()) * problem.grid.nodes_x() +
+                                                       std::lround(cells.x()))];
+}
+
+TEST(BoundaryConditions, WallsHoldTheNodesOnAndBeyondThem)
+{
+    const Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    const NodeConditions conditions = node_conditions(problem);
+    const std::uint8_t base = solid_x_fixed | solid_y_fixed | fluid_y_fixed,
+                       side = solid_x_fixed | fluid_x_fixed;
+    EXPECT_EQ(conditions_at(problem, conditions, 2.0, 0.0), base);
+    EXPECT_EQ(conditions_at(problem, conditions, 2.0, -2.0), base);
+    EXPECT_EQ(conditions_at(problem, conditions, 0.0, 2.0), side);
+    EXPECT_EQ(conditions_at(problem, conditions, -1.0, 2.0), side);
+    EXPECT_EQ(conditions_at(problem, conditions, 0.0, 0.0), base | side);
+    EXPECT_EQ(conditions_at(problem, conditions, 2.0, 2.0), 0);
+    EXPECT_EQ(conditions_at(problem, conditions, 2.0, 3.0), 0);
+}
+
+TEST(BoundaryConditions, AWallGoesOnBeyondAConvexCornerOfTheSoil)
+{
+    const Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    const NodeConditions conditions = node_conditions(problem);
+    EXPECT_TRUE(conditions_at(problem, conditions, 4.0, 4.0) &
+                solid_x_fixed); // above the soil, along the side
+}
+
+TEST(BoundaryConditions, AWallEndsWhereItsNeighbourGoesStraightOn)
+{
+    Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    problem.boundaries[0].segments = {{{0.0, 0.0}, {2.0, 0.0}}};
+    problem.boundaries.push_back(
+        {"rail", SoilCondition::roller, WaterCondition::impervious, {{{2.0, 0.0}, {4.0, 0.0}}}});
+    const NodeConditions conditions = node_conditions(problem);
+    EXPECT_TRUE(conditions_at(problem, conditions, 1.0, 0.0) & solid_x_fixed);
+    EXPECT_FALSE(conditions_at(problem, conditions, 3.0, 0.0) & solid_x_fixed);
+    EXPECT_TRUE(conditions_at(problem, conditions, 3.0, 0.0) & solid_y_fixed);
+}
+
+TEST(BoundaryConditions, ASlantedRollerHoldsItsNormalDirection)
+{
+    Problem problem = box(SoilCondition::free, SoilCondition::free);
+    problem.boundaries[1].segments = {{{4.0, 0.0}, {3.0, 3.0}}};
+    problem.boundaries[1].soil = SoilCondition::roller;
+    const NodeConditions conditions = node_conditions(problem);
+    ASSERT_FALSE(conditions.slanted.empty());
+    EXPECT_NEAR(conditions.slanted[0].normal.dot(Vector2(-1.0, 3.0)), 0.0, 1e-15);
+    EXPECT_GT(conditions.slanted[0].normal.x(), 0.0); // out of the soil
+}
+
+TEST(BoundaryConditions, TiedSidesMakeColumnsPeriodic)
+{
+    Problem problem = box(SoilCondition::fixed, SoilCondition::tied);
+    problem.tied_sides = TiedSides{"left", "right", 0.0, 4.0};
+    const NodeConditions conditions = node_conditions(problem);
+    const auto row = static_cast<std::size_t>(problem.grid.nodes_x());
+    for (const TiedNodes& tie : conditions.tied) {
+        EXPECT_EQ(tie.node / row, tie.master / row);
+        const double apart =
+            problem.grid.node_position(tie.node).x() - problem.grid.node_position(tie.master).x();
+        EXPECT_NEAR(std::remainder(apart, 4.0), 0.0, 1e-12);
+        const double x = problem.grid.node_position(tie.master).x();
+        EXPECT_TRUE(x > -1e-9 && x < 4.0 - 1e-9);
+    }
+    EXPECT_EQ(conditions.tied.size(), (row - 4) * static_cast<std::size_t>(problem.grid.nodes_y()));
+}
+
+} // namespace
+} // namespace quicksand

@@ -1,0 +1,121 @@
+#include "solver/cpdi.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <vector>
+
+namespace quicksand {
+namespace {
+
+const BackgroundGrid grid{{-0.3, 0.2}, 0.1, 8, 6};
+
+/// Domains of many shapes: boxes inside a cell and across cells, sheared and turned parallelograms.
+std::vector<ParallelogramDomain> domains()
+{
+    return {{{0.05, 0.35}, {0.016, 0.0}, {0.0, 0.016}},
+            {{0.0, 0.4}, {0.0166, 0.0}, {0.0, 0.0166}},
+            {{0.013, 0.377}, {0.02, 0.011}, {-0.014, 0.02}},
+            {{0.1, 0.5}, {0.05, 0.01}, {0.03, 0.05}},
+            {{0.22, 0.41}, {0.049, -0.03}, {0.045, 0.049}}};
+}
+
+double sum_over_nodes(const NodePatch& patch,
+                      const std::function<double(const NodeWeight&, const Vector2&)>& term)
+{
+    double sum = 0.0;
+    for (int k = 0; k < patch.width * patch.height; ++k) {
+        const int node = patch.base + k / patch.width * grid.nodes_x() + k % patch.width;
+        sum += term(patch.weights[k], grid.node_position(static_cast<std::size_t>(node)));
+    }
+    return sum;
+}
+
+TEST(Cpdi, WeightsArePartitionOfUnityAndGradientsSumToZero)
+{
+    for (const ParallelogramDomain& domain : domains()) {
+        NodePatch patch;
+        evaluate_cpdi(grid, domain, patch);
+        EXPECT_NEAR(sum_over_nodes(patch, [](const NodeWeight& w, const Vector2&) { return w.value; }), 1.0,
+                    1e-14);
+        EXPECT_NEAR(sum_over_nodes(patch, [](const NodeWeight& w, const Vector2&) { return w.gradient_x; }),
+                    0.0, 1e-12);
+        EXPECT_NEAR(sum_over_nodes(patch, [](const NodeWeight& w, const Vector2&) { return w.gradient_y; }),
+                    0.0, 1e-12);
+    }
+}
+
+TEST(Cpdi, ReproducesALinearFieldAndItsGradient)
+{
+    const auto field = [](const Vector2& x) { return 1.5 - 2.0 * x.x() + 0.7 * x.y(); };
+    for (const ParallelogramDomain& domain : domains()) {
+        NodePatch patch;
+        evaluate_cpdi(grid, domain, patch);
+        const auto value = [&](const NodeWeight& w, const Vector2& x) { return w.value * field(x); };
+        const auto slope_x = [&](const NodeWeight& w, const Vector2& x) { return w.gradient_x * field(x); };
+        const auto slope_y = [&](const NodeWeight& w, const Vector2& x) { return w.gradient_y * field(x); };
+        EXPECT_NEAR(sum_over_nodes(patch, value), field(domain.centre), 1e-13);
+        EXPECT_NEAR(sum_over_nodes(patch, slope_x), -2.0, 1e-11);
+        EXPECT_NEAR(sum_over_nodes(patch, slope_y), 0.7, 1e-11);
+    }
+}
+
+TEST(Cpdi, OffsetPointsFromTheParticleToTheBaseNode)
+{
+    for (const ParallelogramDomain& domain : domains()) {
+        NodePatch patch;
+        evaluate_cpdi(grid, domain, patch);
+        const Vector2 base = grid.node_position(static_cast<std::size_t>(patch.base));
+        EXPECT_NEAR(patch.offset_x, base.x() - domain.centre.x(), 1e-15);
+        EXPECT_NEAR(patch.offset_y, base.y() - domain.centre.y(), 1e-15);
+    }
+}
+
+TEST(Cpdi, GradientIsTheMeanGradientOfTheInterpolantOverTheDomain)
+{
+    // On its domain the interpolant of a nodal field is bilinear in the domain's own coordinates (s, t); the
+    // mean of its gradient follows from central differences of the corner values, with J = [2 r1, 2 r2].
+    const ParallelogramDomain domain = domains()[3];
+    NodePatch patch;
+    evaluate_cpdi(grid, domain, patch);
+    const auto field = [](const Vector2& x) { return std::sin(9.0 * x.x()) * std::cos(7.0 * x.y()); };
+    const auto bilinear = [&](const Vector2& x) {
+        const Vector2 cells = (x - grid.rim_origin()) / grid.cell_size;
+        const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
+        const double xi = cells.x() - i, eta = cells.y() - j;
+        return (1 - xi) * (1 - eta) * field(grid.node_position(i, j)) +
+               xi * (1 - eta) * field(grid.node_position(i + 1, j)) +
+               (1 - xi) * eta * field(grid.node_position(i, j + 1)) +
+               xi * eta * field(grid.node_position(i + 1, j + 1));
+    };
+    const Vector2 r1 = domain.half_edge_1, r2 = domain.half_edge_2, c = domain.centre;
+    const double f1 = bilinear(c - r1 - r2), f2 = bilinear(c + r1 - r2), f3 = bilinear(c + r1 + r2),
+                 f4 = bilinear(c - r1 + r2);
+    Eigen::Matrix2d J;
+    J << 2.0 * r1, 2.0 * r2;
+    const Vector2 slopes(0.5 * (f2 + f3 - f1 - f4), 0.5 * (f3 + f4 - f1 - f2));
+    const double det = J(0, 0) * J(1, 1) - J(0, 1) * J(1, 0);
+    const Vector2 expected((J(1, 1) * slopes.x() - J(1, 0) * slopes.y()) / det,
+                           (J(0, 0) * slopes.y() - J(0, 1) * slopes.x()) / det);
+
+    EXPECT_NEAR(
+        sum_over_nodes(patch, [&](const NodeWeight& w, const Vector2& x) { return w.gradient_x * field(x); }),
+        expected.x(), 1e-11);
+    EXPECT_NEAR(
+        sum_over_nodes(patch, [&](const NodeWeight& w, const Vector2& x) { return w.gradient_y * field(x); }),
+        expected.y(), 1e-11);
+}
+
+TEST(Cpdi, EdgesLongerThanACellAreShortenedAndOthersKept)
+{
+    ParallelogramDomain domain{{0.0, 0.4}, {0.09, 0.03}, {0.0, 0.02}};
+    EXPECT_TRUE(limit_domain(grid.cell_size, domain));
+    EXPECT_DOUBLE_EQ(domain.half_edge_1.x(), 0.05);
+    EXPECT_NEAR(domain.half_edge_1.y(), 0.03 * 0.05 / 0.09, 1e-16);
+    EXPECT_EQ(domain.half_edge_2, Vector2(0.0, 0.02));
+    EXPECT_FALSE(limit_domain(grid.cell_size, domain));
+}
+
+} // namespace
+} // namespace quicksand

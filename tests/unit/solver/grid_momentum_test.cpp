@@ -1,0 +1,96 @@
+#include "solver/grid_momentum.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/fixtures/soil_block.hpp"
+
+namespace quicksand {
+namespace {
+
+TEST(SolveDrag, IsTheSolutionOfTheTwoByTwoSystem)
+{
+    const double m_s = 3.0, m_w = 0.7, b_s = 1.1, b_w = -0.4;
+    for (const double dt_drag : {0.0, 1e-3, 1.0, 1e3}) {
+        const PhaseVelocities v = solve_drag(m_s, m_w, dt_drag, b_s, b_w);
+        EXPECT_NEAR((m_s + dt_drag) * v.solid - dt_drag * v.fluid, b_s, 1e-12 * (1.0 + dt_drag));
+        EXPECT_NEAR(-dt_drag * v.solid + (m_w + dt_drag) * v.fluid, b_w, 1e-12 * (1.0 + dt_drag));
+        EXPECT_NEAR(m_s * v.solid + m_w * v.fluid, b_s + b_w, 1e-14);
+    }
+}
+
+TEST(SolveDrag, InfiniteDragMovesBothPhasesTogetherWithoutCancellation)
+{
+    const PhaseVelocities v = solve_drag(3.0, 0.7, 1e300, 1.1, -0.4);
+    EXPECT_DOUBLE_EQ(v.solid, 0.7 / 3.7);
+    EXPECT_DOUBLE_EQ(v.fluid, 0.7 / 3.7);
+}
+
+TEST(SolveDrag, ANodeWithoutWaterMovesAsTheGrains)
+{
+    const PhaseVelocities v = solve_drag(2.0, 0.0, 0.0, 1.0, 0.0);
+    EXPECT_DOUBLE_EQ(v.solid, 0.5);
+    EXPECT_DOUBLE_EQ(v.fluid, 0.5);
+}
+
+/// One node of a saturated problem and its velocities under given conditions.
+TwoPhaseMotion solve_one(const Problem& problem, std::uint8_t conditions,
+                         const std::vector<SlantedNode>& slanted = {})
+{
+    std::vector<TwoPhaseSums> sums(1);
+    sums[0] = {1500.0, 430.0, 1.0, 2e6, 30.0, -15.0, 4.0, 8.0, 0.0, 0.0, 0.0, 0.0};
+    std::vector<TwoPhaseMotion> motion(1);
+    NodeConditions node_conditions;
+    node_conditions.of_node = {conditions};
+    node_conditions.slanted = slanted;
+    solve_two_phase_momentum(problem, node_conditions, 1e-4, 0.0, sums, motion);
+    return motion[0];
+}
+
+Problem weightless()
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 1.0, 1, 1};
+    problem.materials = {fixtures::stiff_sand()};
+    problem.water = fixtures::water_to(1.0);
+    problem.gravity = 0.0;
+    return problem;
+}
+
+TEST(NodeConditions, AHeldSkeletonStillDragsTheWater)
+{
+    const TwoPhaseMotion v = solve_one(weightless(), solid_x_fixed);
+    EXPECT_EQ(v.solid_x, 0.0);
+    EXPECT_NEAR(v.fluid_x, 4.0 / (430.0 + 1e-4 * 2e6), 1e-15);
+    EXPECT_NE(v.solid_y, 0.0);
+}
+
+TEST(NodeConditions, AnImperviousFilmMovesBothPhasesTogether)
+{
+    const TwoPhaseMotion v = solve_one(weightless(), film_y);
+    EXPECT_DOUBLE_EQ(v.solid_y, (8.0 - 15.0) / 1930.0);
+    EXPECT_DOUBLE_EQ(v.fluid_y, v.solid_y);
+    EXPECT_NE(v.fluid_x, v.solid_x);
+}
+
+TEST(NodeConditions, ASlantedRollerLeavesOnlyMotionAlongTheWall)
+{
+    const Vector2 normal = Vector2(3.0, 4.0) / 5.0;
+    const TwoPhaseMotion v = solve_one(weightless(), 0, {{0, normal, solid_x_fixed | fluid_x_fixed}});
+    EXPECT_NEAR(v.solid_x * normal.x() + v.solid_y * normal.y(), 0.0, 1e-15);
+    EXPECT_NEAR(v.fluid_x * normal.x() + v.fluid_y * normal.y(), 0.0, 1e-15);
+    EXPECT_GT(std::abs(v.solid_x), 1e-4);
+}
+
+TEST(Submerged, GrainsCarryTheirBuoyantWeightAndWaterNone)
+{
+    Problem problem = weightless();
+    problem.gravity = 10.0;
+    const TwoPhaseMotion with = solve_one(problem, 0), without = solve_one(weightless(), 0);
+    // m (v_s + v_w) changes by the buoyant weight (1500 + 430 - 1000) g dt in all
+    const double change =
+        1500.0 * (with.solid_y - without.solid_y) + 430.0 * (with.fluid_y - without.fluid_y);
+    EXPECT_NEAR(change, -930.0 * 10.0 * 1e-4, 1e-12);
+}
+
+} // namespace
+} // namespace quicksand

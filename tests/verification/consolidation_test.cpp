@@ -1,0 +1,97 @@
+// Terzaghi's one-dimensional consolidation.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/fixtures/soil_block.hpp"
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+/// p / p0 at depth z below the drained top of a layer of thickness H.
+double terzaghi(double depth_ratio, double time_factor)
+{
+    double sum = 0.0;
+    for (int m = 1; m < 400; m += 2) {
+        const double lambda = 0.5 * m * std::numbers::pi;
+        sum += 2.0 / lambda * std::sin(lambda * depth_ratio) * std::exp(-lambda * lambda * time_factor);
+    }
+    return sum;
+}
+
+struct Consolidation {
+    double pressure_error = 0.0;   // L2 over the cells, relative to p0 [-]
+    double settlement_error = 0.0; // of the topmost particle, relative to the final settlement [-]
+};
+
+/// Degree of settlement of a point at a depth: 1 - integral of p/p0 below it, over H.
+double settlement_degree(double depth_ratio, double time_factor)
+{
+    double degree = 1.0 - depth_ratio;
+    for (int m = 1; m < 400; m += 2) {
+        const double lambda = 0.5 * m * std::numbers::pi;
+        degree -= 2.0 / (lambda * lambda) * std::cos(lambda * depth_ratio) *
+                  std::exp(-lambda * lambda * time_factor);
+    }
+    return degree;
+}
+
+/// A layer of 1 m with excess pressure p0 everywhere that its total stress of zero leaves to the skeleton.
+Consolidation consolidate(int cells, double time_factor)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 1.0 / cells, 1, cells + 1};
+    Material sand = stiff_sand();
+    sand.law = LinearElastic{5e6, 0.0}; // M = 10 MPa
+    sand.porosity = 0.3;
+    sand.hydraulic_conductivity = 1e-3;
+    problem.materials = {sand};
+    problem.water = water_to(1.0);
+    problem.gravity = 0.0;
+    problem.boundaries = rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, SoilCondition::fixed,
+                                   SoilCondition::roller, SoilCondition::free);
+    State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
+    const double p0 = 1e4;
+    std::fill(state.particles.pore_pressure.begin(), state.particles.pore_pressure.end(), p0);
+    std::fill(state.particles.stress.yy.begin(), state.particles.stress.yy.end(), p0);
+
+    const double M = 10e6, storage = 1.0 / M + sand.porosity / problem.water->bulk_modulus;
+    const double c_v = sand.hydraulic_conductivity / (problem.water->density * standard_gravity * storage);
+    run(problem, time_factor / c_v, {}, state);
+
+    // the pressure is a quantity of the cells (update_pore_pressure): compare the means of numerical and
+    // exact
+    std::vector<double> mean(static_cast<std::size_t>(cells), 0.0), exact(mean), volume(mean);
+    double top = 0.0, highest = 0.0;
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        const double y = state.particles.reference_position.y[p];
+        const auto cell = static_cast<std::size_t>(y * cells);
+        mean[cell] += state.particles.volume[p] * state.particles.pore_pressure[p] / p0;
+        exact[cell] += state.particles.volume[p] * terzaghi(1.0 - y, time_factor);
+        volume[cell] += state.particles.volume[p];
+        if (y > highest) highest = y, top = y - state.particles.position.y[p];
+    }
+    Consolidation result;
+    for (std::size_t c = 0; c < mean.size(); ++c) {
+        const double difference = (mean[c] - exact[c]) / volume[c];
+        result.pressure_error += difference * difference / cells;
+    }
+    result.pressure_error = std::sqrt(result.pressure_error);
+    result.settlement_error = std::abs(top / (p0 / M) - settlement_degree(1.0 - highest, time_factor));
+    return result;
+}
+
+TEST(Terzaghi, PressureAndSettlementAgreeWithTheSeriesAt20Cells)
+{
+    for (const double time_factor : {0.1, 0.2, 0.5, 1.0}) {
+        const Consolidation result = consolidate(20, time_factor);
+        EXPECT_LT(result.pressure_error, 0.002) << "T = " << time_factor;
+        EXPECT_LT(result.settlement_error, 0.001) << "T = " << time_factor;
+    }
+}
+
+} // namespace
+} // namespace quicksand

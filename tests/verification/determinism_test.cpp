@@ -1,0 +1,74 @@
+// The same bits for any number of threads, and from a copy of the state taken in mid-run.
+#include <gtest/gtest.h>
+
+#include "tests/fixtures/soil_block.hpp"
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+Problem shaken_block()
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.05, 24, 16};
+    problem.materials = {stiff_sand()};
+    problem.water = water_to(1.0);
+    problem.base_motion = SineMotion{400.0, 60.0, 100.0, 0.0};
+    problem.boundaries =
+        rectangle(0.1, 0.0, 1.1, 0.6, SoilCondition::fixed, SoilCondition::free, SoilCondition::free);
+    return problem;
+}
+
+State block(const Problem& problem)
+{
+    return fill(problem, 3, [](const Vector2& x) { return x.x() > 0.1 && x.x() < 1.1 && x.y() < 0.6; });
+}
+
+/// All bits of the particles.
+void expect_same_bits(const Particles& a, const Particles& b)
+{
+    std::vector<const Scalars*> arrays;
+    for_each_array(a, [&](const char*, const Scalars& values) { arrays.push_back(&values); });
+    std::size_t k = 0;
+    for_each_array(b,
+                   [&](const char* name, const Scalars& values) { EXPECT_EQ(values, *arrays[k++]) << name; });
+    EXPECT_EQ(a.identifier, b.identifier);
+}
+
+TEST(Determinism, OneTwoAndFourThreadsGiveTheSameBits)
+{
+    const Problem problem = shaken_block();
+    const int threads_before = thread_count();
+    set_thread_count(1);
+    State reference = block(problem);
+    run(problem, 0.01, {}, reference);
+    for (const int threads : {2, 4}) {
+        set_thread_count(threads);
+        State state = block(problem);
+        run(problem, 0.01, {}, state);
+        EXPECT_EQ(state.step, reference.step);
+        expect_same_bits(state.particles, reference.particles);
+    }
+    set_thread_count(threads_before);
+}
+
+TEST(Determinism, ACopyTakenInMidRunGoesOnWithTheSameBits)
+{
+    const Problem problem = shaken_block();
+    State uninterrupted = block(problem);
+    State interrupted = uninterrupted;
+    run(problem, 0.01, {}, uninterrupted);
+
+    const auto stop = [&] { return interrupted.step == 137; };
+    run(problem, 0.01, {}, interrupted, stop);
+    ASSERT_LT(interrupted.time, 0.01);
+    State copy = interrupted;
+    run(problem, 0.01, {}, copy);
+    EXPECT_EQ(copy.step, uninterrupted.step);
+    EXPECT_EQ(copy.time, uninterrupted.time);
+    expect_same_bits(copy.particles, uninterrupted.particles);
+}
+
+} // namespace
+} // namespace quicksand

@@ -1,0 +1,156 @@
+// Motions the step must reproduce to rounding: free fall, rigid rotation, momentum of a free body.
+#include "solver/particle_motion.hpp"
+#include "solver/single_phase_step.hpp"
+#include "solver/two_phase_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tests/fixtures/soil_block.hpp"
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+/// A free block in the middle of a grid of 12 x 12 cells of 0.1 m.
+Problem free_block(bool saturated)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.1, 12, 12};
+    problem.materials = {stiff_sand()};
+    if (saturated) problem.water = water_to(10.0);
+    problem.gravity = 0.0;
+    return problem;
+}
+
+bool in_block(const Vector2& x)
+{
+    return x.x() > 0.4 && x.x() < 0.8 && x.y() > 0.4 && x.y() < 0.8;
+}
+
+TEST(FreeFall, DryBlockFallsAsAPointAndStaysFreeOfStress)
+{
+    Problem problem = free_block(false);
+    problem.gravity = 9.81;
+    State state = fill(problem, 3, in_block);
+    SinglePhaseWorkspace work = make_single_phase_workspace(problem);
+    const Vector2 start = state.particles.position[0];
+    const int steps = 400;
+    const double dt = 1e-4;
+    for (int k = 0; k < steps; ++k) advance_single_phase_step(problem, dt, 0.0, state, work);
+
+    const double t = steps * dt;
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        EXPECT_NEAR(state.particles.velocity_solid.y[p], -9.81 * t, 1e-12);
+        EXPECT_NEAR(state.particles.velocity_solid.x[p], 0.0, 1e-12);
+        EXPECT_NEAR(state.particles.stress.yy[p], 0.0, 1e-3); // of a modulus of 1e8
+    }
+    // the sum of the symplectic Euler steps
+    EXPECT_NEAR(state.particles.position.y[0] - start.y(), -0.5 * 9.81 * t * (t + dt), 1e-12);
+}
+
+TEST(RigidRotation, OneStepGivesNoStress)
+{
+    for (const bool saturated : {false, true}) {
+        const Problem problem = free_block(saturated);
+        State state = fill(problem, 3, in_block);
+        Particles& particles = state.particles;
+        const double omega = 3.0;
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            const Vector2 arm = particles.position[p] - Vector2(0.6, 0.6);
+            particles.velocity_solid.set(p, omega * Vector2(-arm.y(), arm.x()));
+            particles.velocity_gradient_solid.xy[p] = -omega;
+            particles.velocity_gradient_solid.yx[p] = omega;
+            if (!saturated) continue;
+            particles.velocity_fluid.set(p, particles.velocity_solid[p]);
+            particles.velocity_gradient_fluid.xy[p] = -omega;
+            particles.velocity_gradient_fluid.yx[p] = omega;
+        }
+        if (saturated) {
+            TwoPhaseWorkspace work = make_two_phase_workspace(problem);
+            advance_two_phase_step(problem, 1e-5, state, work);
+            for (const double pressure : particles.pore_pressure)
+                EXPECT_NEAR(pressure, 0.0, 1e-5); // of 2.2e9 Pa
+        } else {
+            SinglePhaseWorkspace work = make_single_phase_workspace(problem);
+            advance_single_phase_step(problem, 1e-5, 0.0, state, work);
+        }
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            EXPECT_NEAR(particles.stress.xx[p], 0.0, 1e-6);
+            EXPECT_NEAR(particles.stress.yy[p], 0.0, 1e-6);
+            EXPECT_NEAR(particles.stress.xy[p], 0.0, 1e-6);
+        }
+    }
+}
+
+TEST(RigidRotation, StressTurnsWithTheBody)
+{
+    const Problem problem = free_block(false);
+    State state = fill(problem, 1, in_block);
+    Particles& particles = state.particles;
+    particles.stress.xx[0] = -3e5;
+    particles.stress.yy[0] = -1e5;
+    particles.stress.xy[0] = 4e4;
+    const int steps = 1000;
+    const double omega = 0.5 * std::numbers::pi / steps; // a quarter turn in all, dt = 1
+    particles.velocity_gradient_solid.xy[0] = -omega;
+    particles.velocity_gradient_solid.yx[0] = omega;
+    for (int k = 0; k < steps; ++k) update_effective_stress(problem, 1.0, particles);
+
+    // R sigma R^T of a quarter turn exchanges the axes; the half-angle tangent errs by w^3/12 per step
+    EXPECT_NEAR(particles.stress.xx[0], -1e5, 0.2);
+    EXPECT_NEAR(particles.stress.yy[0], -3e5, 0.2);
+    EXPECT_NEAR(particles.stress.xy[0], -4e4, 0.2);
+    const double radius =
+        std::hypot(0.5 * (particles.stress.xx[0] - particles.stress.yy[0]), particles.stress.xy[0]);
+    EXPECT_NEAR(radius, std::hypot(1e5, 4e4), 1e-7);
+}
+
+/// Momentum of both phases; the masses of water are given by lasting particle number [N s/m].
+Vector2 momentum(const Particles& particles, const Scalars& mass_fluid)
+{
+    Vector2 sum = Vector2::Zero();
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        sum += particles.mass_solid[p] * particles.velocity_solid[p];
+        sum += mass_fluid[static_cast<std::size_t>(particles.identifier[p])] * particles.velocity_fluid[p];
+    }
+    return sum;
+}
+
+TEST(Momentum, OfAFreeSaturatedBodyIsConservedToRoundingInEveryStep)
+{
+    const Problem problem = free_block(true);
+    State state = fill(problem, 3, in_block);
+    Particles& particles = state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        // some irregular motion of both phases and irregular stresses and pressures
+        const double s = std::sin(12.9898 * static_cast<double>(p + 1)),
+                     c = std::cos(78.233 * static_cast<double>(p + 1));
+        particles.velocity_solid.set(p, {0.02 * s + 0.01, 0.03 * c});
+        particles.velocity_fluid.set(p, {0.02 * c, 0.02 * s - 0.01});
+        particles.stress.xx[p] = 1e3 * s;
+        particles.stress.xy[p] = 1e3 * c;
+        particles.pore_pressure[p] = 2e3 * s * c;
+    }
+    TwoPhaseWorkspace work = make_two_phase_workspace(problem);
+    const double dt = stable_time_step(problem, particles).dt;
+    Scalars mass_fluid(particles.size());
+    for (int k = 0; k < 200; ++k) {
+        // the water that follows a particle's pores changes after the momentum has been exchanged
+        double scale = 0.0;
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            mass_fluid[static_cast<std::size_t>(particles.identifier[p])] =
+                problem.water->density * particles.porosity[p] * particles.volume[p];
+            scale += particles.mass_solid[p] * particles.velocity_solid[p].norm();
+        }
+        const Vector2 before = momentum(particles, mass_fluid);
+        advance_two_phase_step(problem, dt, state, work);
+        EXPECT_LT((momentum(particles, mass_fluid) - before).norm(), 1e-13 * scale);
+    }
+}
+
+} // namespace
+} // namespace quicksand
