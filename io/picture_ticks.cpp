@@ -101,4 +101,20 @@ std::string label_with_unit(std::string_view label, const DisplayUnit& unit)
     return unit.text.empty() ? std::string(label) : fmt::format("{} [{}]", label, unit.text);
 }
 
+double largest_of(const std::vector<double>& values)
+{
+    double largest = -1.0;
+    for (const double value : values)
+        if (std::isfinite(value)) largest = std::max(largest, std::abs(value));
+    return largest;
+}
+
+std::vector<double> scaled(const std::vector<double>& values, const DisplayUnit& unit)
+{
+    std::vector<double> result(values.size());
+    std::transform(values.begin(), values.end(), result.begin(),
+                   [&unit](double value) { return value / unit.factor; });
+    return result;
+}
+
 } // namespace quicksand

@@ -42,4 +42,10 @@ DisplayUnit display_unit(std::string_view unit, double magnitude);
 /// "Excess pore pressure [kPa]", without brackets where the unit has no text.
 std::string label_with_unit(std::string_view label, const DisplayUnit& unit);
 
+/// The largest magnitude among the finite values, -1 where there is none.
+double largest_of(const std::vector<double>& values);
+
+/// The values in the unit shown.
+std::vector<double> scaled(const std::vector<double>& values, const DisplayUnit& unit);
+
 } // namespace quicksand

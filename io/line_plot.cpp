@@ -1,0 +1,163 @@
+#include "io/line_plot.hpp"
+
+#include "io/atomic_file.hpp"
+#include "io/picture_gnuplot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace quicksand {
+namespace {
+
+// Sizes of the sheet and its margins [pixel].
+constexpr double stack_width = 1200.0, stack_panel = 170.0, stack_alone = 430.0, stack_gap = 34.0;
+constexpr double beside_width = 600.0, beside_panel = 560.0;
+constexpr double left_margin = 118.0, right_margin = 36.0, top_margin = 112.0, bottom_margin = 76.0;
+constexpr double key_margin = 210.0; // right of the axes where the key stands beside them
+
+struct Box {
+    double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0; // from the upper left corner [pixel]
+};
+
+struct Sheet {
+    double width = 0.0, height = 0.0; // [pixel]
+    std::vector<Box> boxes;           // of the panels
+};
+
+Sheet lay_out(const LinePlot& plot)
+{
+    Sheet sheet;
+    const auto count = static_cast<double>(plot.panels.size());
+    const bool key_beside = std::any_of(plot.panels.begin(), plot.panels.end(),
+                                        [](const PlotPanel& panel) { return panel.key_beside; });
+    const double right = key_beside ? key_margin : right_margin;
+    if (plot.arrangement == PlotArrangement::stacked) {
+        const double panel = count > 1.0 ? stack_panel : stack_alone;
+        sheet.width = stack_width;
+        sheet.height = top_margin + count * panel + (count - 1.0) * stack_gap + bottom_margin;
+        for (double top = top_margin; sheet.boxes.size() < plot.panels.size(); top += panel + stack_gap)
+            sheet.boxes.push_back({left_margin, stack_width - right, top, top + panel});
+        return sheet;
+    }
+    sheet.width = count * beside_width + (right - right_margin);
+    sheet.height = top_margin + beside_panel + bottom_margin;
+    for (double left = 0.0; sheet.boxes.size() < plot.panels.size(); left += beside_width)
+        sheet.boxes.push_back(
+            {left + left_margin, left + beside_width - right_margin, top_margin, top_margin + beside_panel});
+    return sheet;
+}
+
+/// In gnuplot's single quotes nothing but the quote itself is special.
+std::string quoted(const std::string& text)
+{
+    std::string result = "'";
+    for (const char letter : text) {
+        if (letter == '\n' || letter == '\r') continue;
+        result += letter;
+        if (letter == '\'') result += letter;
+    }
+    return result + "'";
+}
+
+std::string number(double value)
+{
+    return std::isfinite(value) ? fmt::format("{:.7g}", value) : "NaN";
+}
+
+std::string data_blocks(const LinePlot& plot)
+{
+    std::string script;
+    for (std::size_t p = 0; p < plot.panels.size(); ++p)
+        for (std::size_t c = 0; c < plot.panels[p].curves.size(); ++c) {
+            const PlotCurve& curve = plot.panels[p].curves[c];
+            script += fmt::format("$curve_{}_{} << end_of_data\n", p, c);
+            for (std::size_t k = 0; k < std::min(curve.x.size(), curve.y.size()); ++k)
+                script += fmt::format("{} {}\n", number(curve.x[k]), number(curve.y[k]));
+            script += "end_of_data\n";
+        }
+    return script;
+}
+
+std::string heading(const LinePlot& plot, const Sheet& sheet)
+{
+    const auto label = [&](int tag, const std::string& text, double from_top, const char* style) {
+        return fmt::format("set label {} {} at screen {:.5f}, screen {:.5f} left {}\n", tag, quoted(text),
+                           left_margin / sheet.width, 1.0 - from_top / sheet.height, style);
+    };
+    return label(1, plot.title, 34.0, "font ':Bold,16'") +
+           label(2, plot.note, 62.0, "font ',11' textcolor rgb '#606060'");
+}
+
+std::string panel_commands(const LinePlot& plot, std::size_t p, const Sheet& sheet)
+{
+    const PlotPanel& panel = plot.panels[p];
+    const Box& box = sheet.boxes[p];
+    const bool stacked = plot.arrangement == PlotArrangement::stacked;
+    const bool shows_x = !stacked || p + 1 == plot.panels.size();
+    std::string script = fmt::format("set lmargin at screen {:.5f}\nset rmargin at screen {:.5f}\n"
+                                     "set tmargin at screen {:.5f}\nset bmargin at screen {:.5f}\n",
+                                     box.left / sheet.width, box.right / sheet.width,
+                                     1.0 - box.top / sheet.height, 1.0 - box.bottom / sheet.height);
+    script += fmt::format("set format x {}\n", shows_x ? "'%g'" : "''");
+    script += fmt::format("set xlabel {} offset 0,-0.3\n", shows_x ? quoted(panel.x_label) : "''");
+    script +=
+        fmt::format("set ylabel {} offset screen {:.5f},0\n", quoted(panel.y_label), stacked ? 0.0 : -0.002);
+    script += panel.key_beside ? "set key at graph 1.03, graph 1.0 left top vertical Left reverse samplen 2\n"
+                               : "set key at graph 1.0, graph 1.01 right bottom horizontal samplen 2\n";
+    std::string separator = "plot ";
+    for (std::size_t c = 0; c < panel.curves.size(); ++c) {
+        const PlotCurve& curve = panel.curves[c];
+        script += fmt::format("{}$curve_{}_{} using 1:2 with lines lw 1.8 lc rgb '{}' {}", separator, p, c,
+                              hex_code(curve.colour),
+                              curve.name.empty() ? "notitle" : "title " + quoted(curve.name));
+        separator = ", \\\n     ";
+    }
+    return script + "\nunset label 1\nunset label 2\n";
+}
+
+} // namespace
+
+Colour curve_colour(std::size_t k, std::size_t count)
+{
+    // The palette of M. Okabe and K. Ito, which colour-blind readers can tell apart.
+    constexpr std::array<Colour, 7> palette{{{0.000, 0.447, 0.698},
+                                             {0.835, 0.369, 0.000},
+                                             {0.000, 0.620, 0.451},
+                                             {0.800, 0.475, 0.655},
+                                             {0.337, 0.706, 0.914},
+                                             {0.902, 0.624, 0.000},
+                                             {0.150, 0.150, 0.150}}};
+    if (count <= palette.size()) return palette[k % palette.size()];
+    // The palest tenth of the map is hard to see on white.
+    return map_colour(ColourMap::sequential, 0.9 * static_cast<double>(k) / static_cast<double>(count - 1));
+}
+
+std::string plot_script(const LinePlot& plot, const std::filesystem::path& png)
+{
+    const Sheet sheet = lay_out(plot);
+    std::string script = fmt::format("set encoding utf8\n"
+                                     "set terminal pngcairo noenhanced size {:.0f},{:.0f} "
+                                     "font 'DejaVu Sans,12' background rgb '#ffffff'\n"
+                                     "set output {}\n",
+                                     sheet.width, sheet.height, quoted(png.string()));
+    script += "set minussign\n"
+              "set border 15 lw 1 lc rgb '#303030'\n"
+              "set tics out nomirror scale 0.6 textcolor rgb '#1a1a1a'\n"
+              "set grid lt 1 lw 0.7 lc rgb '#dddddd'\n"
+              "set autoscale xfix\n";
+    script += data_blocks(plot);
+    script += "set multiplot\n" + heading(plot, sheet);
+    for (std::size_t p = 0; p < plot.panels.size(); ++p) script += panel_commands(plot, p, sheet);
+    return script + "unset multiplot\nunset output\n";
+}
+
+void draw_line_plot(const LinePlot& plot, const std::filesystem::path& png)
+{
+    run_gnuplot(plot_script(plot, temporary_name(png)), png);
+    replace_file(png);
+}
+
+} // namespace quicksand
