@@ -1,0 +1,248 @@
+#include "app/command_line.hpp"
+
+#include "io/diagnostics.hpp"
+#include "solver/failure.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <iostream>
+#include <memory>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+constexpr const char* description =
+    "Quicksand: liquefaction of saturated sand and the deformation of dikes in earthquakes.";
+constexpr const char* footer = "Start with:  quicksand demo      (two minutes, then open its files)\n"
+                               "             quicksand new dike my_dike\n"
+                               "Exit codes:  0 good, 2 input, 3 numerical, 4 files and disk, 5 a bug of ours\n"
+                               "Help on a command:  quicksand COMMAND --help";
+
+/// A command's parser and what to do once it has been parsed.
+struct Command {
+    CLI::App* parser = nullptr;
+    std::function<ExitCode()> execute;
+};
+
+using Commands = std::vector<Command>;
+
+template <class Choice>
+using Execute = ExitCode (*)(const Choice&);
+
+/// Give the program a command; the returned choice is filled when the command line is parsed.
+template <class Choice>
+std::pair<CLI::App*, std::shared_ptr<Choice>> add_command(CLI::App& program, Commands& commands, const char* name,
+                                                          const char* about, Execute<Choice> execute)
+{
+    CLI::App* parser = program.add_subcommand(name, about);
+    auto choice = std::make_shared<Choice>();
+    commands.push_back({parser, [choice, execute] { return execute(*choice); }});
+    return {parser, choice};
+}
+
+void add_threads(CLI::App& parser, int& threads)
+{
+    parser.add_option("--threads", threads, "Threads; all of the machine's when not given")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+}
+
+void add_scene(CLI::App& parser, SceneChoice& choice)
+{
+    parser.add_option("SCENE", choice.scene, "Scene file, or a folder that holds scene.toml")->required();
+    add_threads(parser, choice.threads);
+    parser.add_option("--until", choice.until, "End of the run in s, in place of run.end_time")
+        ->check(CLI::PositiveNumber)
+        ->type_name("T");
+    parser.add_option("--set", choice.overrides, "Replace a key of the scene: --set motion.amplitude=\"0.2 g\"")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void add_run(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] =
+        add_command<RunChoice>(program, commands, "run", "Run a scene and write its results", run_scene);
+    add_scene(*parser, choice->scene);
+    parser->add_option("-o,--output", choice->directory, "Results folder; results/<scene> when not given")
+        ->type_name("DIR");
+    CLI::Option* overwrite =
+        parser->add_flag("--overwrite", choice->overwrite, "Replace the results of a former run");
+    parser->add_flag("--resume", choice->resume, "Go on from the last checkpoint")->excludes(overwrite);
+}
+
+void add_check(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<CheckChoice>(
+        program, commands, "check", "Say what a run of the scene will be, and write its initial frame", check_scene);
+    add_scene(*parser, choice->scene);
+    parser->add_option("-o,--output", choice->directory, "Folder of the frame; results/<scene>-check when not given")
+        ->type_name("DIR");
+}
+
+void add_keys(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] =
+        add_command<KeysChoice>(program, commands, "keys", "List the keys of a scene", list_keys);
+    parser->add_option("PATTERN", choice->pattern, "Only keys that contain this text");
+    parser->add_flag("--markdown", choice->markdown, "As the reference page");
+}
+
+void add_new(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<NewChoice>(
+        program, commands, "new", "Make a folder with a commented scene and drawing to start from", create_scene);
+    parser->add_option("KIND", choice->example, "dike or column")->required();
+    parser->add_option("NAME", choice->folder, "The folder to make")->required();
+}
+
+void add_probe(CLI::App& program, Commands& commands)
+{
+    struct Words {
+        std::vector<double> at;
+        std::string kind = "fixed";
+    };
+    CLI::App* parser = program.add_subcommand("probe", "Take a history at a point out of written frames");
+    auto choice = std::make_shared<ProbeChoice>();
+    auto words = std::make_shared<Words>();
+    parser->add_option("RESULTS", choice->results, "Results folder of a run")->required();
+    parser->add_option("--at", words->at, "Place in m")->delimiter(',')->expected(2)->required()->type_name("X,Y");
+    parser->add_option("--fields", choice->fields, "Fields, as excess_pore_pressure,ru")
+        ->delimiter(',')
+        ->required()
+        ->type_name("A,B");
+    parser->add_option("--kind", words->kind, "fixed in space, or riding with the material")
+        ->check(CLI::IsMember({"fixed", "material"}));
+    parser->add_option("-o,--output", choice->file, "CSV file to write")->required()->type_name("FILE");
+    commands.push_back({parser, [choice, words] {
+                            choice->at = {words->at[0], words->at[1]};
+                            choice->rides_with_soil = words->kind == "material";
+                            return extract_probe(*choice);
+                        }});
+}
+
+void add_bench(CLI::App& program, Commands& commands)
+{
+    struct Words {
+        std::string subject;
+        int threads = 0;
+    };
+    CLI::App* parser = program.add_subcommand("bench", "Measure the speed of the step on the dike example");
+    auto words = std::make_shared<Words>();
+    parser->add_option("SUBJECT", words->subject, "kernel: particle-steps per second, in all and by phase")
+        ->required()
+        ->check(CLI::IsMember({"kernel"}));
+    parser->add_option("--threads", words->threads, "Only this number of threads; 1 and 2 when not given")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    commands.push_back({parser, [words] { return measure_kernel(words->threads); }});
+}
+
+void add_demo(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<DemoChoice>(
+        program, commands, "demo", "Run the dike example, shortened to about two minutes", run_demo);
+    add_threads(*parser, choice->threads);
+    parser->add_option("-o,--output", choice->directory, "Results folder, replaced if there", true)->type_name("DIR");
+}
+
+Commands add_commands(CLI::App& program)
+{
+    Commands commands;
+    add_run(program, commands);
+    add_check(program, commands);
+    add_new(program, commands);
+    add_keys(program, commands);
+    add_probe(program, commands);
+    add_demo(program, commands);
+    add_bench(program, commands);
+    commands.push_back({program.add_subcommand("version", "Print the version"), print_version});
+    return commands;
+}
+
+std::string hint_for(const std::string& word, const std::vector<std::string>& names)
+{
+    const std::string nearest = nearest_name(word, names);
+    return nearest.empty() ? "" : "\nhint: did you mean " + nearest + "?";
+}
+
+std::string joined(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// The command line's first word is no command.
+[[noreturn]] void refuse_command(const std::string& word, const Commands& commands)
+{
+    std::vector<std::string> names;
+    for (const Command& command : commands) names.push_back(command.parser->get_name());
+    throw InputError("error[command-line]: there is no command '" + word + "'\nexpected: " + joined(names) +
+                     hint_for(word, names));
+}
+
+/// The command line has words that the command does not know.
+[[noreturn]] void refuse_words(const CLI::App& parser, const std::vector<std::string>& words)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : parser.get_options()) {
+        for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    const std::string word = words.front().substr(0, words.front().find('='));
+    const bool option = word.starts_with("-");
+    throw InputError("error[command-line]: " + parser.get_name() + " knows no " +
+                     (option ? "option '" : "further word '") + word + "'\nexpected: " +
+                     (option ? joined(names) : "quicksand " + parser.get_name() + " --help shows its form") +
+                     (option ? hint_for(word, names) : ""));
+}
+
+const Command* chosen(const Commands& commands)
+{
+    for (const Command& command : commands) {
+        if (command.parser->parsed()) return &command;
+    }
+    return nullptr;
+}
+
+/// Parse; true when the line was a question that has been answered, such as --help.
+bool parse(CLI::App& program, const Commands& commands, int argument_count, char** arguments)
+{
+    try {
+        program.parse(argument_count, arguments);
+    } catch (const CLI::Success& question) {
+        program.exit(question);
+        return true;
+    } catch (const CLI::ParseError& error) {
+        const Command* command = chosen(commands);
+        const std::vector<std::string> unknown = program.remaining(true);
+        const CLI::App& parser = command ? *command->parser : program;
+        if (!unknown.empty()) refuse_words(parser, unknown);
+        throw InputError(std::string("error[command-line]: ") + error.what() + "\nhint: quicksand " +
+                         (command ? parser.get_name() + " " : "") + "--help shows what is allowed");
+    }
+    return false;
+}
+
+} // namespace
+
+ExitCode execute_command_line(int argument_count, char** arguments)
+{
+    CLI::App program(description, "quicksand");
+    program.footer(footer);
+    program.get_formatter()->column_width(36);
+    const Commands commands = add_commands(program);
+    if (argument_count > 1 && arguments[1][0] != '-' && !program.get_subcommand_no_throw(arguments[1])) {
+        refuse_command(arguments[1], commands);
+    }
+    if (parse(program, commands, argument_count, arguments)) return ExitCode::good;
+    if (const Command* command = chosen(commands)) return command->execute();
+    std::cout << program.help();
+    return ExitCode::good;
+}
+
+} // namespace quicksand

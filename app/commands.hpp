@@ -1,0 +1,74 @@
+// The commands of the program: what each is asked for, and the functions that do it.
+#pragma once
+
+#include "solver/conventions.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// Exit codes, fixed for scripts.
+enum class ExitCode {
+    good = 0,
+    input = 2,     // the user's input cannot be run
+    numerical = 3, // the run went bad
+    files = 4,     // files, disk or memory
+    bug = 5,       // our own
+};
+
+/// A scene and what the command line changes of it.
+struct SceneChoice {
+    std::filesystem::path scene;        // a file, or a folder with scene.toml
+    std::vector<std::string> overrides; // --set key=value
+    std::optional<double> until;        // end of the run in place of the scene's [s]
+    int threads = 0;                    // 0: all of the machine's [-]
+};
+
+struct RunChoice {
+    SceneChoice scene;
+    std::filesystem::path directory; // empty: results/<name of the scene>
+    bool overwrite = false;
+    bool resume = false;
+};
+
+struct CheckChoice {
+    SceneChoice scene;
+    std::filesystem::path directory; // empty: results/<name of the scene>-check
+};
+
+struct KeysChoice {
+    std::string pattern; // part of a key, empty: all
+    bool markdown = false;
+};
+
+struct NewChoice {
+    std::string example; // "dike" or "column"
+    std::filesystem::path folder;
+};
+
+struct ProbeChoice {
+    std::filesystem::path results;
+    Vector2 at = Vector2::Zero(); // [m]
+    std::vector<std::string> fields;
+    bool rides_with_soil = false;
+    std::filesystem::path file;
+};
+
+struct DemoChoice {
+    std::filesystem::path directory = "results/demo";
+    int threads = 0;
+};
+
+ExitCode run_scene(const RunChoice& choice);
+ExitCode check_scene(const CheckChoice& choice);
+ExitCode list_keys(const KeysChoice& choice);
+ExitCode create_scene(const NewChoice& choice);
+ExitCode extract_probe(const ProbeChoice& choice);
+ExitCode measure_kernel(int threads);
+ExitCode run_demo(const DemoChoice& choice);
+ExitCode print_version();
+
+} // namespace quicksand

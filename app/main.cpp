@@ -1,0 +1,54 @@
+// The program quicksand: one command a call, failures sorted into exit codes.
+#include "app/command_line.hpp"
+
+#include "io/file_error.hpp"
+#include "solver/failure.hpp"
+
+#include <filesystem>
+#include <iostream>
+#include <new>
+
+namespace {
+
+using quicksand::ExitCode;
+
+ExitCode report(const char* what, ExitCode code)
+{
+    std::cout.flush();
+    std::cerr << what << std::endl;
+    return code;
+}
+
+ExitCode report_bug(const char* what)
+{
+    report(what, ExitCode::bug);
+    std::cerr << "This is a bug of Quicksand, not of your input. Please report it with this text and the scene."
+              << std::endl;
+    return ExitCode::bug;
+}
+
+ExitCode execute(int argument_count, char** arguments)
+{
+    try {
+        return quicksand::execute_command_line(argument_count, arguments);
+    } catch (const quicksand::InputError& error) {
+        return report(error.what(), ExitCode::input);
+    } catch (const quicksand::NumericalError& error) {
+        return report(error.what(), ExitCode::numerical);
+    } catch (const quicksand::FileError& error) {
+        return report(error.what(), ExitCode::files);
+    } catch (const std::filesystem::filesystem_error& error) {
+        return report(error.what(), ExitCode::files);
+    } catch (const std::bad_alloc&) {
+        return report("not enough memory; quicksand check tells what a scene needs", ExitCode::files);
+    } catch (const std::exception& error) {
+        return report_bug(error.what());
+    }
+}
+
+} // namespace
+
+int main(int argument_count, char** arguments)
+{
+    return static_cast<int>(execute(argument_count, arguments));
+}
