@@ -21,16 +21,24 @@ struct Diagnostic {
     Severity severity = Severity::error;
     std::string kind; // "unknown-key", "unit", "range", ...
     SourcePlace place;
-    int width = 1; // of the marked text [characters]
     std::string what;
     std::string expected; // may be empty
     std::string hint;     // may be empty
+    std::string key;      // path of the scene key whose acceptance silences this warning, may be empty
 };
+
+Diagnostic error_at(SourcePlace place, std::string kind, std::string what, std::string expected = "",
+                    std::string hint = "");
+Diagnostic warning_at(SourcePlace place, std::string key, std::string kind, std::string what,
+                      std::string expected = "", std::string hint = "");
 
 /// A batch of findings about one source text.
 class Diagnostics {
 public:
     void add(Diagnostic diagnostic) { findings_.push_back(std::move(diagnostic)); }
+    void add(const Diagnostics& others);
+    /// Remove the warnings about these keys.
+    void accept(const std::vector<std::string>& keys);
     bool has_errors() const;
     bool empty() const { return findings_.empty(); }
     const std::vector<Diagnostic>& findings() const { return findings_; }

@@ -13,11 +13,13 @@
 
 namespace quicksand {
 
-/// Place of a value in a text file, 1-based; line 0 when it was not in the file (a default or --set).
+/// Place of a value in a text file, 1-based. Line 0 when it is not in the file: then `file` still says where to
+/// look, for a value of the command line as --set 'text'.
 struct SourcePlace {
     std::filesystem::path file;
     int line = 0;
     int column = 0;
+    int width = 1; // of the text to mark [characters]
 };
 
 struct LatticeSampling {
@@ -89,6 +91,7 @@ struct Scene {
 
     double gravity = standard_gravity; // [m/s2]
     std::optional<Water> water;        // none: a dry scene
+    SourcePlace water_place;           // of the level
     std::vector<SceneMaterial> materials;
     std::vector<SceneRegion> regions;
     std::vector<SceneBoundary> boundaries;
@@ -98,6 +101,7 @@ struct Scene {
     std::vector<SceneProbe> probes;
     double end_time = 0.0; // [s]
     SceneOutput output;
+    std::vector<std::string> accepted; // key paths whose warnings the user has accepted
 };
 
 } // namespace quicksand

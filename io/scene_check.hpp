@@ -1,0 +1,57 @@
+// The whole scene against the key table: unknown and missing keys, conditions, defaults.
+#pragma once
+
+#include "io/diagnostics.hpp"
+#include "io/scene_document.hpp"
+#include "io/scene_file.hpp"
+#include "io/scene_schema.hpp"
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+struct FoundValue {
+    SceneValue value;
+    bool given = false;
+    SourcePlace place; // of the value; of nothing when it is a default
+};
+
+struct NamedTable {
+    std::string name;
+    std::string path; // "materials.sand"
+    SourcePlace place; // of its header
+};
+
+/// The values of a scene by their paths. Where the scene has errors, some are missing.
+struct SceneValues {
+    std::map<std::string, FoundValue> by_path;
+    std::map<std::string, SourcePlace> tables;             // given tables and the places of their headers
+    std::map<std::string, std::vector<NamedTable>> named;  // by "materials", in the order of the file
+    std::vector<ResolvedKey> keys;                         // in the order of the reference
+
+    bool has_table(const std::string& path) const { return tables.contains(path); }
+    bool has(const std::string& path) const { return by_path.contains(path); }
+    bool given(const std::string& path) const { return has(path) && by_path.at(path).given; }
+    SourcePlace place(const std::string& path) const { return has(path) ? by_path.at(path).place : SourcePlace(); }
+
+    /// The value when it is there and of this type.
+    template <class Type>
+    std::optional<Type> find(const std::string& path) const
+    {
+        const auto found = by_path.find(path);
+        if (found == by_path.end()) return std::nullopt;
+        const Type* value = std::get_if<Type>(&found->second.value);
+        return value ? std::optional<Type>(*value) : std::nullopt;
+    }
+    double number(const std::string& path) const { return find<double>(path).value_or(0.0); }
+    std::string text(const std::string& path) const { return find<std::string>(path).value_or(""); }
+};
+
+/// Check the document against the key table and resolve every key. Everything wrong is added to `findings`.
+SceneValues check_document(const DocumentNode& document, Diagnostics& findings);
+
+} // namespace quicksand

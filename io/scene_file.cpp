@@ -1,0 +1,203 @@
+#include "io/scene_file.hpp"
+
+#include "io/scene_check.hpp"
+#include "io/scene_motion.hpp"
+#include "io/scene_references.hpp"
+#include "io/scene_text.hpp"
+#include "solver/failure.hpp"
+
+#include <array>
+#include <system_error>
+
+namespace quicksand {
+
+namespace {
+
+template <class Word, std::size_t count>
+Word word_of(const std::array<std::pair<std::string_view, Word>, count>& words, const std::string& text)
+{
+    for (const auto& [name, word] : words) {
+        if (name == text) return word;
+    }
+    return words.front().second;
+}
+
+constexpr std::array<std::pair<std::string_view, SoilCondition>, 4> soil_words = {{
+    {"free", SoilCondition::free},
+    {"fixed", SoilCondition::fixed},
+    {"roller", SoilCondition::roller},
+    {"tied", SoilCondition::tied},
+}};
+constexpr std::array<std::pair<std::string_view, WaterCondition>, 2> water_words = {{
+    {"drained", WaterCondition::drained},
+    {"impervious", WaterCondition::impervious},
+}};
+constexpr std::array<std::pair<std::string_view, ProbeKind>, 4> probe_words = {{
+    {"material", ProbeKind::material},
+    {"fixed", ProbeKind::fixed},
+    {"surface", ProbeKind::surface},
+    {"profile", ProbeKind::profile},
+}};
+
+const std::vector<NamedTable>& tables_named(const SceneValues& values, const std::string& table)
+{
+    static const std::vector<NamedTable> none;
+    const auto found = values.named.find(table);
+    return found == values.named.end() ? none : found->second;
+}
+
+void fill_geometry(const SceneValues& values, const std::filesystem::path& folder, Scene& scene)
+{
+    scene.geometry_file = folder / values.text("geometry.file");
+    scene.geometry_parameters =
+        values.find<std::map<std::string, double>>("geometry.parameters").value_or(std::map<std::string, double>());
+    scene.geometry_place = values.place("geometry.file");
+    scene.cell_size = values.number("grid.cell_size");
+    scene.grid_origin = values.find<Vector2>("grid.origin");
+    scene.grid_cells = values.find<std::pair<int, int>>("grid.cells");
+    if (values.has_table("grid")) scene.grid_place = values.tables.at("grid");
+    if (values.text("sampling.kind") == "mesh") {
+        scene.sampling = MeshSampling{values.number("sampling.quad_size")};
+        return;
+    }
+    LatticeSampling lattice;
+    std::tie(lattice.per_cell_x, lattice.per_cell_y) =
+        values.find<std::pair<int, int>>("sampling.particles_per_cell").value_or(std::pair(3, 3));
+    lattice.boundary_refinement =
+        static_cast<int>(values.find<std::int64_t>("sampling.boundary_refinement").value_or(1));
+    scene.sampling = lattice;
+}
+
+Material read_material(const SceneValues& values, const NamedTable& table)
+{
+    const auto number = [&](const char* key) { return values.number(table.path + "." + key); };
+    Material material;
+    material.name = table.name;
+    material.law = LinearElastic{number("shear_modulus"), number("poisson_ratio")};
+    material.grain_density = number("grain_density");
+    material.porosity = number("porosity");
+    material.hydraulic_conductivity = number("hydraulic_conductivity");
+    material.conductivity_gravity =
+        values.find<double>(table.path + ".conductivity_gravity").value_or(standard_gravity);
+    return material;
+}
+
+void fill_ground(const SceneValues& values, Scene& scene)
+{
+    scene.gravity = values.number("gravity.acceleration");
+    if (values.has_table("water")) {
+        scene.water = Water{values.number("water.density"), values.number("water.bulk_modulus"), values.number("water.level")};
+        scene.water_place = values.place("water.level");
+    }
+    for (const NamedTable& table : tables_named(values, "materials")) {
+        scene.materials.push_back({read_material(values, table), table.place});
+    }
+    for (const NamedTable& table : tables_named(values, "regions")) {
+        scene.regions.push_back({table.name, values.text(table.path + ".material"), table.place});
+    }
+    for (const NamedTable& table : tables_named(values, "boundaries")) {
+        scene.boundaries.push_back({table.name, word_of(soil_words, values.text(table.path + ".soil")),
+                                    word_of(water_words, values.text(table.path + ".water")),
+                                    values.text(table.path + ".tied_to"), table.place});
+    }
+    scene.k0 = values.number("initial.k0");
+    if (values.has_table("relaxation")) {
+        scene.relaxation = RelaxationControls{values.number("relaxation.damping"), values.number("relaxation.tolerance"),
+                                              values.find<std::int64_t>("relaxation.max_steps").value_or(0)};
+    }
+}
+
+void fill_run(const SceneValues& values, Scene& scene)
+{
+    for (const NamedTable& table : tables_named(values, "probes")) {
+        SceneProbe probe;
+        probe.name = table.name;
+        probe.kind = word_of(probe_words, values.text(table.path + ".kind"));
+        probe.at = values.find<Vector2>(table.path + ".at");
+        probe.to = values.find<Vector2>(table.path + ".to");
+        probe.points = static_cast<int>(values.find<std::int64_t>(table.path + ".points").value_or(probe.points));
+        probe.place = table.place;
+        scene.probes.push_back(std::move(probe));
+    }
+    scene.end_time = values.number("run.end_time");
+    scene.output = {values.number("output.frame_interval"), values.number("output.probe_interval"),
+                    values.number("output.history_interval"), values.number("output.checkpoint_interval")};
+}
+
+void check_geometry_file(const SceneValues& values, const std::filesystem::path& file, Diagnostics& findings)
+{
+    if (!values.has("geometry.file")) return;
+    const auto refuse = [&](const std::string& what, const std::string& expected, const std::string& hint) {
+        findings.add(error_at(values.place("geometry.file"), "file", what, expected, hint));
+    };
+    std::error_code error;
+    if (std::filesystem::is_directory(file, error)) {
+        refuse("'" + file.string() + "' is a folder", "a drawing", "name the file in it");
+    } else if (!std::filesystem::exists(file, error)) {
+        std::vector<std::string> drawings;
+        const auto folder = file.parent_path().empty() ? std::filesystem::path(".") : file.parent_path();
+        for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+            drawings.push_back(entry.path().filename().string());
+        }
+        std::sort(drawings.begin(), drawings.end());
+        const std::string nearest = nearest_name(file.filename().string(), drawings);
+        refuse("there is no file '" + file.string() + "'", "a drawing; its path is relative to the scene file",
+               nearest.empty() ? "" : "did you mean " + nearest + "?");
+    } else if (const auto suffix = file.extension(); suffix != ".geo" && suffix != ".geo_unrolled" && suffix != ".msh") {
+        refuse("'" + file.string() + "' is not a drawing that can be read", "a file .geo, .geo_unrolled or .msh", "");
+    }
+}
+
+/// A scene of another version is not judged by the keys of this one.
+bool check_version(const DocumentNode& document, Diagnostics& findings)
+{
+    const DocumentNode* version = document.find("scene_version");
+    if (version == nullptr || version->kind != DocumentNode::Kind::integer || version->integer == 1) return true;
+    const std::string number = std::to_string(version->integer);
+    findings.add(error_at(version->place, "version", "scene_version " + number + " is not known to this program",
+                          "scene_version = 1",
+                          version->integer > 1 ? "the scene is for a newer version of Quicksand" : "the first version is 1"));
+    return false;
+}
+
+[[noreturn]] void throw_errors(const Diagnostics& findings, std::string_view text)
+{
+    std::string message = findings.render(text);
+    if (message.ends_with('\n')) message.pop_back();
+    throw InputError(message);
+}
+
+} // namespace
+
+SceneReading read_scene_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+    Diagnostics findings;
+    const auto text = read_text_file(file, {file, 0, 0}, findings);
+    if (!text) throw_errors(findings, "");
+    check_characters(file, *text, findings);
+    if (findings.has_errors()) throw_errors(findings, *text);
+    const auto document = read_document(file, *text, overrides, findings);
+    if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
+
+    SceneValues values = check_document(*document, findings);
+    check_references(values, findings);
+    SceneReading reading;
+    Scene& scene = reading.scene;
+    scene.file = file;
+    scene.text = *text;
+    scene.title = values.text("title");
+    scene.accepted = values.find<std::vector<std::string>>("accept").value_or(std::vector<std::string>());
+    fill_geometry(values, file.parent_path(), scene);
+    fill_ground(values, scene);
+    fill_run(values, scene);
+    scene.base_motion = read_motion(values, file.parent_path(), findings);
+    check_geometry_file(values, scene.geometry_file, findings);
+
+    findings.accept(scene.accepted);
+    if (findings.has_errors()) throw_errors(findings, *text);
+    reading.keys = std::move(values.keys);
+    reading.warnings = std::move(findings);
+    return reading;
+}
+
+} // namespace quicksand

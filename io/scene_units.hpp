@@ -1,0 +1,44 @@
+// Quantities with units: the closed list of units of every dimension, and numbers as text.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace quicksand {
+
+enum class Dimension { none, length, time, frequency, acceleration, velocity, density, pressure };
+
+/// A unit and its size in SI, as a ratio so that "7.5 mm" is exactly 0.0075.
+struct Unit {
+    std::string_view symbol;
+    double multiply = 1.0;
+    double divide = 1.0;
+};
+
+/// The units allowed for a dimension, the SI unit first.
+const std::vector<Unit>& units_of(Dimension dimension);
+
+/// Symbol of the SI unit, "" when dimensionless.
+std::string_view si_symbol(Dimension dimension);
+
+/// A quantity as written: `number` of a unit.
+struct Quantity {
+    double number = 0.0; // as written
+    std::string unit;    // as written, "" when there is none
+};
+
+/// Split "60 kPa" into number and unit; nothing when it does not start with a number.
+std::optional<Quantity> split_quantity(std::string_view text);
+
+/// Value in SI; nothing when the unit is not one of the dimension's.
+std::optional<double> to_si(const Quantity& quantity, Dimension dimension);
+
+/// The shortest text that reads back as the same number: 0.45, 2.2e9.
+std::string number_text(double number);
+
+/// The number with its SI unit: "2.2e9 Pa".
+std::string quantity_text(double number, Dimension dimension);
+
+} // namespace quicksand
