@@ -16,9 +16,9 @@ namespace quicksand {
 struct GmshRequest {
     std::filesystem::path file;
     std::map<std::string, double> parameters; // values that replace those of the .geo file's DefineConstant
-    std::optional<double> quad_size;          // edge length of a recombined quad mesh [m]; none: outlines only
-    double curve_tolerance = 0.0;             // greatest distance of a curved line from its chords [m]
-    double time_limit = 120.0;                // wall time before gmsh is stopped [s]
+    std::optional<double> quad_size; // edge length of a recombined quad mesh [m]; none: outlines only
+    double curve_tolerance = 0.0;    // greatest distance of a curved line from its chords [m]
+    double time_limit = 120.0;       // wall time before gmsh is stopped [s]
 };
 
 /// Throws InputError with gmsh's own file and line, or with what is missing in the model.

@@ -21,20 +21,20 @@ struct ParticleDomain {
 /// What the sampling of one region cost and how good it is.
 struct RegionSampling {
     std::size_t particles = 0;
-    double area = 0.0;             // exact, of the region's polygons [m2]
-    double sampled_area = 0.0;     // of the domains before the correction [m2]
-    double corrected_area = 0.0;   // after it [m2]
-    double area_error = 0.0;       // (sampled_area - area) / area [-]
-    double volume_factor = 1.0;    // the correction: area / sampled_area [-]
-    double smallest_volume = 0.0;  // [m2]
-    double largest_volume = 0.0;   // [m2]
+    double area = 0.0;            // exact, of the region's polygons [m2]
+    double sampled_area = 0.0;    // of the domains before the correction [m2]
+    double corrected_area = 0.0;  // after it [m2]
+    double area_error = 0.0;      // (sampled_area - area) / area [-]
+    double volume_factor = 1.0;   // the correction: area / sampled_area [-]
+    double smallest_volume = 0.0; // [m2]
+    double largest_volume = 0.0;  // [m2]
 };
 
 struct Sampling {
     std::vector<ParticleDomain> domains;
-    std::vector<RegionSampling> regions;    // as Section::regions
-    double particles_per_cell = 0.0;        // mean over the cells that hold any [-]
-    std::size_t occupied_cells = 0;         // cells that hold a domain's centre [-]
+    std::vector<RegionSampling> regions; // as Section::regions
+    double particles_per_cell = 0.0;     // mean over the cells that hold any [-]
+    std::size_t occupied_cells = 0;      // cells that hold a domain's centre [-]
 };
 
 /// A regular lattice of per_cell_x x per_cell_y domains in every cell, kept where the centre lies inside.

@@ -45,9 +45,12 @@ struct Section {
     std::vector<Region> regions;
     std::vector<NamedCurve> curves;
     std::vector<NamedPoint> points;
-    std::vector<MeshQuad> quads; // only when asked for
+    std::vector<MeshQuad> quads;                              // only when asked for
     Vector2 lower = Vector2::Zero(), upper = Vector2::Zero(); // bounding box [m]
 };
+
+/// Set the bounding box from the regions' outlines.
+void bound_section(Section& section);
 
 /// Exact area of a region's polygons, holes taken out [m2].
 double area(const Region& region);

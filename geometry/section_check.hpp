@@ -9,6 +9,9 @@
 
 namespace quicksand {
 
+/// The findings about the regions' outlines alone: self-intersections, overlaps and gaps.
+std::vector<std::string> check_outlines(const Section& section);
+
 /// Everything wrong with the section, one complete sentence each, naming the physical group and coordinates:
 /// self-intersections, regions that overlap, gaps between regions, curves not on any region, a grid
 /// that does not cover the soil. Empty when the section is sound.

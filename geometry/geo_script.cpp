@@ -1,0 +1,258 @@
+#include "geometry/geo_script.hpp"
+
+#include "solver/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+
+namespace quicksand {
+
+namespace {
+
+struct Command {
+    std::string_view word;
+    std::string_view effect;
+};
+
+// Printf is looked at apart: it writes a file only when a > follows.
+constexpr Command refused_commands[] = {
+    {"SystemCall", "starts another program"},
+    {"NonBlockingSystemCall", "starts another program"},
+    {"System", "starts another program"},
+    {"OnelabRun", "starts another program"},
+    {"Plugin", "may write files"},
+    {"Parse", "runs text that cannot be looked at beforehand"},
+    {"Print", "writes a file"},
+    {"Save", "writes a file"},
+    {"CreateDir", "makes a folder"},
+};
+
+/// One .geo file as read, twice: `code` without comments and strings, of the same length.
+struct Script {
+    std::filesystem::path file;
+    std::string text;
+    std::string code;
+
+    std::ptrdiff_t line_of(std::size_t at) const
+    {
+        return 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n');
+    }
+};
+
+bool is_name_character(char c)
+{
+    return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+std::size_t skip_blanks(const std::string& code, std::size_t at)
+{
+    while (at < code.size() && std::isspace(static_cast<unsigned char>(code[at]))) ++at;
+    return at;
+}
+
+/// Positions of a word that stands alone and is not part of an option such as Print.Text.
+std::vector<std::size_t> find_word(const std::string& code, std::string_view word)
+{
+    std::vector<std::size_t> places;
+    for (std::size_t at = code.find(word); at != std::string::npos; at = code.find(word, at + word.size())) {
+        const char before = at > 0 ? code[at - 1] : ' ';
+        const std::size_t end = at + word.size();
+        const char after = end < code.size() ? code[end] : ' ';
+        if (!is_name_character(before) && before != '.' && !is_name_character(after) && after != '.')
+            places.push_back(at);
+    }
+    return places;
+}
+
+/// The position after the bracket that closes the one at `open`.
+std::size_t skip_brackets(const std::string& code, std::size_t open)
+{
+    int depth = 0;
+    for (std::size_t at = open; at < code.size(); ++at) {
+        if (code[at] == '(' || code[at] == '[' || code[at] == '{') ++depth;
+        if (code[at] == ')' || code[at] == ']' || code[at] == '}') --depth;
+        if (depth == 0) return at + 1;
+    }
+    return code.size();
+}
+
+Script read_script(const std::filesystem::path& file)
+{
+    std::ifstream stream(file, std::ios::binary);
+    Script script{file, std::string(std::istreambuf_iterator<char>(stream), {}), {}};
+    script.code = blank_comments_and_strings(script.text);
+    return script;
+}
+
+/// The name in quotes after an Include or Merge; none where an expression stands.
+std::optional<std::string> quoted_name(const Script& script, std::size_t at)
+{
+    const std::size_t open = skip_blanks(script.code, at);
+    if (open >= script.code.size() || script.code[open] != '"') return std::nullopt;
+    const std::size_t close = script.code.find('"', open + 1);
+    const std::size_t end = close == std::string::npos ? close : skip_blanks(script.code, close + 1);
+    if (end == std::string::npos || (end < script.code.size() && script.code[end] != ';'))
+        return std::nullopt;
+    return script.text.substr(open + 1, close - open - 1);
+}
+
+/// CAD and mesh files hold data, not commands.
+bool holds_data(const Script& script)
+{
+    std::string extension = script.file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool is_cad = extension == ".step" || extension == ".stp" || extension == ".brep" ||
+                        extension == ".iges" || extension == ".igs";
+    return is_cad || script.text.rfind("$MeshFormat", 0) == 0;
+}
+
+/// The file and everything that it includes or merges, each once.
+std::vector<Script> read_scripts(const std::filesystem::path& file)
+{
+    std::vector<Script> scripts;
+    std::set<std::filesystem::path> seen;
+    std::vector<std::filesystem::path> waiting = {file};
+    while (!waiting.empty()) {
+        const std::filesystem::path next = waiting.back();
+        waiting.pop_back();
+        if (!seen.insert(next.lexically_normal()).second) continue;
+        scripts.push_back(read_script(next));
+        const Script& script = scripts.back();
+        if (holds_data(script)) {
+            scripts.pop_back();
+            continue;
+        }
+        for (const std::string_view word : {"Include", "Merge", "MergeWithBoundingBox", "ShapeFromFile"}) {
+            for (const std::size_t at : find_word(script.code, word)) {
+                const std::optional<std::string> name = quoted_name(script, at + word.size());
+                if (name) waiting.push_back(script.file.parent_path() / *name);
+                if (name || word == "ShapeFromFile") continue;
+                throw InputError(
+                    fmt::format("{}:{}: {} names its file by an expression, which cannot be followed\n"
+                                "hint: write the file's name itself: {} \"layers.geo\";",
+                                script.file.string(), script.line_of(at), word, word));
+            }
+        }
+    }
+    return scripts;
+}
+
+[[noreturn]] void refuse(const Script& script, std::size_t at, std::string_view word, std::string_view effect)
+{
+    throw InputError(fmt::format("{}:{}: {} {}; Quicksand refuses to open the file\n"
+                                 "hint: a section needs geometry only; take the line out",
+                                 script.file.string(), script.line_of(at), word, effect));
+}
+
+void refuse_side_effects_of(const Script& script)
+{
+    for (const Command& command : refused_commands) {
+        for (const std::size_t at : find_word(script.code, command.word)) {
+            const std::size_t next = skip_blanks(script.code, at + command.word.size());
+            const bool is_variable = next < script.code.size() && script.code[next] == '=';
+            if (!is_variable) refuse(script, at, command.word, command.effect);
+        }
+    }
+    for (const std::size_t at : find_word(script.code, "Printf")) {
+        const std::size_t open = skip_blanks(script.code, at + 6);
+        const std::size_t next = skip_blanks(script.code, skip_brackets(script.code, open));
+        if (next < script.code.size() && script.code[next] == '>')
+            refuse(script, at, "Printf with >", "writes a file");
+    }
+}
+
+/// The name that starts at the first non-blank; empty where none does.
+std::string name_at(const std::string& code, std::size_t at)
+{
+    const std::size_t begin = skip_blanks(code, at);
+    std::size_t end = begin;
+    while (end < code.size() && is_name_character(code[end])) ++end;
+    return code.substr(begin, end - begin);
+}
+
+/// Names at the outermost commas of DefineConstant[ a = 1, b = {2, Min 0} ].
+std::vector<std::string> names_in_list(const std::string& code, std::size_t open)
+{
+    std::vector<std::string> names;
+    const std::size_t close = skip_brackets(code, open);
+    std::size_t at = open + 1;
+    while (at < close) {
+        names.push_back(name_at(code, at));
+        while (at < close && code[at] != ',') {
+            const bool opens = code[at] == '{' || code[at] == '(' || code[at] == '[';
+            at = opens ? skip_brackets(code, at) : at + 1;
+        }
+        ++at;
+    }
+    return names;
+}
+
+} // namespace
+
+std::string blank_comments_and_strings(std::string_view text)
+{
+    enum class Inside { code, line_comment, block_comment, string };
+    std::string code(text);
+    Inside inside = Inside::code;
+    for (std::size_t at = 0; at < text.size(); ++at) {
+        const std::string_view pair = text.substr(at, 2);
+        if (inside == Inside::code) {
+            if (text[at] == '"') inside = Inside::string;
+            if (pair == "//") inside = Inside::line_comment;
+            if (pair == "/*") {
+                inside = Inside::block_comment;
+                code[at] = code[at + 1] = ' ';
+                ++at;
+            }
+            if (inside == Inside::line_comment) code[at] = ' ';
+            continue;
+        }
+        const bool line_ends = text[at] == '\n';
+        if (inside == Inside::string && text[at] == '"') {
+            inside = Inside::code;
+        } else if (inside == Inside::line_comment && line_ends) {
+            inside = Inside::code;
+        } else if (inside == Inside::block_comment && pair == "*/") {
+            inside = Inside::code;
+            code[at] = code[at + 1] = ' ';
+            ++at;
+        } else if (!line_ends) {
+            code[at] = ' ';
+        }
+    }
+    return code;
+}
+
+std::vector<std::string> declared_parameters(const std::filesystem::path& file)
+{
+    std::vector<std::string> names;
+    for (const Script& script : read_scripts(file)) {
+        for (const std::size_t at : find_word(script.code, "DefineConstant")) {
+            const std::size_t open = skip_blanks(script.code, at + std::string_view("DefineConstant").size());
+            const std::vector<std::string> listed = names_in_list(script.code, open);
+            names.insert(names.end(), listed.begin(), listed.end());
+        }
+        for (const std::size_t at : find_word(script.code, "Exists")) {
+            const std::size_t open = skip_blanks(script.code, at + std::string_view("Exists").size());
+            names.push_back(name_at(script.code, open + 1));
+        }
+    }
+    std::sort(names.begin(), names.end());
+    names.erase(std::unique(names.begin(), names.end()), names.end());
+    std::erase(names, "");
+    return names;
+}
+
+void refuse_side_effects(const std::filesystem::path& file)
+{
+    for (const Script& script : read_scripts(file)) refuse_side_effects_of(script);
+}
+
+} // namespace quicksand
