@@ -58,7 +58,8 @@ std::int64_t update_cell_lists(const BackgroundGrid& grid, const Particles& part
 
     std::int64_t lost = count;
     std::int64_t changed = fresh ? 1 : 0;
-#pragma omp parallel for schedule(static) reduction(+ : changed) reduction(min : lost)
+#pragma omp parallel for schedule(static) reduction(+ : changed) reduction(min : lost)                              \
+    if (particles.size() > least_parallel_work)
     for (std::int64_t p = 0; p < count; ++p) {
         const auto index = static_cast<std::size_t>(p);
         const int i = cell_index(particles.position.x[index], rim.x(), inverse, grid.cells_x);

@@ -8,6 +8,7 @@
 
 #include "solver/background_grid.hpp"
 #include "solver/particles.hpp"
+#include "solver/threads.hpp"
 
 #include <array>
 #include <cstdint>
@@ -60,7 +61,7 @@ void for_each_tile_by_colour(const CellLists& lists, Work&& work)
 {
     for (const std::vector<Tile>& tiles : lists.tiles_of_colour) {
         const auto count = static_cast<std::int64_t>(tiles.size());
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (lists.order.size() > least_parallel_work)
         for (std::int64_t t = 0; t < count; ++t) work(tiles[static_cast<std::size_t>(t)]);
     }
 }
@@ -69,7 +70,7 @@ void for_each_tile_by_colour(const CellLists& lists, Work&& work)
 template <class Work>
 void for_each_tile(const CellLists& lists, Work&& work)
 {
-#pragma omp parallel
+#pragma omp parallel if (lists.order.size() > least_parallel_work)
     for (const std::vector<Tile>& tiles : lists.tiles_of_colour) {
         const auto count = static_cast<std::int64_t>(tiles.size());
 #pragma omp for schedule(dynamic, 1) nowait

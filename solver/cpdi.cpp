@@ -38,41 +38,51 @@ bool limit_domain(double cell_size, ParallelogramDomain& domain)
     return first || second;
 }
 
+bool Cpdi::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p, NodePatch& patch)
+{
+    ParallelogramDomain domain{particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
+    const bool limited = limit_domain(grid.cell_size, domain);
+    evaluate_cpdi(grid, domain, patch);
+    return limited;
+}
+
 void evaluate_cpdi(const BackgroundGrid& grid, const ParallelogramDomain& domain, NodePatch& patch)
 {
-    const Vector2 &r1 = domain.half_edge_1, &r2 = domain.half_edge_2;
+    const Vector2 &r1 = domain.half_edge_1, &r2 = domain.half_edge_2, &x = domain.centre;
     const double inverse_volume = 1.0 / (4.0 * (r1.x() * r2.y() - r1.y() * r2.x()));
-    // d phi / d N_i(x_c) for corners 1 and 2; corners 3 and 4 have the opposite sign
     const Vector2 g1 = inverse_volume * Vector2(r1.y() - r2.y(), r2.x() - r1.x());
     const Vector2 g2 = inverse_volume * Vector2(r1.y() + r2.y(), -r1.x() - r2.x());
+    const CornerWeights corners[4] = {
+        {x - r1 - r2, 0.25, g1}, {x + r1 - r2, 0.25, g2}, {x + r1 + r2, 0.25, -g1}, {x - r1 + r2, 0.25, -g2}};
+    sum_corner_weights(grid, x, corners, patch);
+}
 
+void sum_corner_weights(const BackgroundGrid& grid, const Vector2& centre, const CornerWeights (&corners)[4],
+                        NodePatch& patch)
+{
     const Vector2 rim = grid.rim_origin();
     const double inverse = 1.0 / grid.cell_size;
-    const Corner corners[4] = {
-        locate(domain.centre - r1 - r2, rim, inverse), locate(domain.centre + r1 - r2, rim, inverse),
-        locate(domain.centre + r1 + r2, rim, inverse), locate(domain.centre - r1 + r2, rim, inverse)};
-    const double gx[4] = {g1.x(), g2.x(), -g1.x(), -g2.x()};
-    const double gy[4] = {g1.y(), g2.y(), -g1.y(), -g2.y()};
-
-    const auto [i_min, i_max] = std::minmax({corners[0].i, corners[1].i, corners[2].i, corners[3].i});
-    const auto [j_min, j_max] = std::minmax({corners[0].j, corners[1].j, corners[2].j, corners[3].j});
+    Corner cells[4];
+    for (int c = 0; c < 4; ++c) cells[c] = locate(corners[c].position, rim, inverse);
+    const auto [i_min, i_max] = std::minmax({cells[0].i, cells[1].i, cells[2].i, cells[3].i});
+    const auto [j_min, j_max] = std::minmax({cells[0].j, cells[1].j, cells[2].j, cells[3].j});
     patch.width = i_max - i_min + 2;
     patch.height = j_max - j_min + 2;
     patch.base = j_min * grid.nodes_x() + i_min;
-    patch.offset_x = rim.x() + i_min * grid.cell_size - domain.centre.x();
-    patch.offset_y = rim.y() + j_min * grid.cell_size - domain.centre.y();
+    patch.offset_x = rim.x() + i_min * grid.cell_size - centre.x();
+    patch.offset_y = rim.y() + j_min * grid.cell_size - centre.y();
 
     std::fill_n(patch.weights, patch.width * patch.height, NodeWeight{0.0, 0.0, 0.0});
     for (int c = 0; c < 4; ++c) {
-        const Corner& corner = corners[c];
-        const double N[2][2] = {{(1.0 - corner.xi) * (1.0 - corner.eta), corner.xi * (1.0 - corner.eta)},
-                                {(1.0 - corner.xi) * corner.eta, corner.xi * corner.eta}};
-        NodeWeight* row = patch.weights + (corner.j - j_min) * patch.width + (corner.i - i_min);
+        const Corner& cell = cells[c];
+        const double N[2][2] = {{(1.0 - cell.xi) * (1.0 - cell.eta), cell.xi * (1.0 - cell.eta)},
+                                {(1.0 - cell.xi) * cell.eta, cell.xi * cell.eta}};
+        NodeWeight* row = patch.weights + (cell.j - j_min) * patch.width + (cell.i - i_min);
         for (int b = 0; b < 2; ++b, row += patch.width) {
             for (int a = 0; a < 2; ++a) {
-                row[a].value += 0.25 * N[b][a];
-                row[a].gradient_x += gx[c] * N[b][a];
-                row[a].gradient_y += gy[c] * N[b][a];
+                row[a].value += corners[c].value * N[b][a];
+                row[a].gradient_x += corners[c].gradient.x() * N[b][a];
+                row[a].gradient_y += corners[c].gradient.y() * N[b][a];
             }
         }
     }

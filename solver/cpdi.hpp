@@ -1,5 +1,4 @@
-// Convected particle domain interpolation with parallelogram domains (Sadeghirad, Brannon and Burghardt
-// 2011).
+// CPDI: convected particle domain interpolation with parallelograms (Sadeghirad, Brannon and Burghardt 2011).
 //
 // The grid's bilinear functions N_i are replaced on a particle's domain by the bilinear interpolation of
 // their values at its four corners x_1..x_4 (counter-clockwise, half edges r_1, r_2, V = 4 r_1 x r_2):
@@ -8,14 +7,18 @@
 //                     + [N_i(x_2) - N_i(x_4)] (r_1y + r_2y, -r_1x - r_2x) }
 #pragma once
 
-#include "solver/background_grid.hpp"
-#include "solver/node_weights.hpp"
+#include "solver/interpolation.hpp"
 
 namespace quicksand {
 
 /// A parallelogram domain: centre and half edges, r_1 x r_2 > 0 [m].
 struct ParallelogramDomain {
     Vector2 centre, half_edge_1, half_edge_2;
+};
+
+struct Cpdi {
+    static bool evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
+                         NodePatch& patch);
 };
 
 /// Shorten edges that are longer than a cell in either direction: a longer domain would give no weight to the
@@ -25,5 +28,16 @@ bool limit_domain(double cell_size, ParallelogramDomain& domain);
 
 /// Weights of a domain whose centre lies in the grid and whose edges are limited.
 void evaluate_cpdi(const BackgroundGrid& grid, const ParallelogramDomain& domain, NodePatch& patch);
+
+/// One corner of a domain: its share in the value and in the gradient.
+struct CornerWeights {
+    Vector2 position; // [m]
+    double value;     // [-]
+    Vector2 gradient; // [1/m]
+};
+
+/// phi = sum_c value_c N_i(x_c), grad phi = sum_c gradient_c N_i(x_c) on the patch of all nodes concerned.
+void sum_corner_weights(const BackgroundGrid& grid, const Vector2& centre, const CornerWeights (&corners)[4],
+                        NodePatch& patch);
 
 } // namespace quicksand

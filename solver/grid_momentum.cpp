@@ -1,5 +1,7 @@
 #include "solver/grid_momentum.hpp"
 
+#include "solver/threads.hpp"
+
 #include <cmath>
 #include <cstdint>
 
@@ -147,7 +149,7 @@ void solve_two_phase_momentum(const Problem& problem, const NodeConditions& cond
                               std::vector<TwoPhaseMotion>& motion)
 {
     const auto count = static_cast<std::int64_t>(sums.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (sums.size() > least_parallel_work)
     for (std::int64_t k = 0; k < count; ++k) {
         const auto i = static_cast<std::size_t>(k);
         if (!sums[i].active()) {
@@ -176,7 +178,7 @@ void solve_single_phase_momentum(const Problem& problem, const NodeConditions& c
         return momentum == 0.0 ? force : force - std::copysign(damping * std::abs(force), momentum);
     };
     const auto count = static_cast<std::int64_t>(sums.size());
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (sums.size() > least_parallel_work)
     for (std::int64_t k = 0; k < count; ++k) {
         const auto i = static_cast<std::size_t>(k);
         const SinglePhaseSums& node = sums[i];

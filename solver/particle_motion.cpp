@@ -1,5 +1,7 @@
 #include "solver/particle_motion.hpp"
 
+#include "solver/threads.hpp"
+
 #include <algorithm>
 #include <cstdint>
 
@@ -14,7 +16,7 @@ template <class Work>
 void for_each_chunk(std::size_t count, Work&& work)
 {
     const auto total = static_cast<std::int64_t>(count);
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (count > least_parallel_work)
     for (std::int64_t first = 0; first < total; first += chunk) {
         work(static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(total, first + chunk)));
     }
@@ -64,7 +66,7 @@ void for_each_material_run(const Problem& problem, const Particles& particles, s
 
 } // namespace
 
-void advance_domains(const Problem& problem, double dt, Particles& particles)
+void advance_domains(double dt, Particles& particles)
 {
     const Gradients& L = particles.velocity_gradient_solid;
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
@@ -75,7 +77,12 @@ void advance_domains(const Problem& problem, double dt, Particles& particles)
             stretch(dt, L, p, particles.half_edge_2);
             particles.volume[p] *= (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p];
         }
-        if (!problem.water) return;
+    });
+}
+
+void update_porosity(const Problem& problem, Particles& particles)
+{
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t p = first; p < last; ++p) {
             const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
             particles.porosity[p] =

@@ -1,16 +1,50 @@
 // How particles move, turn and deform with the velocities gathered for them.
 #pragma once
 
+#include "solver/cpdi2.hpp"
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
+#include "solver/threads.hpp"
+
+#include <cstdint>
 
 namespace quicksand {
 
-/// x += dt v, r_a <- (I + dt L) r_a, V <- det(I + dt L) V; with water also n = 1 - V_grains / V.
-void advance_domains(const Problem& problem, double dt, Particles& particles);
+/// x += dt v, r_a <- (I + dt L) r_a, V <- det(I + dt L) V.
+void advance_domains(double dt, Particles& particles);
+
+/// The corners of quadrilateral domains move with the grid: x_c += dt sum N_i(x_c) v_i; position, edges,
+/// twist and volume follow from them. `velocity(node)` is the velocity of the grains at a node [m/s].
+template <class Velocity>
+void advance_quadrilaterals(const BackgroundGrid& grid, double dt, Velocity&& velocity, Particles& particles);
+
+/// n = 1 - V_grains / V: the grains' volume is constant.
+void update_porosity(const Problem& problem, Particles& particles);
 
 /// Turn the stress by the step's rotation (Hughes and Winget 1980: half-angle tangent w/2, w = dt (L_yx -
 /// L_xy)/2), then add each material's stress of the step's strain.
 void update_effective_stress(const Problem& problem, double dt, Particles& particles);
+
+template <class Velocity>
+void advance_quadrilaterals(const BackgroundGrid& grid, double dt, Velocity&& velocity, Particles& particles)
+{
+    const auto count = static_cast<std::int64_t>(particles.size());
+    const Vector2 rim = grid.rim_origin();
+#pragma omp parallel for schedule(static) if (particles.size() > least_parallel_work)
+    for (std::int64_t k = 0; k < count; ++k) {
+        const auto p = static_cast<std::size_t>(k);
+        std::array<Vector2, 4> corners = quadrilateral_corners(particles, p);
+        for (Vector2& x : corners) {
+            const Vector2 cells = (x - rim) / grid.cell_size;
+            const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
+            const double xi = cells.x() - i, eta = cells.y() - j;
+            const auto node = static_cast<std::size_t>(j * grid.nodes_x() + i);
+            const auto above = node + static_cast<std::size_t>(grid.nodes_x());
+            x += dt * ((1.0 - eta) * ((1.0 - xi) * velocity(node) + xi * velocity(node + 1)) +
+                       eta * ((1.0 - xi) * velocity(above) + xi * velocity(above + 1)));
+        }
+        set_quadrilateral(corners, p, particles);
+    }
+}
 
 } // namespace quicksand

@@ -1,6 +1,10 @@
 #include "solver/particle_to_grid.hpp"
 
 #include "solver/cpdi.hpp"
+#include "solver/cpdi2.hpp"
+#include "solver/failure.hpp"
+#include "solver/gimp.hpp"
+#include "solver/linear_interpolation.hpp"
 
 namespace quicksand {
 
@@ -20,6 +24,20 @@ void for_each_node(const StoredPatch& patch, const NodeWeight* weights, std::int
     }
 }
 
+template <NodeInterpolation Member>
+std::int64_t evaluate_tile(const BackgroundGrid& grid, const Particles& particles, const CellLists& lists,
+                           const Tile& tile, PatchStore& store)
+{
+    store.clear();
+    std::int64_t limited = 0;
+    NodePatch patch;
+    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k) {
+        limited += Member::evaluate(grid, particles, static_cast<std::size_t>(lists.order[k]), patch);
+        store.push_back(patch);
+    }
+    return limited;
+}
+
 } // namespace
 
 void compute_carried_masses(const Problem& problem, const Particles& particles, CarriedMasses& masses)
@@ -33,20 +51,23 @@ void compute_carried_masses(const Problem& problem, const Particles& particles, 
     }
 }
 
-std::int64_t evaluate_weights(const BackgroundGrid& grid, const Particles& particles, const CellLists& lists,
+std::int64_t evaluate_weights(const Problem& problem, const Particles& particles, const CellLists& lists,
                               const Tile& tile, PatchStore& store)
 {
-    store.clear();
-    std::int64_t limited = 0;
-    NodePatch patch;
-    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k) {
-        const auto p = static_cast<std::size_t>(lists.order[k]);
-        ParallelogramDomain domain{particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
-        limited += limit_domain(grid.cell_size, domain);
-        evaluate_cpdi(grid, domain, patch);
-        store.push_back(patch);
+    const BackgroundGrid& grid = problem.grid;
+    switch (problem.interpolation) {
+    case Interpolation::linear:
+        return evaluate_tile<LinearInterpolation>(grid, particles, lists, tile, store);
+    case Interpolation::gimp:
+        return evaluate_tile<UniformGimp>(grid, particles, lists, tile, store);
+    case Interpolation::cpgimp:
+        return evaluate_tile<ContiguousGimp>(grid, particles, lists, tile, store);
+    case Interpolation::cpdi:
+        return evaluate_tile<Cpdi>(grid, particles, lists, tile, store);
+    case Interpolation::cpdi2:
+        return evaluate_tile<Cpdi2>(grid, particles, lists, tile, store);
     }
-    return limited;
+    ENSURE(false);
 }
 
 void scatter_two_phase(const Problem& problem, const Particles& particles, const CellLists& lists,

@@ -22,7 +22,7 @@ struct CarriedMasses {
 void compute_carried_masses(const Problem& problem, const Particles& particles, CarriedMasses& masses);
 
 /// Weights of the particles of a tile, in the order of the lists. Returns how many domains were shortened.
-std::int64_t evaluate_weights(const BackgroundGrid& grid, const Particles& particles, const CellLists& lists,
+std::int64_t evaluate_weights(const Problem& problem, const Particles& particles, const CellLists& lists,
                               const Tile& tile, PatchStore& store);
 
 /// Add the particles of a tile to the nodes' sums. Velocities are carried with their gradient (Taylor

@@ -34,6 +34,7 @@ void resize(Particles& particles, std::size_t count, bool saturated)
     for_each_array(particles, [&](const char* name, Scalars& values) {
         values.assign(saturated || !belongs_to_fluid(name) ? count : 0, 0.0);
     });
+    particles.twist = {};
 }
 
 void reorder(Particles& particles, const std::vector<std::int32_t>& order)

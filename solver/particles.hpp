@@ -37,6 +37,7 @@ struct Particles {
     Vectors position;           // x_p, centre of the domain [m]
     Vectors half_edge_1;        // r_1, half an edge of the parallelogram domain [m]
     Vectors half_edge_2;        // r_2, the other half edge, r_1 x r_2 > 0 [m]
+    Vectors twist;              // t of a quadrilateral domain, see cpdi2.hpp; none otherwise [m]
     Vectors reference_position; // x_p when displacements were last set to zero [m]
     Vectors reference_edge_1;   // r_1 at that time [m]
     Vectors reference_edge_2;   // r_2 at that time [m]
@@ -75,6 +76,7 @@ void for_each_array(ParticleSet& particles, Visitor&& visit)
     vectors("position_x", "position_y", particles.position);
     vectors("half_edge_1_x", "half_edge_1_y", particles.half_edge_1);
     vectors("half_edge_2_x", "half_edge_2_y", particles.half_edge_2);
+    vectors("twist_x", "twist_y", particles.twist);
     vectors("reference_position_x", "reference_position_y", particles.reference_position);
     vectors("reference_edge_1_x", "reference_edge_1_y", particles.reference_edge_1);
     vectors("reference_edge_2_x", "reference_edge_2_y", particles.reference_edge_2);
@@ -104,7 +106,7 @@ void for_each_index_array(ParticleSet& particles, Visitor&& visit)
     visit("region", particles.region);
 }
 
-/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`.
+/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`, no twist.
 void resize(Particles& particles, std::size_t count, bool saturated);
 
 /// Permute the particles: the new particle k is the old particle order[k].

@@ -3,6 +3,7 @@
 
 #include "solver/background_grid.hpp"
 #include "solver/base_motion.hpp"
+#include "solver/interpolation.hpp"
 #include "solver/skeleton_law.hpp"
 
 #include <optional>
@@ -52,6 +53,7 @@ struct TiedSides {
 /// Immutable inputs of a run. Without `water` the scene is dry.
 struct Problem {
     BackgroundGrid grid;
+    Interpolation interpolation = Interpolation::cpdi;
     std::vector<Material> materials;
     std::vector<std::string> region_names;
     std::optional<Water> water;

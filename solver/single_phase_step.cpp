@@ -9,6 +9,21 @@
 
 namespace quicksand {
 
+namespace {
+
+void move_particles(const Problem& problem, double dt, const std::vector<SinglePhaseMotion>& motion,
+                    Particles& particles)
+{
+    if (problem.interpolation == Interpolation::cpdi2) {
+        const auto velocity = [&](std::size_t i) { return Vector2(motion[i].x, motion[i].y); };
+        advance_quadrilaterals(problem.grid, dt, velocity, particles);
+    } else {
+        advance_domains(dt, particles);
+    }
+}
+
+} // namespace
+
 SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem)
 {
     SinglePhaseWorkspace work;
@@ -27,7 +42,7 @@ void scatter_to_nodes(const Problem& problem, const Particles& particles, Single
     std::atomic<std::int64_t> limited = 0;
     for_each_tile_by_colour(work.lists, [&](const Tile& tile) {
         PatchStore& store = work.patches[static_cast<std::size_t>(tile.number)];
-        limited += evaluate_weights(problem.grid, particles, work.lists, tile, store);
+        limited += evaluate_weights(problem, particles, work.lists, tile, store);
         scatter_single_phase(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);
     });
     work.limited_domains = limited;
@@ -54,7 +69,10 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
                                 work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles);
         });
     });
-    timed(work.timers, Phase::motion, [&] { advance_domains(problem, dt, particles); });
+    timed(work.timers, Phase::motion, [&] {
+        move_particles(problem, dt, work.motion, particles);
+        if (problem.water) update_porosity(problem, particles);
+    });
     timed(work.timers, Phase::stress, [&] { update_effective_stress(problem, dt, particles); });
     state.time += dt;
     ++state.step;

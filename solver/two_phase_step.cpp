@@ -19,7 +19,7 @@ void scatter(const Problem& problem, const Particles& particles, TwoPhaseWorkspa
     std::atomic<std::int64_t> limited = 0;
     for_each_tile_by_colour(work.lists, [&](const Tile& tile) {
         PatchStore& store = work.patches[static_cast<std::size_t>(tile.number)];
-        limited += evaluate_weights(problem.grid, particles, work.lists, tile, store);
+        limited += evaluate_weights(problem, particles, work.lists, tile, store);
         scatter_two_phase(problem, particles, work.lists, tile, store, work.sums);
     });
     work.limited_domains = limited;
@@ -31,6 +31,17 @@ void solve_momentum(const Problem& problem, double time, double dt, TwoPhaseWork
     const double acceleration = base_acceleration(problem.base_motion, time + 0.5 * dt);
     solve_two_phase_momentum(problem, work.conditions, dt, acceleration, work.sums, work.motion);
     spread_tied_motion(work.conditions, work.motion);
+}
+
+void move_particles(const Problem& problem, double dt, const std::vector<TwoPhaseMotion>& motion,
+                    Particles& particles)
+{
+    if (problem.interpolation == Interpolation::cpdi2) {
+        const auto velocity = [&](std::size_t i) { return Vector2(motion[i].solid_x, motion[i].solid_y); };
+        advance_quadrilaterals(problem.grid, dt, velocity, particles);
+    } else {
+        advance_domains(dt, particles);
+    }
 }
 
 } // namespace
@@ -66,7 +77,10 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
             update_pore_pressure(problem, dt, work.lists, tile, work.flux_divergence, particles);
         });
     });
-    timed(work.timers, Phase::motion, [&] { advance_domains(problem, dt, particles); });
+    timed(work.timers, Phase::motion, [&] {
+        move_particles(problem, dt, work.motion, particles);
+        update_porosity(problem, particles);
+    });
     timed(work.timers, Phase::stress, [&] { update_effective_stress(problem, dt, particles); });
     state.time += dt;
     ++state.step;

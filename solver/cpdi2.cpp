@@ -1,0 +1,58 @@
+#include "solver/cpdi2.hpp"
+
+#include "solver/cpdi.hpp"
+
+namespace quicksand {
+
+namespace {
+
+double cross(const Vector2& a, const Vector2& b)
+{
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+/// x_p - c: from the vertex mean to the centroid.
+Vector2 centroid_offset(const Vector2& r1, const Vector2& r2, const Vector2& twist)
+{
+    return (cross(r1, twist) * r1 + cross(twist, r2) * r2) / (3.0 * cross(r1, r2));
+}
+
+} // namespace
+
+std::array<Vector2, 4> quadrilateral_corners(const Particles& particles, std::size_t p)
+{
+    const Vector2 r1 = particles.half_edge_1[p], r2 = particles.half_edge_2[p];
+    const Vector2 t = particles.twist.x.empty() ? Vector2::Zero() : particles.twist[p];
+    const Vector2 c = particles.position[p] - centroid_offset(r1, r2, t);
+    return {c - r1 - r2 + t, c + r1 - r2 - t, c + r1 + r2 + t, c - r1 + r2 - t};
+}
+
+void set_quadrilateral(const std::array<Vector2, 4>& corners, std::size_t p, Particles& particles)
+{
+    const auto& [x1, x2, x3, x4] = corners;
+    const Vector2 r1 = 0.25 * (x2 + x3 - x1 - x4), r2 = 0.25 * (x3 + x4 - x1 - x2);
+    const Vector2 twist = 0.25 * (x1 + x3 - x2 - x4);
+    particles.half_edge_1.set(p, r1);
+    particles.half_edge_2.set(p, r2);
+    particles.twist.set(p, twist);
+    particles.position.set(p, 0.25 * (x1 + x2 + x3 + x4) + centroid_offset(r1, r2, twist));
+    particles.volume[p] = 4.0 * cross(r1, r2);
+}
+
+bool Cpdi2::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p, NodePatch& patch)
+{
+    const std::array<Vector2, 4> x = quadrilateral_corners(particles, p);
+    const double V = 4.0 * cross(particles.half_edge_1[p], particles.half_edge_2[p]);
+    const double a = cross(x[3] - x[0], x[1] - x[2]), b = cross(x[2] - x[3], x[0] - x[1]);
+    const double scale = 1.0 / (24.0 * V), half = 0.5 / V;
+    const Vector2 g1 = half * Vector2(x[1].y() - x[3].y(), x[3].x() - x[1].x());
+    const Vector2 g2 = half * Vector2(x[2].y() - x[0].y(), x[0].x() - x[2].x());
+    const CornerWeights corners[4] = {{x[0], (6.0 * V - a - b) * scale, g1},
+                                      {x[1], (6.0 * V - a + b) * scale, g2},
+                                      {x[2], (6.0 * V + a + b) * scale, -g1},
+                                      {x[3], (6.0 * V + a - b) * scale, -g2}};
+    sum_corner_weights(grid, particles.position[p], corners, patch);
+    return false;
+}
+
+} // namespace quicksand

@@ -1,0 +1,92 @@
+#include "solver/gimp.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+/// The hat function around 0 in cells, and its primitive from -infinity.
+double hat(double z)
+{
+    return std::max(0.0, 1.0 - std::abs(z));
+}
+
+double hat_primitive(double z)
+{
+    const double inside = std::clamp(z, -1.0, 1.0);
+    return inside < 0.0 ? 0.5 * (1.0 + inside) * (1.0 + inside) : 1.0 - 0.5 * (1.0 - inside) * (1.0 - inside);
+}
+
+/// Weights of one direction.
+struct LineWeights {
+    int first = 0, count = 0; // nodes [-]
+    double value[NodePatch::max_width];
+    double slope[NodePatch::max_width]; // [1/m]
+};
+
+LineWeights line_weights(double cells, double length_in_cells, double cell_size)
+{
+    LineWeights line;
+    const double low = cells - 0.5 * length_in_cells, high = cells + 0.5 * length_in_cells;
+    line.first = static_cast<int>(low);
+    line.count = static_cast<int>(high) - line.first + 2;
+    for (int a = 0; a < line.count; ++a) {
+        const double node = line.first + a;
+        line.value[a] = (hat_primitive(high - node) - hat_primitive(low - node)) / length_in_cells;
+        line.slope[a] = (hat(high - node) - hat(low - node)) / (length_in_cells * cell_size);
+    }
+    return line;
+}
+
+/// A box of size length_x x length_y around the particle [m].
+bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 lengths, NodePatch& patch)
+{
+    const bool limited = lengths.maxCoeff() > grid.cell_size;
+    lengths = lengths.cwiseMin(grid.cell_size);
+    const Vector2 cells = (centre - grid.rim_origin()) / grid.cell_size;
+    const LineWeights x = line_weights(cells.x(), lengths.x() / grid.cell_size, grid.cell_size);
+    const LineWeights y = line_weights(cells.y(), lengths.y() / grid.cell_size, grid.cell_size);
+    patch.base = y.first * grid.nodes_x() + x.first;
+    patch.width = x.count;
+    patch.height = y.count;
+    patch.offset_x = (x.first - cells.x()) * grid.cell_size;
+    patch.offset_y = (y.first - cells.y()) * grid.cell_size;
+    NodeWeight* weight = patch.weights;
+    for (int b = 0; b < y.count; ++b) {
+        for (int a = 0; a < x.count; ++a) {
+            *weight++ = {x.value[a] * y.value[b], x.slope[a] * y.value[b], x.value[a] * y.slope[b]};
+        }
+    }
+    return limited;
+}
+
+/// Size of the axis-parallel box around the reference domain [m].
+Vector2 reference_lengths(const Particles& particles, std::size_t p)
+{
+    return 2.0 * (particles.reference_edge_1[p].cwiseAbs() + particles.reference_edge_2[p].cwiseAbs());
+}
+
+} // namespace
+
+bool UniformGimp::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
+                           NodePatch& patch)
+{
+    return evaluate_box(grid, particles.position[p], reference_lengths(particles, p), patch);
+}
+
+bool ContiguousGimp::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
+                              NodePatch& patch)
+{
+    // U = sqrt(C) of C = F^T F; in two dimensions sqrt(C) = (C + J I) / sqrt(tr C + 2 J)
+    const Eigen::Matrix2d F = deformation_gradient(particles, p);
+    const Eigen::Matrix2d C = F.transpose() * F;
+    const double J = F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
+    const double scale = 1.0 / std::sqrt(C(0, 0) + C(1, 1) + 2.0 * J);
+    const Vector2 stretches = scale * Vector2(C(0, 0) + J, C(1, 1) + J);
+    return evaluate_box(grid, particles.position[p], reference_lengths(particles, p).cwiseProduct(stretches),
+                        patch);
+}
+
+} // namespace quicksand

@@ -1,0 +1,24 @@
+#include "solver/linear_interpolation.hpp"
+
+namespace quicksand {
+
+bool LinearInterpolation::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
+                                   NodePatch& patch)
+{
+    const double inverse = 1.0 / grid.cell_size;
+    const Vector2 cells = (particles.position[p] - grid.rim_origin()) * inverse;
+    const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
+    const double xi = cells.x() - i, eta = cells.y() - j;
+    patch.base = j * grid.nodes_x() + i;
+    patch.width = patch.height = 2;
+    patch.offset_x = -xi * grid.cell_size;
+    patch.offset_y = -eta * grid.cell_size;
+    const double Nx[2] = {1.0 - xi, xi}, Ny[2] = {1.0 - eta, eta};
+    const double dN[2] = {-inverse, inverse};
+    for (int b = 0; b < 2; ++b) {
+        for (int a = 0; a < 2; ++a) patch.weights[2 * b + a] = {Nx[a] * Ny[b], dN[a] * Ny[b], Nx[a] * dN[b]};
+    }
+    return false;
+}
+
+} // namespace quicksand
