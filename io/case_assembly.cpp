@@ -1,0 +1,201 @@
+#include "io/case_assembly.hpp"
+
+#include "geometry/gmsh_file.hpp"
+#include "geometry/section_check.hpp"
+#include "io/scene_grid.hpp"
+#include "io/scene_section.hpp"
+#include "solver/failure.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace quicksand {
+
+namespace {
+
+constexpr double curve_tolerance = 0.01; // greatest distance of a curved line from its chords [cells]
+
+GmshRequest request_of(const Scene& scene)
+{
+    GmshRequest request;
+    request.file = scene.geometry_file;
+    request.parameters = scene.geometry_parameters;
+    if (const auto* mesh = std::get_if<MeshSampling>(&scene.sampling)) request.quad_size = mesh->quad_size;
+    request.curve_tolerance = curve_tolerance * scene.cell_size;
+    return request;
+}
+
+void throw_errors(const Diagnostics& findings, const Scene& scene)
+{
+    if (!findings.has_errors()) return;
+    std::string message = findings.render(scene.text);
+    if (message.ends_with('\n')) message.pop_back();
+    throw InputError(message);
+}
+
+/// Probes without a place stand at the physical point of their name.
+void place_probes(const Section& section, Scene& scene)
+{
+    for (SceneProbe& probe : scene.probes) {
+        if (probe.at) continue;
+        for (const NamedPoint& point : section.points) {
+            if (point.name == probe.name) probe.at = point.position;
+        }
+    }
+}
+
+/// For every region of the section, the index of its material.
+std::vector<std::int32_t> materials_of_regions(const Scene& scene, const Section& section)
+{
+    const auto material_index = [&](const std::string& name) {
+        for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+            if (scene.materials[m].material.name == name) return static_cast<std::int32_t>(m);
+        }
+        throw InternalError("a region without a material has passed the checks");
+    };
+    std::vector<std::int32_t> materials;
+    for (const Region& region : section.regions) {
+        const auto entry = std::find_if(scene.regions.begin(), scene.regions.end(),
+                                        [&](const SceneRegion& candidate) { return candidate.name == region.name; });
+        ENSURE(entry != scene.regions.end());
+        materials.push_back(material_index(entry->material));
+    }
+    return materials;
+}
+
+Sampling sample(const Scene& scene, const Section& section, const BackgroundGrid& grid)
+{
+    if (const auto* lattice = std::get_if<LatticeSampling>(&scene.sampling)) {
+        return sample_lattice(section, grid, lattice->per_cell_x, lattice->per_cell_y, lattice->boundary_refinement);
+    }
+    return sample_mesh(section, grid);
+}
+
+/// Weight of a material per volume that its grains carry, buoyant below water [N/m3].
+double effective_unit_weight(const Material& material, const Problem& problem)
+{
+    const double water_density = problem.water ? problem.water->density : 0.0;
+    return (1.0 - material.porosity) * (material.grain_density - water_density) * problem.gravity;
+}
+
+/// sigma'_v = sum over the regions of thickness above x unit weight, sigma'_h = K0 sigma'_v.
+void set_initial_stress(const Problem& problem, const Section& section, const std::vector<std::int32_t>& materials,
+                        double k0, Particles& particles)
+{
+    std::vector<double> unit_weight;
+    for (const std::int32_t material : materials) {
+        unit_weight.push_back(effective_unit_weight(problem.materials[static_cast<std::size_t>(material)], problem));
+    }
+    const auto count = static_cast<std::ptrdiff_t>(particles.size());
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+        const auto p = static_cast<std::size_t>(k);
+        const auto thickness = thickness_above(section, particles.position[p]);
+        double vertical = 0.0; // sigma'_v, compression positive [Pa]
+        for (std::size_t r = 0; r < thickness.size(); ++r) vertical += thickness[r] * unit_weight[r];
+        particles.stress.yy[p] = -vertical;
+        particles.stress.xx[p] = particles.stress.zz[p] = -k0 * vertical;
+    }
+}
+
+Particles make_particles(const Problem& problem, const Sampling& sampling, const std::vector<std::int32_t>& materials)
+{
+    Particles particles;
+    resize(particles, sampling.domains.size(), problem.water.has_value());
+    for (std::size_t p = 0; p < sampling.domains.size(); ++p) {
+        const ParticleDomain& domain = sampling.domains[p];
+        const std::int32_t m = materials[domain.region];
+        const Material& material = problem.materials[static_cast<std::size_t>(m)];
+        particles.identifier[p] = static_cast<std::int32_t>(p);
+        particles.material[p] = m;
+        particles.region[p] = static_cast<std::int32_t>(domain.region);
+        particles.position.set(p, domain.centre);
+        particles.half_edge_1.set(p, domain.half_edge_1);
+        particles.half_edge_2.set(p, domain.half_edge_2);
+        particles.volume[p] = domain.volume;
+        particles.mass_solid[p] = (1.0 - material.porosity) * material.grain_density * domain.volume;
+        if (problem.water) particles.porosity[p] = material.porosity;
+    }
+    reset_reference(particles);
+    return particles;
+}
+
+Problem make_problem(const Scene& scene, const Section& section)
+{
+    Problem problem;
+    for (const SceneMaterial& material : scene.materials) problem.materials.push_back(material.material);
+    for (const Region& region : section.regions) problem.region_names.push_back(region.name);
+    problem.water = scene.water;
+    problem.gravity = scene.gravity;
+    problem.base_motion = scene.base_motion;
+    return problem;
+}
+
+/// Everything that can be wrong between scene and section before a particle exists.
+void check_case(AssembledCase& assembled)
+{
+    const Scene& scene = assembled.scene;
+    const Section& section = assembled.section;
+    Problem& problem = assembled.problem;
+    Diagnostics& findings = assembled.warnings;
+    check_names(scene, section, findings);
+    check_water_level(scene, section, findings);
+    if (const auto grid = choose_grid(scene, section, findings)) {
+        problem.grid = *grid;
+        for (std::string& what : check_section(section, *grid)) {
+            findings.add(error_at(scene.geometry_place, "section", std::move(what)));
+        }
+        problem.boundaries = find_boundaries(scene, section, *grid, findings);
+        problem.tied_sides = find_tied_sides(scene, section, *grid, findings);
+    }
+    findings.accept(scene.accepted);
+    throw_errors(findings, scene);
+}
+
+void check_sampling(const Sampling& sampling, AssembledCase& assembled)
+{
+    for (std::size_t r = 0; r < sampling.regions.size(); ++r) {
+        if (sampling.regions[r].particles > 0) continue;
+        const std::string& name = assembled.section.regions[r].name;
+        assembled.warnings.add(error_at(assembled.scene.grid_place, "sampling",
+                                        "no material point falls into the region \"" + name + "\"",
+                                        "a region wider than the spacing of the points",
+                                        "choose a smaller cell_size, or more particles_per_cell"));
+    }
+    if (sampling.domains.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+        assembled.warnings.add(error_at(assembled.scene.grid_place, "sampling", "there are too many material points",
+                                        "at most 2147483647", "choose a larger cell_size"));
+    }
+    throw_errors(assembled.warnings, assembled.scene);
+}
+
+} // namespace
+
+AssembledCase assemble_case(SceneReading reading, Section section)
+{
+    AssembledCase assembled;
+    assembled.scene = std::move(reading.scene);
+    assembled.warnings = std::move(reading.warnings);
+    assembled.section = std::move(section);
+    assembled.problem = make_problem(assembled.scene, assembled.section);
+    check_case(assembled);
+    place_probes(assembled.section, assembled.scene);
+
+    assembled.sampling = sample(assembled.scene, assembled.section, assembled.problem.grid);
+    check_sampling(assembled.sampling, assembled);
+    const auto materials = materials_of_regions(assembled.scene, assembled.section);
+    Particles& particles = assembled.state.particles;
+    particles = make_particles(assembled.problem, assembled.sampling, materials);
+    set_initial_stress(assembled.problem, assembled.section, materials, assembled.scene.k0, particles);
+    assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
+    return assembled;
+}
+
+AssembledCase assemble_case(SceneReading reading)
+{
+    Section section = read_gmsh_file(request_of(reading.scene));
+    return assemble_case(std::move(reading), std::move(section));
+}
+
+} // namespace quicksand

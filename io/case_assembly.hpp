@@ -1,0 +1,30 @@
+// From a checked scene to the problem and the state that a run starts from.
+#pragma once
+
+#include "geometry/particle_sampler.hpp"
+#include "geometry/section.hpp"
+#include "io/diagnostics.hpp"
+#include "io/scene.hpp"
+#include "io/scene_file.hpp"
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+
+namespace quicksand {
+
+struct AssembledCase {
+    Scene scene; // probes have their places
+    Problem problem;
+    State state;
+    Section section;
+    Sampling sampling;
+    Diagnostics warnings; // of the scene and of the assembly
+};
+
+/// Read the drawing, choose the grid, sample the section and set the K0 state. Throws InputError with all
+/// errors at once; what gmsh finds in the drawing comes first.
+AssembledCase assemble_case(SceneReading reading);
+
+/// The same for a section that is already there.
+AssembledCase assemble_case(SceneReading reading, Section section);
+
+} // namespace quicksand
