@@ -89,7 +89,8 @@ std::string tick_label(double value, int decimals)
 
 DisplayUnit display_unit(std::string_view unit, double magnitude)
 {
-    if (unit == "%") return {0.01, "%"};
+    // Below a hundredth of a per cent the powers of ten read better.
+    if (unit == "%") return magnitude >= 1e-4 ? DisplayUnit{0.01, "%"} : display_unit("", magnitude);
     const Prefix prefix = prefix_for(magnitude);
     const double factor = std::pow(1000.0, prefix.thousands);
     if (unit.empty()) return {factor, std::string(prefix.power)};

@@ -36,7 +36,7 @@ struct DisplayUnit {
 };
 
 /// The SI prefix (or power of a thousand) that brings `magnitude`, in `unit`, to 1 .. 1000. "%" is asked for
-/// with the unit "%" and a magnitude as a plain ratio.
+/// with the unit "%" and a magnitude as a plain ratio; tiny ones get a power of ten all the same.
 DisplayUnit display_unit(std::string_view unit, double magnitude);
 
 /// "Excess pore pressure [kPa]", without brackets where the unit has no text.
