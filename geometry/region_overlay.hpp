@@ -21,8 +21,9 @@ struct OutlineFault {
     };
     Kind kind = Kind::too_few_vertices;
     std::size_t region = 0, other = 0; // indices into Section::regions
-    Vector2 at = Vector2::Zero();      // where [m]
-    double area = 0.0;                 // of an overlap or gap [m2]
+    Vector2 lower = Vector2::Zero();   // box around the fault; for a crossing both are its point [m]
+    Vector2 upper = Vector2::Zero();
+    double area = 0.0; // of an overlap or gap [m2]
 };
 
 /// All faults; a region whose own rings are at fault is left out of the comparisons.
