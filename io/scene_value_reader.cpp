@@ -16,8 +16,8 @@ struct ReadNumber {
 
 class ValueReader {
 public:
-    ValueReader(const SceneKey& key, const std::string& path, Diagnostics& findings)
-        : key_(key), path_(path), findings_(findings)
+    ValueReader(const SceneKey& key, std::string path, Diagnostics& findings)
+        : key_(key), path_(std::move(path)), findings_(findings)
     {
     }
 
@@ -45,7 +45,7 @@ private:
     }
 
     const SceneKey& key_;
-    const std::string& path_;
+    std::string path_;
     Diagnostics& findings_;
 };
 
