@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -125,6 +126,24 @@ void add_probe(CLI::App& program, Commands& commands)
                         }});
 }
 
+void add_picture(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<PictureChoice>(
+        program, commands, "picture", "Draw the results of a run as PNG files, no display needed", draw_pictures);
+    parser->add_option("RESULTS", choice->results, "Results folder of a run")->required();
+    parser->add_option("-o,--output", choice->output, "A .png file or a folder; RESULTS/pictures when not given")
+        ->type_name("FILE");
+    parser->add_option("--field", choice->field, "Only this field, as excess_pore_pressure or displacement")
+        ->type_name("NAME");
+    parser->add_option("--time", choice->time, "Time in s, the nearest frame is drawn; the last when not given")
+        ->type_name("T");
+    parser->add_option("--range", choice->range, "Limits of the colours, in the SI unit of the field")
+        ->type_name("LOW:HIGH");
+    parser->add_option("--exaggeration", choice->exaggeration, "Factor on the displacements drawn")
+        ->check(CLI::PositiveNumber)
+        ->type_name("F");
+}
+
 void add_bench(CLI::App& program, Commands& commands)
 {
     struct Words {
@@ -147,7 +166,8 @@ void add_demo(CLI::App& program, Commands& commands)
     const auto [parser, choice] = add_command<DemoChoice>(
         program, commands, "demo", "Run the dike example, shortened to about two minutes", run_demo);
     add_threads(*parser, choice->threads);
-    parser->add_option("-o,--output", choice->directory, "Results folder, replaced if there", true)->type_name("DIR");
+    parser->add_option("-o,--output", choice->directory, "Results folder, replaced if there; results/demo when not given")
+        ->type_name("DIR");
 }
 
 Commands add_commands(CLI::App& program)
@@ -158,6 +178,7 @@ Commands add_commands(CLI::App& program)
     add_new(program, commands);
     add_keys(program, commands);
     add_probe(program, commands);
+    add_picture(program, commands);
     add_demo(program, commands);
     add_bench(program, commands);
     commands.push_back({program.add_subcommand("version", "Print the version"), print_version});
@@ -177,11 +198,12 @@ std::string joined(const std::vector<std::string>& names)
     return text;
 }
 
-/// The command line's first word is no command.
-[[noreturn]] void refuse_command(const std::string& word, const Commands& commands)
+/// The command line's first word must be a command.
+void require_command(const std::string& word, const Commands& commands)
 {
     std::vector<std::string> names;
     for (const Command& command : commands) names.push_back(command.parser->get_name());
+    if (std::find(names.begin(), names.end(), word) != names.end()) return;
     throw InputError("error[command-line]: there is no command '" + word + "'\nexpected: " + joined(names) +
                      hint_for(word, names));
 }
@@ -236,9 +258,7 @@ ExitCode execute_command_line(int argument_count, char** arguments)
     program.footer(footer);
     program.get_formatter()->column_width(36);
     const Commands commands = add_commands(program);
-    if (argument_count > 1 && arguments[1][0] != '-' && !program.get_subcommand_no_throw(arguments[1])) {
-        refuse_command(arguments[1], commands);
-    }
+    if (argument_count > 1 && arguments[1][0] != '-') require_command(arguments[1], commands);
     if (parse(program, commands, argument_count, arguments)) return ExitCode::good;
     if (const Command* command = chosen(commands)) return command->execute();
     std::cout << program.help();

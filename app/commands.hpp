@@ -57,6 +57,15 @@ struct ProbeChoice {
     std::filesystem::path file;
 };
 
+struct PictureChoice {
+    std::filesystem::path results;
+    std::filesystem::path output; // .png file or folder, empty: RESULTS/pictures
+    std::string field;            // empty: the usual set
+    std::optional<double> time;   // none: the last frame [s]
+    std::string range;            // of the colours as LOW:HIGH, empty: automatic
+    double exaggeration = 1.0;    // of the displacements [-]
+};
+
 struct DemoChoice {
     std::filesystem::path directory = "results/demo";
     int threads = 0;
@@ -67,6 +76,7 @@ ExitCode check_scene(const CheckChoice& choice);
 ExitCode list_keys(const KeysChoice& choice);
 ExitCode create_scene(const NewChoice& choice);
 ExitCode extract_probe(const ProbeChoice& choice);
+ExitCode draw_pictures(const PictureChoice& choice);
 ExitCode measure_kernel(int threads);
 ExitCode run_demo(const DemoChoice& choice);
 ExitCode print_version();

@@ -1,0 +1,66 @@
+#include "app/commands.hpp"
+#include "app/journal.hpp"
+#include "app/plan.hpp"
+#include "app/scene_setup.hpp"
+#include "app/trial.hpp"
+#include "io/output_observers.hpp"
+#include "io/results_folder.hpp"
+#include "solver/simulation.hpp"
+
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+constexpr const char* plan_file = "check.txt";
+
+std::filesystem::path check_folder(const CheckChoice& choice, const Scene& scene)
+{
+    if (!choice.directory.empty()) return choice.directory;
+    std::filesystem::path folder = default_results(scene.file);
+    folder += "-check";
+    return folder;
+}
+
+/// The plan of a former check is replaced; results of a run are not.
+ResultsFolder prepare_check_folder(const std::filesystem::path& directory, const Scene& scene)
+{
+    if (std::filesystem::exists(directory / plan_file)) return {directory};
+    return prepare_results_folder(directory, scene, FolderUse::fresh);
+}
+
+/// fields.pvd and grid.pvd with one frame of the state before any settling.
+void write_initial_frame(const AssembledCase& assembled, const ResultsFolder& folder)
+{
+    Scene scene = assembled.scene;
+    scene.output.probe_interval = scene.output.history_interval = scene.output.checkpoint_interval = 0.0;
+    State state = assembled.state;
+    begin_shaking(state);
+    for (const auto& writer : make_output_observers(scene, assembled.problem, state, {folder.directory, "", false})) {
+        writer->observe(assembled.problem, state, {Stage::shaking, 0, 0.0, {}, 0});
+    }
+}
+
+} // namespace
+
+ExitCode check_scene(const CheckChoice& choice)
+{
+    Journal journal;
+    const SceneSetup setup = set_up_scene(choice.scene, journal);
+    const AssembledCase& assembled = setup.assembled;
+    const ResultsFolder folder = prepare_check_folder(check_folder(choice, assembled.scene), assembled.scene);
+    journal.keep(folder.directory / plan_file, false);
+    journal.say(describe_scene_keys(setup));
+    journal.say(describe_soil(assembled));
+    journal.say(describe_time_step(assembled));
+    const Forecast forecast = forecast_run(assembled, folder.directory / "trial");
+    journal.say(describe_cost(forecast));
+    journal.say(describe_left_out(assembled.scene));
+    write_initial_frame(assembled, folder);
+    journal.say("The initial state is in " + folder.particle_series().string() + " and " +
+                folder.grid_series().string() + "; this plan is in " + (folder.directory / plan_file).string());
+    return ExitCode::good;
+}
+
+} // namespace quicksand

@@ -1,0 +1,35 @@
+#include "app/journal.hpp"
+
+#include "io/file_error.hpp"
+
+#include <cerrno>
+#include <iostream>
+
+namespace quicksand {
+
+void Journal::keep(const std::filesystem::path& file, bool append)
+{
+    errno = 0;
+    file_.open(file, append ? std::ios::app : std::ios::trunc);
+    if (!file_) throw FileError(file, "cannot write", system_reason(errno), "");
+}
+
+void Journal::say(const std::string& text)
+{
+    std::cout << text << std::endl;
+    note(text);
+}
+
+void Journal::note(const std::string& text)
+{
+    if (file_.is_open()) file_ << text << std::endl;
+}
+
+void Journal::complain(const std::string& text)
+{
+    std::cout.flush();
+    std::cerr << text << std::endl;
+    note(text);
+}
+
+} // namespace quicksand

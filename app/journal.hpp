@@ -1,0 +1,29 @@
+// What the user is told during a command, on the terminal and in log.txt.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace quicksand {
+
+class Journal {
+public:
+    /// Speaks to standard output only, until `keep` names a file.
+    Journal() = default;
+
+    /// Also write to the file from now on; `append` goes on with it. Throws FileError.
+    void keep(const std::filesystem::path& file, bool append);
+
+    /// A line, or several, for the terminal and the file.
+    void say(const std::string& text);
+    /// For the file only.
+    void note(const std::string& text);
+    /// To standard error and the file.
+    void complain(const std::string& text);
+
+private:
+    std::ofstream file_;
+};
+
+} // namespace quicksand

@@ -1,0 +1,26 @@
+// The text of `check`: what a run of the scene will be.
+#pragma once
+
+#include "app/scene_setup.hpp"
+#include "app/trial.hpp"
+
+#include <string>
+
+namespace quicksand {
+
+/// Every key with its value in SI and where it comes from.
+std::string describe_scene_keys(const SceneSetup& setup);
+
+/// Regions, particles, grid and masses.
+std::string describe_soil(const AssembledCase& assembled);
+
+/// Wave speeds, the time step and what limits it.
+std::string describe_time_step(const AssembledCase& assembled);
+
+/// Steps, memory, disk and run time.
+std::string describe_cost(const Forecast& forecast);
+
+/// What the scene does not need and is left out.
+std::string describe_left_out(const Scene& scene);
+
+} // namespace quicksand

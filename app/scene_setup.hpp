@@ -1,0 +1,27 @@
+// From the command line's scene to what the solver runs.
+#pragma once
+
+#include "app/commands.hpp"
+#include "app/journal.hpp"
+#include "io/case_assembly.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+struct SceneSetup {
+    AssembledCase assembled;       // its state is the initial one, before any settling
+    std::vector<ResolvedKey> keys; // of the scene, as read
+    std::string hash;              // of the scene's text and the overrides
+};
+
+/// Set the number of threads, read the scene, draw and sample its section, and tell the warnings. Throws
+/// InputError.
+SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal);
+
+/// results/<folder of the scene>; of a scene that is not called scene.toml, results/<its name>.
+std::filesystem::path default_results(const std::filesystem::path& scene_file);
+
+} // namespace quicksand

@@ -1,0 +1,202 @@
+#include "app/session.hpp"
+
+#include "app/number_format.hpp"
+#include "app/progress_line.hpp"
+#include "app/stop_signal.hpp"
+#include "io/checkpoint.hpp"
+#include "io/file_error.hpp"
+#include "io/output_observers.hpp"
+#include "io/run_manifest.hpp"
+#include "io/vtk_series.hpp"
+#include "solver/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace quicksand {
+
+namespace {
+
+/// The manifest on disk, kept true at every turn of the run.
+class ManifestKeeper {
+public:
+    ManifestKeeper(std::filesystem::path path, RunManifest manifest)
+        : path_(std::move(path)), manifest_(std::move(manifest)), began_(std::chrono::steady_clock::now())
+    {
+        write_run_manifest(path_, manifest_);
+    }
+    void reach(double time, std::int64_t steps)
+    {
+        manifest_.simulated_time = time;
+        manifest_.steps = steps;
+    }
+    void end(RunStatus status, const std::string& reason)
+    {
+        manifest_.status = status;
+        manifest_.exit_reason = reason.substr(0, reason.find('\n'));
+        manifest_.end_time = utc_now();
+        manifest_.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+        write_run_manifest(path_, manifest_);
+    }
+    /// On the way out of another failure, which is the one to be told.
+    void end_quietly(const std::string& reason)
+    {
+        try {
+            end(RunStatus::failed, reason);
+        } catch (const FileError&) {
+        }
+    }
+
+private:
+    std::filesystem::path path_;
+    RunManifest manifest_;
+    std::chrono::steady_clock::time_point began_;
+};
+
+/// Everything the run needs at hand.
+struct Session {
+    const Scene& scene;
+    const Problem& problem;
+    State& state;
+    const std::string& hash;
+    ResultsFolder folder;
+    bool resume = false;
+    Journal& journal;
+    ManifestKeeper& manifest;
+};
+
+std::string say_where_good(const ResultsFolder& folder)
+{
+    std::string text;
+    const std::vector<FrameEntry> frames = std::filesystem::exists(folder.particle_series())
+                                               ? read_series_index(folder.particle_series())
+                                               : std::vector<FrameEntry>();
+    if (!frames.empty()) {
+        text += fmt::format("\n  last good frame: {} (t = {} s)", (folder.directory / frames.back().file).string(),
+                            short_number(frames.back().time, 6));
+    }
+    if (std::filesystem::exists(folder.checkpoint())) {
+        text += "\n  last checkpoint: " + folder.checkpoint().string() + " (go on from it with --resume)";
+    }
+    return text;
+}
+
+void settle(Session& session)
+{
+    if (!session.scene.relaxation) {
+        begin_shaking(session.state);
+        return;
+    }
+    const RelaxationControls& controls = *session.scene.relaxation;
+    ProgressLine progress(0.0, session.scene.end_time, session.state.particles.size(), session.journal);
+    const RelaxationReport report =
+        relax(session.problem, controls, session.state, [&](std::int64_t steps, double out_of_balance) {
+            progress.show_relaxation(steps, out_of_balance, controls.tolerance);
+            if (StopSignal::received()) throw StopRequest();
+        });
+    progress.clear();
+    session.journal.say(fmt::format("Settled in {} steps, {}: out-of-balance force {} of the weight, displacement up to "
+                                    "{} mm, which counts as zero from here",
+                                    report.steps, duration_text(progress.elapsed()),
+                                    short_number(report.out_of_balance, 2),
+                                    short_number(1e3 * report.max_displacement, 2)));
+}
+
+void shake(Session& session)
+{
+    const OutputSettings settings{session.folder.directory, session.hash, session.resume};
+    const auto writers = make_output_observers(session.scene, session.problem, session.state, settings);
+    ProgressLine progress(session.state.time, session.scene.end_time, session.state.particles.size(), session.journal);
+    std::vector<Observer*> observers;
+    for (const auto& writer : writers) observers.push_back(writer.get());
+    observers.push_back(&progress);
+    try {
+        run(session.problem, session.scene.end_time, observers, session.state, StopSignal::received);
+    } catch (...) {
+        progress.clear();
+        session.manifest.reach(session.state.time, progress.steps());
+        throw;
+    }
+    progress.clear();
+    session.manifest.reach(session.state.time, progress.steps());
+    write_checkpoint(session.folder.checkpoint(), session.state, session.hash);
+    const double seconds = progress.elapsed();
+    const double work = static_cast<double>(session.state.particles.size()) * static_cast<double>(progress.steps());
+    session.journal.say(fmt::format("Ran {} steps to t = {} s in {}: {} particle-steps/s", grouped(progress.steps()),
+                                    short_number(session.state.time, 6), duration_text(seconds),
+                                    short_number(work / seconds, 2)));
+}
+
+/// Returns whether the run came to its end.
+bool run_stages(Session& session)
+{
+    const StopSignal signal;
+    try {
+        if (!session.resume) settle(session);
+        shake(session);
+    } catch (const StopRequest&) {
+        session.manifest.end(RunStatus::stopped, "stopped on request while settling");
+        session.journal.say("\nStopped on request while settling; there is nothing to resume, start again.");
+        return false;
+    }
+    if (session.state.time < session.scene.end_time) {
+        session.manifest.end(RunStatus::stopped, "stopped on request");
+        session.journal.say(fmt::format("Stopped on request at t = {} s. Go on with the same command and --resume.",
+                                        short_number(session.state.time, 6)));
+        return false;
+    }
+    session.manifest.end(RunStatus::finished, "reached the end time");
+    return true;
+}
+
+ExitCode run_guarded(Session& session, bool& finished)
+{
+    try {
+        finished = run_stages(session);
+        return ExitCode::good;
+    } catch (const NumericalError& error) {
+        session.manifest.end_quietly(error.what());
+        session.journal.complain(error.what() + say_where_good(session.folder));
+        return ExitCode::numerical;
+    } catch (const std::exception& error) {
+        session.manifest.end_quietly(error.what());
+        session.journal.note(error.what());
+        throw;
+    }
+}
+
+} // namespace
+
+SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& journal)
+{
+    const Scene& scene = setup.assembled.scene;
+    const Problem& problem = setup.assembled.problem;
+    State& state = setup.assembled.state;
+    const FolderUse use = choice.resume      ? FolderUse::resume
+                          : choice.overwrite ? FolderUse::overwrite
+                                             : FolderUse::fresh;
+    const auto directory = choice.directory.empty() ? default_results(scene.file) : choice.directory;
+    SessionOutcome outcome;
+    outcome.folder = prepare_results_folder(directory, scene, use);
+    if (choice.resume) state = read_checkpoint(outcome.folder.checkpoint(), setup.hash);
+    journal.keep(outcome.folder.log(), choice.resume);
+
+    RunManifest manifest =
+        begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
+    if (choice.resume) manifest.resumed_at = state.time;
+    journal.say(fmt::format("{}{}\n{} particles, {} x {} cells of {} m, {} threads; results in {}",
+                            choice.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
+                            grouped(static_cast<long long>(state.particles.size())), problem.grid.cells_x,
+                            problem.grid.cells_y, short_number(problem.grid.cell_size), thread_count(),
+                            directory.string()));
+    ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
+    Session session{scene, problem, state, setup.hash, outcome.folder, choice.resume, journal, keeper};
+    outcome.code = run_guarded(session, outcome.finished);
+    return outcome;
+}
+
+} // namespace quicksand

@@ -1,0 +1,25 @@
+// Ctrl-C and kill, asked for between two steps instead of ending the program in the middle of one.
+#pragma once
+
+#include <exception>
+
+namespace quicksand {
+
+/// While it lives, the first SIGINT or SIGTERM is remembered; the second one ends the program at once.
+class StopSignal {
+public:
+    StopSignal();
+    ~StopSignal();
+    StopSignal(const StopSignal&) = delete;
+    StopSignal& operator=(const StopSignal&) = delete;
+
+    static bool received();
+};
+
+/// Leaves a stage that cannot be resumed, because a stop was asked for.
+class StopRequest : public std::exception {
+public:
+    const char* what() const noexcept override { return "stopped on request"; }
+};
+
+} // namespace quicksand

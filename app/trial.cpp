@@ -1,0 +1,194 @@
+#include "app/trial.hpp"
+
+#include "app/stop_signal.hpp"
+#include "io/observation_clock.hpp"
+#include "io/output_observers.hpp"
+#include "solver/simulation.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <vector>
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double step_trial_seconds = 1.5;       // wall time of the trial of steps [s]
+constexpr double relaxation_trial_seconds = 4.0; // and of the settling [s]
+constexpr double output_trial_seconds = 0.5;     // and of each writer, one call at least [s]
+constexpr std::int64_t warm_up_steps = 20;
+
+class StopWatch {
+public:
+    double seconds() const
+    {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+    }
+
+private:
+    std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+};
+
+std::vector<double> observation_times(double interval, double end_time)
+{
+    std::vector<double> times;
+    if (interval <= 0.0) return times;
+    for (ObservationClock clock(interval, end_time); std::isfinite(clock.next()); clock.advance()) {
+        times.push_back(clock.next());
+    }
+    return times;
+}
+
+double measure_step(const AssembledCase& assembled)
+{
+    State state = assembled.state;
+    begin_shaking(state);
+    StopWatch watch;
+    std::int64_t steps = 0;
+    double seconds = 0.0;
+    run(assembled.problem, assembled.scene.end_time, {}, state, [&] {
+        if (++steps == warm_up_steps) watch = StopWatch();
+        seconds = watch.seconds();
+        return steps > warm_up_steps && seconds > step_trial_seconds;
+    });
+    // A run shorter than the trial has been measured as a whole.
+    const std::int64_t measured = steps > warm_up_steps ? steps - warm_up_steps : steps;
+    return seconds / static_cast<double>(std::max<std::int64_t>(measured, 1));
+}
+
+/// How the out-of-balance force has fallen.
+struct Decay {
+    std::vector<double> steps, logarithms;
+
+    /// Steps until the force has fallen to the tolerance, by the slope of the second half of the trial.
+    double steps_until(double tolerance) const
+    {
+        const std::size_t half = steps.size() / 2;
+        const double run = steps.back() - steps[half];
+        const double fall = logarithms[half] - logarithms.back();
+        if (run <= 0.0 || fall <= 0.0) return std::numeric_limits<double>::infinity();
+        return steps.back() + std::max(0.0, logarithms.back() - std::log(tolerance)) * run / fall;
+    }
+};
+
+RelaxationForecast forecast_relaxation(const AssembledCase& assembled)
+{
+    RelaxationForecast forecast;
+    if (!assembled.scene.relaxation) return forecast;
+    forecast.needed = true;
+    const RelaxationControls& controls = *assembled.scene.relaxation;
+    State state = assembled.state;
+    Decay decay;
+    const StopWatch watch;
+    try {
+        relax(assembled.problem, controls, state, [&](std::int64_t steps, double out_of_balance) {
+            decay.steps.push_back(static_cast<double>(steps));
+            decay.logarithms.push_back(std::log(out_of_balance));
+            forecast.step_seconds = watch.seconds() / static_cast<double>(steps);
+            if (watch.seconds() > relaxation_trial_seconds) throw StopRequest();
+        });
+    } catch (const StopRequest&) {
+        // The trial ends before the soil has settled; the rest is extrapolated.
+    }
+    if (decay.steps.empty()) return forecast;
+    const double steps = decay.steps_until(controls.tolerance);
+    forecast.reliable = steps < static_cast<double>(controls.max_steps);
+    forecast.steps = forecast.reliable ? static_cast<std::int64_t>(steps) : controls.max_steps;
+    return forecast;
+}
+
+double folder_bytes(const fs::path& folder)
+{
+    double bytes = 0.0;
+    for (const auto& item : fs::recursive_directory_iterator(folder)) {
+        if (item.is_regular_file()) bytes += static_cast<double>(item.file_size());
+    }
+    return bytes;
+}
+
+/// Let one writer look at the state a few times and add what all its looks will cost.
+void measure_writer(Observer& writer, const Problem& problem, State& state, double end_time, const fs::path& scratch,
+                    OutputForecast& forecast)
+{
+    const StepReport report{Stage::shaking, 0, 0.0, {}, 0};
+    state.time = writer.next_time();
+    if (!std::isfinite(state.time)) return;
+    writer.observe(problem, state, report);
+    const double interval = writer.next_time() - state.time;
+    const double bytes_before = folder_bytes(scratch);
+    const StopWatch watch;
+    double looks = 0.0;
+    while (std::isfinite(writer.next_time()) && (looks == 0.0 || (watch.seconds() < output_trial_seconds && looks < 5.0))) {
+        state.time = writer.next_time();
+        writer.observe(problem, state, report);
+        looks += 1.0;
+    }
+    if (looks == 0.0) return;
+    const double all_looks = std::ceil(end_time / interval) + 1.0;
+    forecast.seconds += all_looks * watch.seconds() / looks;
+    forecast.bytes += all_looks * (folder_bytes(scratch) - bytes_before) / looks;
+}
+
+OutputForecast forecast_output(const AssembledCase& assembled, const fs::path& scratch)
+{
+    OutputForecast forecast;
+    State state = assembled.state;
+    begin_shaking(state);
+    fs::remove_all(scratch);
+    fs::create_directories(scratch);
+    const auto writers = make_output_observers(assembled.scene, assembled.problem, state, {scratch, "", false});
+    for (const auto& writer : writers) {
+        measure_writer(*writer, assembled.problem, state, assembled.scene.end_time, scratch, forecast);
+    }
+    fs::remove_all(scratch);
+    forecast.bytes += static_cast<double>(memory_bytes(state.particles)); // the checkpoint
+    forecast.frames =
+        static_cast<std::int64_t>(observation_times(assembled.scene.output.frame_interval, assembled.scene.end_time).size());
+    return forecast;
+}
+
+double peak_memory()
+{
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+} // namespace
+
+std::int64_t count_steps(const Scene& scene, double dt)
+{
+    std::set<double> times = {scene.end_time};
+    for (const double interval : {scene.output.frame_interval, scene.output.history_interval,
+                                  scene.probes.empty() ? 0.0 : scene.output.probe_interval}) {
+        const std::vector<double> strikes = observation_times(interval, scene.end_time);
+        times.insert(strikes.begin(), strikes.end());
+    }
+    std::int64_t steps = 0;
+    double previous = 0.0;
+    for (const double time : times) {
+        steps += static_cast<std::int64_t>(std::ceil((time - previous) / dt - 1e-6));
+        previous = time;
+    }
+    return steps;
+}
+
+Forecast forecast_run(const AssembledCase& assembled, const fs::path& scratch)
+{
+    Forecast forecast;
+    forecast.steps = count_steps(assembled.scene, stable_time_step(assembled.problem, assembled.state.particles).dt);
+    forecast.step_seconds = measure_step(assembled);
+    forecast.relaxation = forecast_relaxation(assembled);
+    forecast.output = forecast_output(assembled, scratch);
+    forecast.memory = peak_memory();
+    return forecast;
+}
+
+} // namespace quicksand

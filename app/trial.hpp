@@ -1,0 +1,42 @@
+// A short measured trial of a run: what its steps, its settling and its output will cost.
+#pragma once
+
+#include "io/case_assembly.hpp"
+
+#include <cstdint>
+#include <filesystem>
+
+namespace quicksand {
+
+/// Settling before the shaking.
+struct RelaxationForecast {
+    bool needed = false;
+    bool reliable = false;     // false: the trial was too short to see the end
+    std::int64_t steps = 0;    // [-]
+    double step_seconds = 0.0; // wall time of a step [s]
+};
+
+struct OutputForecast {
+    std::int64_t frames = 0; // of fields.pvd, and as many of grid.pvd [-]
+    double seconds = 0.0;    // wall time of all output [s]
+    double bytes = 0.0;      // of the results folder at the end [byte]
+};
+
+struct Forecast {
+    std::int64_t steps = 0;    // of the shaking [-]
+    double step_seconds = 0.0; // wall time of a step [s]
+    RelaxationForecast relaxation;
+    OutputForecast output;
+    double memory = 0.0; // most that this process has held so far [byte]
+
+    double relaxation_seconds() const { return static_cast<double>(relaxation.steps) * relaxation.step_seconds; }
+    double seconds() const { return relaxation_seconds() + static_cast<double>(steps) * step_seconds + output.seconds; }
+};
+
+/// Steps that a run takes at a time step, which it shortens so that every output time is hit.
+std::int64_t count_steps(const Scene& scene, double dt);
+
+/// Step copies of the state for a few seconds and write a few frames into `scratch`, which is removed again.
+Forecast forecast_run(const AssembledCase& assembled, const std::filesystem::path& scratch);
+
+} // namespace quicksand
