@@ -56,8 +56,9 @@ std::vector<std::int32_t> materials_of_regions(const Scene& scene, const Section
     };
     std::vector<std::int32_t> materials;
     for (const Region& region : section.regions) {
-        const auto entry = std::find_if(scene.regions.begin(), scene.regions.end(),
-                                        [&](const SceneRegion& candidate) { return candidate.name == region.name; });
+        const auto entry =
+            std::find_if(scene.regions.begin(), scene.regions.end(),
+                         [&](const SceneRegion& candidate) { return candidate.name == region.name; });
         ENSURE(entry != scene.regions.end());
         materials.push_back(material_index(entry->material));
     }
@@ -67,7 +68,8 @@ std::vector<std::int32_t> materials_of_regions(const Scene& scene, const Section
 Sampling sample(const Scene& scene, const Section& section, const BackgroundGrid& grid)
 {
     if (const auto* lattice = std::get_if<LatticeSampling>(&scene.sampling)) {
-        return sample_lattice(section, grid, lattice->per_cell_x, lattice->per_cell_y, lattice->boundary_refinement);
+        return sample_lattice(section, grid, lattice->per_cell_x, lattice->per_cell_y,
+                              lattice->boundary_refinement);
     }
     return sample_mesh(section, grid);
 }
@@ -80,12 +82,13 @@ double effective_unit_weight(const Material& material, const Problem& problem)
 }
 
 /// sigma'_v = sum over the regions of thickness above x unit weight, sigma'_h = K0 sigma'_v.
-void set_initial_stress(const Problem& problem, const Section& section, const std::vector<std::int32_t>& materials,
-                        double k0, Particles& particles)
+void set_initial_stress(const Problem& problem, const Section& section,
+                        const std::vector<std::int32_t>& materials, double k0, Particles& particles)
 {
     std::vector<double> unit_weight;
     for (const std::int32_t material : materials) {
-        unit_weight.push_back(effective_unit_weight(problem.materials[static_cast<std::size_t>(material)], problem));
+        unit_weight.push_back(
+            effective_unit_weight(problem.materials[static_cast<std::size_t>(material)], problem));
     }
     const auto count = static_cast<std::ptrdiff_t>(particles.size());
 #pragma omp parallel for schedule(static)
@@ -99,7 +102,8 @@ void set_initial_stress(const Problem& problem, const Section& section, const st
     }
 }
 
-Particles make_particles(const Problem& problem, const Sampling& sampling, const std::vector<std::int32_t>& materials)
+Particles make_particles(const Problem& problem, const Sampling& sampling,
+                         const std::vector<std::int32_t>& materials)
 {
     Particles particles;
     resize(particles, sampling.domains.size(), problem.water.has_value());
@@ -164,8 +168,9 @@ void check_sampling(const Sampling& sampling, AssembledCase& assembled)
                                         "choose a smaller cell_size, or more particles_per_cell"));
     }
     if (sampling.domains.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
-        assembled.warnings.add(error_at(assembled.scene.grid_place, "sampling", "there are too many material points",
-                                        "at most 2147483647", "choose a larger cell_size"));
+        assembled.warnings.add(error_at(assembled.scene.grid_place, "sampling",
+                                        "there are too many material points", "at most 2147483647",
+                                        "choose a larger cell_size"));
     }
     throw_errors(assembled.warnings, assembled.scene);
 }

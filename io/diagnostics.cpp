@@ -71,14 +71,15 @@ void render_finding(const Diagnostic& finding, std::string_view source, std::ost
     const SourcePlace& place = finding.place;
     text << place.file.string();
     if (place.line > 0) text << ':' << place.line << ':' << place.column;
-    text << (finding.severity == Severity::error ? ": error[" : ": warning[") << finding.kind << "]: " << finding.what
-         << '\n';
+    text << (finding.severity == Severity::error ? ": error[" : ": warning[") << finding.kind
+         << "]: " << finding.what << '\n';
     if (place.line > 0 && !source.empty()) text << quote(line_of(source, place.line), place);
     if (!finding.expected.empty()) text << "expected: " << finding.expected << '\n';
     if (!finding.hint.empty()) text << "hint: " << finding.hint << '\n';
     if (finding.severity == Severity::warning && !finding.key.empty()) {
         const char quote_mark = finding.key.find('"') == std::string::npos ? '"' : '\'';
-        text << "to accept it: accept = [" << quote_mark << finding.key << quote_mark << "] at the top of the scene\n";
+        text << "to accept it: accept = [" << quote_mark << finding.key << quote_mark
+             << "] at the top of the scene\n";
     }
 }
 
@@ -108,13 +109,20 @@ std::size_t edit_distance(std::string_view a, std::string_view b)
 
 } // namespace
 
-Diagnostic error_at(SourcePlace place, std::string kind, std::string what, std::string expected, std::string hint)
+Diagnostic error_at(SourcePlace place, std::string kind, std::string what, std::string expected,
+                    std::string hint)
 {
-    return {Severity::error, std::move(kind), std::move(place), std::move(what), std::move(expected), std::move(hint), ""};
+    return {Severity::error,
+            std::move(kind),
+            std::move(place),
+            std::move(what),
+            std::move(expected),
+            std::move(hint),
+            ""};
 }
 
-Diagnostic warning_at(SourcePlace place, std::string key, std::string kind, std::string what, std::string expected,
-                      std::string hint)
+Diagnostic warning_at(SourcePlace place, std::string key, std::string kind, std::string what,
+                      std::string expected, std::string hint)
 {
     return {Severity::warning,   std::move(kind), std::move(place), std::move(what),
             std::move(expected), std::move(hint), std::move(key)};
@@ -153,7 +161,8 @@ std::string Diagnostics::render(std::string_view source) const
     for (const Diagnostic* finding : order) {
         const bool is_error = finding->severity == Severity::error;
         const int count = is_error ? ++errors : ++warnings[finding->kind];
-        if (count <= (is_error ? most_errors : most_warnings_of_a_kind)) render_finding(*finding, source, text);
+        if (count <= (is_error ? most_errors : most_warnings_of_a_kind))
+            render_finding(*finding, source, text);
     }
     if (errors > most_errors) text << count_of(errors - most_errors, "error") << '\n';
     for (const auto& [kind, count] : warnings) {

@@ -1,4 +1,5 @@
-// Messages about the user's input: collected, then shown together with the place, the source line and a caret.
+// Messages about the user's input: collected, then shown together with the place, the source line and a
+// caret.
 #pragma once
 
 #include "io/scene.hpp"

@@ -13,8 +13,8 @@
 
 namespace quicksand {
 
-/// Place of a value in a text file, 1-based. Line 0 when it is not in the file: then `file` still says where to
-/// look, for a value of the command line as --set 'text'.
+/// Place of a value in a text file, 1-based. Line 0 when it is not in the file: then `file` still says where
+/// to look, for a value of the command line as --set 'text'.
 struct SourcePlace {
     std::filesystem::path file;
     int line = 0;

@@ -19,7 +19,10 @@ struct Entry {
 
 class DocumentCheck {
 public:
-    DocumentCheck(const DocumentNode& document, Diagnostics& findings) : document_(document), findings_(findings) {}
+    DocumentCheck(const DocumentNode& document, Diagnostics& findings)
+        : document_(document), findings_(findings)
+    {
+    }
 
     SceneValues check();
 
@@ -37,8 +40,8 @@ private:
 
     const DocumentNode& document_;
     Diagnostics& findings_;
-    std::map<std::string, Entry> entries_;  // what the document holds
-    std::set<std::string> suspected_;       // paths that a misspelt key probably meant
+    std::map<std::string, Entry> entries_; // what the document holds
+    std::set<std::string> suspected_;      // paths that a misspelt key probably meant
     SceneValues values_;
 };
 
@@ -48,7 +51,10 @@ std::string header(const KeyPath& path, const SceneKey* key = nullptr)
     return "[" + join_path(path) + (named ? ".NAME" : "") + "]";
 }
 
-bool is_table(const SceneKey& key) { return key.type == ValueType::table || key.type == ValueType::named_tables; }
+bool is_table(const SceneKey& key)
+{
+    return key.type == ValueType::table || key.type == ValueType::named_tables;
+}
 
 KeyPath operator+(KeyPath path, std::string_view part)
 {
@@ -88,7 +94,7 @@ void DocumentCheck::refuse_unknown(const DocumentNode& child, const KeyPath& tab
                            child_is_table ? "unknown-table" : "unknown-key",
                            (child_is_table ? "unknown table " + header(table + child.name)
                                            : "unknown key '" + child.name + "'" + where),
-                           "one of " + list_words(known), hint));
+                           one_of(known), hint));
 }
 
 void DocumentCheck::collect_child(const DocumentNode& child, const KeyPath& path)
@@ -103,7 +109,8 @@ void DocumentCheck::collect_child(const DocumentNode& child, const KeyPath& path
     } else {
         entries_[join_path(path)] = {path, key, nullptr};
         const std::string lines = "a table, that is a line " + header(path, key) + " and its keys below it";
-        findings_.add(error_at(child.place, "type", join_path(path) + " is " + describe_kind(child.kind), lines));
+        findings_.add(
+            error_at(child.place, "type", join_path(path) + " is " + describe_kind(child.kind), lines));
     }
 }
 
@@ -128,8 +135,8 @@ bool DocumentCheck::condition_holds(const SceneKey& key, const KeyPath& table, c
     const std::string path = join_path(table + last_part(key.pattern));
     if (key.saturated_only && !entries_.contains("water")) {
         if (node != nullptr) {
-            findings_.add(warning_at(node->name_place, path, "unused", path + " has no effect in a dry scene", "",
-                                     "add a table [water], or remove the key"));
+            findings_.add(warning_at(node->name_place, path, "unused", path + " has no effect in a dry scene",
+                                     "", "add a table [water], or remove the key"));
         }
         return false;
     }
@@ -139,9 +146,9 @@ bool DocumentCheck::condition_holds(const SceneKey& key, const KeyPath& table, c
     const bool holds = std::find(key.when.words.begin(), key.when.words.end(), *word) != key.when.words.end();
     if (!holds && node != nullptr) {
         const std::string sibling(key.when.sibling);
-        findings_.add(error_at(node->name_place, "unused-key",
-                               path + " is not used with " + sibling + " = \"" + *word + "\"", "",
-                               "remove it, or set " + sibling + " = \"" + std::string(key.when.words.front()) + "\""));
+        findings_.add(error_at(
+            node->name_place, "unused-key", path + " is not used with " + sibling + " = \"" + *word + "\"",
+            "", "remove it, or set " + sibling + " = \"" + std::string(key.when.words.front()) + "\""));
     }
     return holds;
 }
@@ -158,20 +165,23 @@ void DocumentCheck::refuse_missing(const SceneKey& key, const Entry& table)
         return;
     }
     const std::string unit(si_symbol(key.dimension));
-    const std::string hint = key.pattern == "scene_version" ? "begin the scene with the line scene_version = 1" : "";
+    const std::string hint =
+        key.pattern == "scene_version" ? "begin the scene with the line scene_version = 1" : "";
     findings_.add(error_at(place, "missing-key",
                            (table.path.empty() ? "the scene" : header(table.path)) + " has no " +
                                std::string(last_part(key.pattern)),
-                           std::string(last_part(key.pattern)) + (unit.empty() ? "" : " [" + unit + "]") + ": " +
-                               std::string(key.doc),
+                           std::string(last_part(key.pattern)) + (unit.empty() ? "" : " [" + unit + "]") +
+                               ": " + std::string(key.doc),
                            hint));
 }
 
-void DocumentCheck::put(const SceneKey& key, const std::string& path, SceneValue value, const DocumentNode* node)
+void DocumentCheck::put(const SceneKey& key, const std::string& path, SceneValue value,
+                        const DocumentNode* node)
 {
-    values_.keys.push_back({path, value_text(value), std::string(si_symbol(key.dimension)), std::string(key.doc),
-                            node != nullptr});
-    values_.by_path[path] = {std::move(value), node != nullptr, node != nullptr ? node->place : SourcePlace()};
+    values_.keys.push_back({path, value_text(value), std::string(si_symbol(key.dimension)),
+                            std::string(key.doc), node != nullptr});
+    values_.by_path[path] = {std::move(value), node != nullptr,
+                             node != nullptr ? node->place : SourcePlace()};
 }
 
 void DocumentCheck::put_default(const SceneKey& key, const KeyPath& table, const std::string& path)

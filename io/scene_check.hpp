@@ -22,21 +22,24 @@ struct FoundValue {
 
 struct NamedTable {
     std::string name;
-    std::string path; // "materials.sand"
+    std::string path;  // "materials.sand"
     SourcePlace place; // of its header
 };
 
 /// The values of a scene by their paths. Where the scene has errors, some are missing.
 struct SceneValues {
     std::map<std::string, FoundValue> by_path;
-    std::map<std::string, SourcePlace> tables;             // given tables and the places of their headers
-    std::map<std::string, std::vector<NamedTable>> named;  // by "materials", in the order of the file
-    std::vector<ResolvedKey> keys;                         // in the order of the reference
+    std::map<std::string, SourcePlace> tables;            // given tables and the places of their headers
+    std::map<std::string, std::vector<NamedTable>> named; // by "materials", in the order of the file
+    std::vector<ResolvedKey> keys;                        // in the order of the reference
 
     bool has_table(const std::string& path) const { return tables.contains(path); }
     bool has(const std::string& path) const { return by_path.contains(path); }
     bool given(const std::string& path) const { return has(path) && by_path.at(path).given; }
-    SourcePlace place(const std::string& path) const { return has(path) ? by_path.at(path).place : SourcePlace(); }
+    SourcePlace place(const std::string& path) const
+    {
+        return has(path) ? by_path.at(path).place : SourcePlace();
+    }
 
     /// The value when it is there and of this type.
     template <class Type>

@@ -50,8 +50,12 @@ void copy_value(const toml::node& source, DocumentNode& node)
         node.kind = Kind::number;
         node.number = source.as_floating_point()->get();
         break;
-    case toml::node_type::boolean: node.kind = Kind::boolean; break;
-    default: node.kind = Kind::date; break;
+    case toml::node_type::boolean:
+        node.kind = Kind::boolean;
+        break;
+    default:
+        node.kind = Kind::date;
+        break;
     }
 }
 
@@ -65,9 +69,11 @@ DocumentNode copy_node(const std::filesystem::path& file, const toml::node& sour
             node.children.back().name = key.str();
             node.children.back().name_place = place_of(file, key.source());
         }
-        std::sort(node.children.begin(), node.children.end(), [](const DocumentNode& a, const DocumentNode& b) {
-            return std::tie(a.name_place.line, a.name_place.column) < std::tie(b.name_place.line, b.name_place.column);
-        });
+        std::sort(node.children.begin(), node.children.end(),
+                  [](const DocumentNode& a, const DocumentNode& b) {
+                      return std::tie(a.name_place.line, a.name_place.column) <
+                             std::tie(b.name_place.line, b.name_place.column);
+                  });
     } else if (const toml::array* array = source.as_array()) {
         node.kind = Kind::array;
         for (const toml::node& item : *array) node.children.push_back(copy_node(file, item));
@@ -83,7 +89,8 @@ std::string syntax_hint(std::string_view message)
     const auto says = [&](std::string_view part) { return message.find(part) != std::string_view::npos; };
     if (says("saw ','")) return "the decimal mark is a point: 1.5";
     if (says("cannot redefine")) return "keep one of the two";
-    if (says("expected a comment or whitespace")) return "a quantity with a unit stands in quotes: \"60 kPa\"";
+    if (says("expected a comment or whitespace"))
+        return "a quantity with a unit stands in quotes: \"60 kPa\"";
     if (says("could not determine value type")) return "text stands in quotes: \"sand\"";
     if (says("expected decimal digit")) return "write a digit on both sides of the point: 0.5";
     if (says("expected value, saw")) return "give the key a value, or put # before the line";
@@ -94,15 +101,18 @@ std::string syntax_hint(std::string_view message)
 Diagnostic syntax_error(const std::filesystem::path& file, const toml::parse_error& error)
 {
     std::string what(error.description());
-    if (const auto start = what.find(": "); start != std::string::npos && what.starts_with("Error while parsing")) {
+    if (const auto start = what.find(": ");
+        start != std::string::npos && what.starts_with("Error while parsing")) {
         what.erase(0, start + 2);
     }
     const bool duplicate = what.find("cannot redefine") != std::string::npos;
-    return error_at(place_of(file, error.source()), duplicate ? "duplicate-key" : "syntax", what, "", syntax_hint(what));
+    return error_at(place_of(file, error.source()), duplicate ? "duplicate-key" : "syntax", what, "",
+                    syntax_hint(what));
 }
 
 /// Parse one text; nothing, and a finding, when it is no TOML.
-std::optional<DocumentNode> parse(const std::filesystem::path& file, std::string_view text, Diagnostics& findings)
+std::optional<DocumentNode> parse(const std::filesystem::path& file, std::string_view text,
+                                  Diagnostics& findings)
 {
     try {
         return copy_node(file, toml::parse(text));

@@ -6,8 +6,10 @@
 #include "io/scene_text.hpp"
 #include "solver/failure.hpp"
 
+#include <algorithm>
 #include <array>
 #include <system_error>
+#include <tuple>
 
 namespace quicksand {
 
@@ -49,8 +51,8 @@ const std::vector<NamedTable>& tables_named(const SceneValues& values, const std
 void fill_geometry(const SceneValues& values, const std::filesystem::path& folder, Scene& scene)
 {
     scene.geometry_file = folder / values.text("geometry.file");
-    scene.geometry_parameters =
-        values.find<std::map<std::string, double>>("geometry.parameters").value_or(std::map<std::string, double>());
+    scene.geometry_parameters = values.find<std::map<std::string, double>>("geometry.parameters")
+                                    .value_or(std::map<std::string, double>());
     scene.geometry_place = values.place("geometry.file");
     scene.cell_size = values.number("grid.cell_size");
     scene.grid_origin = values.find<Vector2>("grid.origin");
@@ -86,7 +88,8 @@ void fill_ground(const SceneValues& values, Scene& scene)
 {
     scene.gravity = values.number("gravity.acceleration");
     if (values.has_table("water")) {
-        scene.water = Water{values.number("water.density"), values.number("water.bulk_modulus"), values.number("water.level")};
+        scene.water = Water{values.number("water.density"), values.number("water.bulk_modulus"),
+                            values.number("water.level")};
         scene.water_place = values.place("water.level");
     }
     for (const NamedTable& table : tables_named(values, "materials")) {
@@ -102,8 +105,9 @@ void fill_ground(const SceneValues& values, Scene& scene)
     }
     scene.k0 = values.number("initial.k0");
     if (values.has_table("relaxation")) {
-        scene.relaxation = RelaxationControls{values.number("relaxation.damping"), values.number("relaxation.tolerance"),
-                                              values.find<std::int64_t>("relaxation.max_steps").value_or(0)};
+        scene.relaxation =
+            RelaxationControls{values.number("relaxation.damping"), values.number("relaxation.tolerance"),
+                               values.find<std::int64_t>("relaxation.max_steps").value_or(0)};
     }
 }
 
@@ -115,7 +119,8 @@ void fill_run(const SceneValues& values, Scene& scene)
         probe.kind = word_of(probe_words, values.text(table.path + ".kind"));
         probe.at = values.find<Vector2>(table.path + ".at");
         probe.to = values.find<Vector2>(table.path + ".to");
-        probe.points = static_cast<int>(values.find<std::int64_t>(table.path + ".points").value_or(probe.points));
+        probe.points =
+            static_cast<int>(values.find<std::int64_t>(table.path + ".points").value_or(probe.points));
         probe.place = table.place;
         scene.probes.push_back(std::move(probe));
     }
@@ -141,10 +146,13 @@ void check_geometry_file(const SceneValues& values, const std::filesystem::path&
         }
         std::sort(drawings.begin(), drawings.end());
         const std::string nearest = nearest_name(file.filename().string(), drawings);
-        refuse("there is no file '" + file.string() + "'", "a drawing; its path is relative to the scene file",
+        refuse("there is no file '" + file.string() + "'",
+               "a drawing; its path is relative to the scene file",
                nearest.empty() ? "" : "did you mean " + nearest + "?");
-    } else if (const auto suffix = file.extension(); suffix != ".geo" && suffix != ".geo_unrolled" && suffix != ".msh") {
-        refuse("'" + file.string() + "' is not a drawing that can be read", "a file .geo, .geo_unrolled or .msh", "");
+    } else if (const auto suffix = file.extension();
+               suffix != ".geo" && suffix != ".geo_unrolled" && suffix != ".msh") {
+        refuse("'" + file.string() + "' is not a drawing that can be read",
+               "a file .geo, .geo_unrolled or .msh", "");
     }
 }
 
@@ -152,11 +160,13 @@ void check_geometry_file(const SceneValues& values, const std::filesystem::path&
 bool check_version(const DocumentNode& document, Diagnostics& findings)
 {
     const DocumentNode* version = document.find("scene_version");
-    if (version == nullptr || version->kind != DocumentNode::Kind::integer || version->integer == 1) return true;
+    if (version == nullptr || version->kind != DocumentNode::Kind::integer || version->integer == 1)
+        return true;
     const std::string number = std::to_string(version->integer);
-    findings.add(error_at(version->place, "version", "scene_version " + number + " is not known to this program",
-                          "scene_version = 1",
-                          version->integer > 1 ? "the scene is for a newer version of Quicksand" : "the first version is 1"));
+    findings.add(error_at(version->place, "version",
+                          "scene_version " + number + " is not known to this program", "scene_version = 1",
+                          version->integer > 1 ? "the scene is for a newer version of Quicksand"
+                                               : "the first version is 1"));
     return false;
 }
 

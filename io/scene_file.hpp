@@ -12,10 +12,10 @@ namespace quicksand {
 
 /// One resolved key for `check`: what is used and where it comes from.
 struct ResolvedKey {
-    std::string path;  // "materials.sand.porosity"
-    std::string value; // in SI, as text
-    std::string unit;  // "" when dimensionless
-    std::string doc;   // one line
+    std::string path;   // "materials.sand.porosity"
+    std::string value;  // in SI, as text
+    std::string unit;   // "" when dimensionless
+    std::string doc;    // one line
     bool given = false; // false: the default
 };
 

@@ -63,7 +63,8 @@ std::string parse_rows(std::string_view text, std::vector<Row>& rows, std::vecto
             rows.push_back(*row);
             lines.push_back(number);
         } else if (!header_allowed) {
-            return "line " + std::to_string(number) + " is not two numbers: " + std::string(line.substr(0, 60));
+            return "line " + std::to_string(number) +
+                   " is not two numbers: " + std::string(line.substr(0, 60));
         }
         header_allowed = false;
     }
@@ -108,8 +109,8 @@ BaseMotion read_sine(const SceneValues& values, Diagnostics& findings)
     sine.ramp_cycles = values.number("motion.ramp_cycles");
     if (sine.ramp_cycles > sine.cycles) {
         findings.add(warning_at(values.place("motion.ramp_cycles"), "motion.ramp_cycles", "motion",
-                                "the amplitude rises over " + number_text(sine.ramp_cycles) + " cycles but there are only " +
-                                    number_text(sine.cycles)));
+                                "the amplitude rises over " + number_text(sine.ramp_cycles) +
+                                    " cycles but there are only " + number_text(sine.cycles)));
     }
     return sine;
 }
@@ -126,8 +127,9 @@ std::optional<SampledMotion> read_motion_record(const std::filesystem::path& fil
     std::string what = parse_rows(*text, rows, lines);
     if (what.empty()) what = check_spacing(rows, lines);
     if (!what.empty()) {
-        findings.add(error_at(place, "motion", "'" + file.string() + "': " + what,
-                              "rows `time_s, acceleration` at equal intervals from time 0, at most one header line"));
+        findings.add(
+            error_at(place, "motion", "'" + file.string() + "': " + what,
+                     "rows `time_s, acceleration` at equal intervals from time 0, at most one header line"));
         return std::nullopt;
     }
     SampledMotion motion;
@@ -144,7 +146,8 @@ BaseMotion read_motion(const SceneValues& values, const std::filesystem::path& f
     if (kind == "file" && values.has("motion.file")) {
         const double unit = values.text("motion.unit") == "g" ? standard_gravity : 1.0;
         const double factor = unit * values.find<double>("motion.scale").value_or(1.0);
-        const auto record = read_motion_record(folder / values.text("motion.file"), factor, values.place("motion.file"), findings);
+        const auto record = read_motion_record(folder / values.text("motion.file"), factor,
+                                               values.place("motion.file"), findings);
         if (record) motion = *record;
     }
     check_shaking(values, motion, findings);

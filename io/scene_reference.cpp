@@ -6,36 +6,46 @@ namespace quicksand {
 
 namespace {
 
-std::string with_unit(double value, Dimension dimension) { return quantity_text(value, dimension); }
-
 std::string type_text(const SceneKey& key)
 {
     switch (key.type) {
     case ValueType::table:
-    case ValueType::named_tables: return "table";
-    case ValueType::number: return "number";
-    case ValueType::integer: return "whole number";
-    case ValueType::text: return "text";
-    case ValueType::path: return "file name";
-    case ValueType::point: return "[x, y]";
-    case ValueType::count_pair: return "[whole number, whole number]";
-    case ValueType::number_table: return "table of numbers";
-    case ValueType::text_list: return "list of texts";
-    case ValueType::word: break;
+    case ValueType::named_tables:
+        return "table";
+    case ValueType::number:
+        return "number";
+    case ValueType::integer:
+        return "whole number";
+    case ValueType::text:
+        return "text";
+    case ValueType::path:
+        return "file name";
+    case ValueType::point:
+        return "[x, y]";
+    case ValueType::count_pair:
+        return "[whole number, whole number]";
+    case ValueType::number_table:
+        return "table of numbers";
+    case ValueType::text_list:
+        return "list of texts";
+    case ValueType::word:
+        break;
     }
     std::string words;
-    for (const std::string_view word : key.words) words += (words.empty() ? "\"" : ", \"") + std::string(word) + '"';
+    for (const std::string_view word : key.words)
+        words += (words.empty() ? "\"" : ", \"") + std::string(word) + '"';
     return words;
 }
 
 std::string default_text(const SceneKey& key)
 {
-    if (key.required) return key.when.sibling.empty() && !key.saturated_only ? "required" : "required then";
+    if (key.required) return "required";
     if (key.default_value) {
         const bool words = key.type == ValueType::text || key.type == ValueType::word;
         return words ? '"' + value_text(*key.default_value) + '"' : value_text(*key.default_value);
     }
-    if (!key.derived.key.empty()) return std::string(key.derived.key) + " / " + number_text(key.derived.divisor);
+    if (!key.derived.key.empty())
+        return std::string(key.derived.key) + " / " + number_text(key.derived.divisor);
     std::string choices;
     for (const auto& [word, choice] : key.derived.choices) {
         choices += (choices.empty() ? "" : ", ") + std::string(choice) + " on " + std::string(word);
@@ -43,13 +53,17 @@ std::string default_text(const SceneKey& key)
     return choices.empty() ? std::string(key.default_note) : choices;
 }
 
-bool is_bounded(const Interval& interval) { return interval.lower > Interval().lower || interval.upper < Interval().upper; }
+bool is_bounded(const Interval& interval)
+{
+    return interval.lower > Interval().lower || interval.upper < Interval().upper;
+}
 
 std::string use_text(const SceneKey& key)
 {
     std::string text;
     for (const std::string_view word : key.when.words) {
-        text += (text.empty() ? "with " + std::string(key.when.sibling) + " = " : " or ") + '"' + std::string(word) + '"';
+        text += (text.empty() ? "with " + std::string(key.when.sibling) + " = " : " or ") + '"' +
+                std::string(word) + '"';
     }
     if (key.saturated_only) text += (text.empty() ? "" : ", ") + std::string("with [water]");
     return text;
@@ -62,7 +76,10 @@ std::string shown_path(std::string_view pattern)
     return path;
 }
 
-bool is_table(const SceneKey& key) { return key.type == ValueType::table || key.type == ValueType::named_tables; }
+bool is_table(const SceneKey& key)
+{
+    return key.type == ValueType::table || key.type == ValueType::named_tables;
+}
 
 struct Property {
     std::string name, text;
@@ -87,14 +104,17 @@ std::vector<Property> properties(const SceneKey& key)
 
 std::string describe(const Interval& interval, Dimension dimension)
 {
-    const bool below = interval.upper < Interval().upper, above = interval.lower > Interval().lower;
-    const std::string lower = with_unit(interval.lower, dimension), upper = with_unit(interval.upper, dimension);
+    const bool below = interval.upper<Interval().upper, above = interval.lower> Interval().lower;
+    const std::string lower = quantity_text(interval.lower, dimension),
+                      upper = quantity_text(interval.upper, dimension);
     if (interval.lower == interval.upper) return lower;
     if (below && above && !interval.lower_open && !interval.upper_open) {
         return number_text(interval.lower) + " to " + upper;
     }
     std::string text;
-    if (above) text = (interval.lower_open ? "more than " : "at least ") + (below ? number_text(interval.lower) : lower);
+    if (above)
+        text = (interval.lower_open ? "more than " : "at least ") +
+               (below ? number_text(interval.lower) : lower);
     if (below && above) text += " and ";
     if (below) text += (interval.upper_open ? "less than " : "at most ") + upper;
     return text.empty() ? "any number" : text;
@@ -145,7 +165,8 @@ std::string describe_keys(std::string_view pattern)
         }
         text += path + "\n    " + std::string(key.doc) + "\n";
         for (const Property& property : properties(key)) {
-            text += "    " + property.name + std::string(9 - property.name.size(), ' ') + property.text + "\n";
+            text +=
+                "    " + property.name + std::string(9 - property.name.size(), ' ') + property.text + "\n";
         }
     }
     return text;
@@ -153,7 +174,8 @@ std::string describe_keys(std::string_view pattern)
 
 std::string keys_markdown()
 {
-    constexpr std::string_view columns = "\n| key | is | default | range | usual | meaning |\n|---|---|---|---|---|---|\n";
+    constexpr std::string_view columns =
+        "\n| key | is | default | range | usual | meaning |\n|---|---|---|---|---|---|\n";
     std::string text = "# Scene keys\n" + std::string(columns);
     for (const SceneKey& key : scene_keys()) {
         if (is_table(key)) {
@@ -165,8 +187,9 @@ std::string keys_markdown()
         std::map<std::string, std::string> cells;
         for (const Property& property : properties(key)) cells[property.name] = property.text;
         if (!cells["used"].empty()) cells["default"] += " (" + cells["used"] + ")";
-        text += "| `" + std::string(last_part(key.pattern)) + "` | " + cells["is"] + " | " + cells["default"] + " | " +
-                cells["range"] + " | " + cells["usual"] + " | " + std::string(key.doc) + " |\n";
+        text += "| `" + std::string(last_part(key.pattern)) + "` | " + cells["is"] + " | " +
+                cells["default"] + " | " + cells["range"] + " | " + cells["usual"] + " | " +
+                std::string(key.doc) + " |\n";
     }
     return text;
 }

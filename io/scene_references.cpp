@@ -38,23 +38,25 @@ void check_materials(const SceneValues& values, Diagnostics& findings)
     const auto materials = tables_named(values, "materials");
     const auto known = names(materials);
     std::vector<std::string> used;
+    bool all_known = true;
     for (const NamedTable& region : tables_named(values, "regions")) {
         const std::string path = region.path + ".material", name = values.text(path);
         if (name.empty()) continue;
         used.push_back(name);
         if (contains(known, name)) continue;
+        all_known = false;
         findings.add(error_at(values.place(path), "unknown-material", "there is no material \"" + name + "\"",
-                              known.empty() ? "" : "one of " + list_words(known), did_you_mean(name, known)));
+                              one_of(known), did_you_mean(name, known)));
     }
     for (const NamedTable& material : materials) {
-        if (contains(used, material.name)) continue;
+        if (!all_known || contains(used, material.name)) continue; // a misspelt name may have meant this one
         findings.add(warning_at(material.place, material.path, "unused",
                                 "no region is made of the material \"" + material.name + "\""));
     }
 }
 
-void check_tied_boundary(const SceneValues& values, const NamedTable& boundary, const std::vector<std::string>& known,
-                         Diagnostics& findings)
+void check_tied_boundary(const SceneValues& values, const NamedTable& boundary,
+                         const std::vector<std::string>& known, Diagnostics& findings)
 {
     const std::string path = boundary.path + ".tied_to", partner = values.text(path);
     if (partner.empty()) return;
@@ -66,12 +68,14 @@ void check_tied_boundary(const SceneValues& values, const NamedTable& boundary, 
         return;
     }
     if (!contains(known, partner)) {
-        refuse("there is no boundary \"" + partner + "\"", "one of " + list_words(known), did_you_mean(partner, known));
+        refuse("there is no boundary \"" + partner + "\"", one_of(known), did_you_mean(partner, known));
         return;
     }
     const std::string partner_path = join_path({"boundaries", partner});
-    const std::string soil = values.text(partner_path + ".soil"), back = values.text(partner_path + ".tied_to");
-    const std::string lines = "write soil = \"tied\" and tied_to = \"" + boundary.name + "\" in [" + partner_path + "]";
+    const std::string soil = values.text(partner_path + ".soil"),
+                      back = values.text(partner_path + ".tied_to");
+    const std::string lines =
+        "write soil = \"tied\" and tied_to = \"" + boundary.name + "\" in [" + partner_path + "]";
     if (!soil.empty() && soil != "tied") {
         refuse("\"" + partner + "\" is " + soil + ", not tied", "two curves tied to each other", lines);
     } else if (!back.empty() && back != boundary.name) {
@@ -109,12 +113,15 @@ void check_probes(const SceneValues& values, Diagnostics& findings)
         for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         const auto [other, is_new] = spellings.emplace(lower, name);
         if (!is_new) {
-            findings.add(error_at(probe.place, "name", "the probes \"" + other->second + "\" and \"" + name +
-                                                           "\" differ in capitals only"));
+            findings.add(error_at(probe.place, "name",
+                                  "the probes \"" + other->second + "\" and \"" + name +
+                                      "\" differ in capitals only"));
         }
-        const auto at = values.find<Vector2>(probe.path + ".at"), to = values.find<Vector2>(probe.path + ".to");
+        const auto at = values.find<Vector2>(probe.path + ".at"),
+                   to = values.find<Vector2>(probe.path + ".to");
         if (at && to && *at == *to) {
-            findings.add(error_at(values.place(probe.path + ".to"), "range", "the profile has no length", "a point other than at"));
+            findings.add(error_at(values.place(probe.path + ".to"), "range", "the profile has no length",
+                                  "a point other than at"));
         }
     }
 }
@@ -140,10 +147,12 @@ void check_accepted(const SceneValues& values, Diagnostics& findings)
 {
     std::vector<std::string> known;
     for (const ResolvedKey& key : values.keys) known.push_back(key.path);
-    for (const std::string& accepted : values.find<std::vector<std::string>>("accept").value_or(std::vector<std::string>())) {
+    for (const std::string& accepted :
+         values.find<std::vector<std::string>>("accept").value_or(std::vector<std::string>())) {
         if (find_key(split_path(accepted)) != nullptr) continue;
         const std::string nearest = nearest_name(accepted, known);
-        findings.add(error_at(values.place("accept"), "unknown-key", "accept names \"" + accepted + "\", which is no key",
+        findings.add(error_at(values.place("accept"), "unknown-key",
+                              "accept names \"" + accepted + "\", which is no key",
                               "the path of a key, as materials.sand.porosity",
                               nearest.empty() ? "" : "did you mean \"" + nearest + "\"?"));
     }

@@ -1,190 +1,8 @@
 #include "io/scene_schema.hpp"
 
-#include <array>
-
 namespace quicksand {
 
 namespace {
-
-using enum ValueType;
-
-constexpr Interval positive{.lower = 0.0, .lower_open = true};
-constexpr Interval not_negative{.lower = 0.0};
-constexpr Interval fraction{.lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true};
-
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> water_beside_soil = {
-    {{"free", "drained"}, {"fixed", "impervious"}, {"roller", "impervious"}, {"tied", "impervious"}}};
-
-const Condition sine_only{"kind", {"sine"}};
-const Condition file_only{"kind", {"file"}};
-const Condition profile_only{"kind", {"profile"}};
-
-std::vector<SceneKey> geometry_keys()
-{
-    return {
-        {.pattern = "geometry", .type = table, .required = true, .doc = "The drawn cross-section."},
-        {.pattern = "geometry.file", .type = path, .required = true,
-         .doc = "Drawing with named physical groups: .geo, .geo_unrolled or .msh, relative to the scene."},
-        {.pattern = "geometry.parameters", .type = number_table,
-         .default_value = std::map<std::string, double>{},
-         .doc = "Values that replace those of the drawing's DefineConstant, as { crest_width = 0.15 }."},
-        {.pattern = "grid", .type = table, .required = true, .doc = "The background grid of square cells."},
-        {.pattern = "grid.cell_size", .dimension = Dimension::length, .required = true, .allowed = positive,
-         .plausible = {1e-3, 10.0}, .doc = "Edge length of a cell."},
-        {.pattern = "grid.origin", .type = point, .dimension = Dimension::length,
-         .default_note = "lower left corner of the section", .doc = "Lower left corner of the grid."},
-        {.pattern = "grid.cells", .type = count_pair, .default_note = "what covers the section, with room above it",
-         .allowed = {1.0, 100'000.0}, .doc = "Cells along x and y."},
-        {.pattern = "sampling", .type = table, .doc = "How the section is filled with material points."},
-        {.pattern = "sampling.kind", .type = word, .default_value = "lattice", .words = {"lattice", "mesh"},
-         .doc = "A regular lattice in every cell, or one point per quadrilateral of a mesh."},
-        {.pattern = "sampling.particles_per_cell", .type = count_pair, .default_value = std::pair<int, int>(3, 3),
-         .allowed = {1.0, 10.0}, .plausible = {2.0, 4.0}, .when = {"kind", {"lattice"}},
-         .doc = "Material points of a cell along x and y."},
-        {.pattern = "sampling.boundary_refinement", .type = integer, .default_value = std::int64_t{1},
-         .allowed = {1.0, 8.0}, .when = {"kind", {"lattice"}},
-         .doc = "Splits, each way, of the domains that the outline cuts; 1 is none."},
-        {.pattern = "sampling.quad_size", .dimension = Dimension::length, .derived = {.key = "grid.cell_size", .divisor = 3.0},
-         .allowed = positive, .when = {"kind", {"mesh"}}, .doc = "Edge length of the quadrilaterals."},
-    };
-}
-
-std::vector<SceneKey> ground_keys()
-{
-    return {
-        {.pattern = "gravity", .type = table, .doc = "Gravity, acting downward."},
-        {.pattern = "gravity.acceleration", .dimension = Dimension::acceleration, .default_value = standard_gravity,
-         .allowed = not_negative, .plausible = {1.0, 2000.0},
-         .doc = "Magnitude; a centrifuge at 120 times gravity is \"120 g\"."},
-        {.pattern = "water", .type = table, .default_note = "a dry scene", .doc = "Pore water; without it the scene is dry."},
-        {.pattern = "water.density", .dimension = Dimension::density, .default_value = 1000.0, .allowed = positive,
-         .plausible = {900.0, 1100.0}, .doc = "Density of the pore water."},
-        {.pattern = "water.bulk_modulus", .dimension = Dimension::pressure, .default_value = 2.2e9,
-         .allowed = positive, .plausible = {1e8, 3e9}, .doc = "Bulk modulus of the pore water."},
-        {.pattern = "water.level", .dimension = Dimension::length, .required = true,
-         .doc = "y of the still water surface; the soil lies below it."},
-        {.pattern = "materials", .type = named_tables, .required = true, .doc = "The soils."},
-        {.pattern = "materials.*", .type = table, .doc = "One soil, under a name of your choice."},
-        {.pattern = "materials.*.model", .type = word, .required = true, .words = {"linear_elastic"},
-         .doc = "Stress-strain law of the grain skeleton."},
-        {.pattern = "materials.*.shear_modulus", .dimension = Dimension::pressure, .required = true,
-         .allowed = positive, .plausible = {1e5, 1e10}, .doc = "Shear modulus G of the skeleton."},
-        {.pattern = "materials.*.poisson_ratio", .required = true,
-         .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.0, 0.49},
-         .doc = "Drained Poisson's ratio of the skeleton."},
-        {.pattern = "materials.*.grain_density", .dimension = Dimension::density, .default_value = 2650.0,
-         .allowed = positive, .plausible = {2000.0, 3300.0},
-         .caution = "this is the density of the grains, not of the soil", .doc = "Density of the grains."},
-        {.pattern = "materials.*.porosity", .required = true, .allowed = fraction, .plausible = {0.2, 0.7},
-         .caution = "porosity is the void volume over the total volume, not the void ratio",
-         .doc = "Initial porosity: void volume over total volume."},
-        {.pattern = "materials.*.hydraulic_conductivity", .dimension = Dimension::velocity, .required = true,
-         .saturated_only = true, .allowed = positive, .plausible = {1e-10, 1.0},
-         .caution = "this is Darcy's conductivity in m/s, not the intrinsic permeability in m2 and not k/gamma_w",
-         .doc = "Darcy's conductivity k, at the gravity of conductivity_gravity."},
-        {.pattern = "materials.*.conductivity_gravity", .dimension = Dimension::acceleration, .saturated_only = true,
-         .default_value = standard_gravity, .allowed = positive, .plausible = {1.0, 2000.0},
-         .doc = "Gravity at which the conductivity was measured; at 120 g a wrong pairing is a factor 120."},
-        {.pattern = "regions", .type = named_tables, .required = true, .doc = "What the physical surfaces are made of."},
-        {.pattern = "regions.*", .type = table, .doc = "One physical surface of the drawing, by its name."},
-        {.pattern = "regions.*.material", .type = text, .required = true, .doc = "Name of a material."},
-    };
-}
-
-std::vector<SceneKey> condition_keys()
-{
-    return {
-        {.pattern = "boundaries", .type = named_tables, .doc = "Conditions on the physical curves."},
-        {.pattern = "boundaries.*", .type = table, .doc = "One physical curve of the drawing, by its name."},
-        {.pattern = "boundaries.*.soil", .type = word, .default_value = "free",
-         .words = {"free", "fixed", "roller", "tied"},
-         .doc = "free, fixed, roller (slides along the curve) or tied to the opposite side."},
-        {.pattern = "boundaries.*.water", .type = word, .saturated_only = true,
-         .derived = {.sibling = "soil", .choices = water_beside_soil},
-         .words = {"drained", "impervious"}, .doc = "Whether pore water passes the curve."},
-        {.pattern = "boundaries.*.tied_to", .type = text, .required = true, .when = {"soil", {"tied"}},
-         .doc = "The opposite curve, whose points of equal height move together with this one's."},
-        {.pattern = "initial", .type = table, .doc = "The initial state."},
-        {.pattern = "initial.k0", .default_value = 0.5, .allowed = not_negative, .plausible = {0.2, 2.0},
-         .doc = "Horizontal over vertical effective stress."},
-        {.pattern = "relaxation", .type = table, .default_note = "the run starts from the K0 state as it is",
-         .doc = "A damped stage in which the soil settles under gravity before the shaking."},
-        {.pattern = "relaxation.damping", .default_value = 0.7, .allowed = fraction, .plausible = {0.05, 0.95},
-         .doc = "Local damping factor."},
-        {.pattern = "relaxation.tolerance", .default_value = 1e-6, .allowed = fraction, .plausible = {1e-12, 1e-2},
-         .doc = "Out-of-balance force over body force at which the stage ends."},
-        {.pattern = "relaxation.max_steps", .type = integer, .default_value = std::int64_t{200'000},
-         .allowed = {1.0, 1e12}, .doc = "Steps after which a stage that has not settled is a failure."},
-    };
-}
-
-std::vector<SceneKey> motion_keys()
-{
-    return {
-        {.pattern = "motion", .type = table, .doc = "Horizontal acceleration of the base."},
-        {.pattern = "motion.kind", .type = word, .default_value = "none", .words = {"none", "sine", "file"},
-         .doc = "No shaking, a sine wave, or a record."},
-        {.pattern = "motion.amplitude", .dimension = Dimension::acceleration, .required = true, .allowed = positive,
-         .plausible = {0.01, 1000.0}, .when = sine_only, .doc = "Peak acceleration of the sine wave."},
-        {.pattern = "motion.frequency", .dimension = Dimension::frequency, .required = true, .allowed = positive,
-         .plausible = {0.05, 500.0}, .when = sine_only, .doc = "Frequency of the sine wave."},
-        {.pattern = "motion.cycles", .default_note = "without end", .allowed = positive, .when = sine_only,
-         .doc = "Number of cycles."},
-        {.pattern = "motion.ramp_cycles", .default_value = 0.0, .allowed = not_negative, .when = sine_only,
-         .doc = "Cycles over which the amplitude rises from zero."},
-        {.pattern = "motion.file", .type = path, .required = true, .when = file_only,
-         .doc = "Two columns, time in s and acceleration, comma separated, at equal intervals; a header line may be there."},
-        {.pattern = "motion.unit", .type = word, .required = true, .words = {"m/s2", "g"}, .when = file_only,
-         .doc = "Unit of the record's accelerations."},
-        {.pattern = "motion.scale", .default_value = 1.0, .plausible = {-10.0, 10.0}, .when = file_only,
-         .doc = "Factor on the record's accelerations."},
-    };
-}
-
-std::vector<SceneKey> run_keys()
-{
-    return {
-        {.pattern = "run", .type = table, .required = true, .doc = "The run."},
-        {.pattern = "run.end_time", .dimension = Dimension::time, .required = true, .allowed = positive,
-         .plausible = {1e-4, 1e4}, .doc = "End of the run, counted from the start of the shaking."},
-        {.pattern = "output", .type = table, .doc = "What is written, and how often."},
-        {.pattern = "output.frame_interval", .dimension = Dimension::time, .derived = {.key = "run.end_time", .divisor = 50.0},
-         .allowed = positive, .doc = "Time between the frames of fields.pvd."},
-        {.pattern = "output.probe_interval", .dimension = Dimension::time, .derived = {.key = "run.end_time", .divisor = 500.0},
-         .allowed = positive, .doc = "Time between the rows of a probe."},
-        {.pattern = "output.history_interval", .dimension = Dimension::time,
-         .derived = {.key = "run.end_time", .divisor = 200.0}, .allowed = positive,
-         .doc = "Time between the rows of history.csv and steps.csv."},
-        {.pattern = "output.checkpoint_interval", .dimension = Dimension::time, .default_value = 60.0,
-         .allowed = positive, .doc = "Wall time between checkpoints."},
-        {.pattern = "probes", .type = named_tables, .doc = "Places whose histories are written."},
-        {.pattern = "probes.*", .type = table, .doc = "One probe; its name is that of its CSV file."},
-        {.pattern = "probes.*.kind", .type = word, .default_value = "material",
-         .words = {"material", "fixed", "surface", "profile"},
-         .doc = "Rides with the soil, stays in space, follows the surface at an x, or samples a line."},
-        {.pattern = "probes.*.at", .type = point, .dimension = Dimension::length,
-         .default_note = "the physical point of the probe's name", .doc = "Place of the probe; start of a profile."},
-        {.pattern = "probes.*.to", .type = point, .dimension = Dimension::length, .required = true,
-         .when = profile_only, .doc = "End of a profile."},
-        {.pattern = "probes.*.points", .type = integer, .default_value = std::int64_t{21},
-         .allowed = {2.0, 10'000.0}, .when = profile_only, .doc = "Points of a profile."},
-    };
-}
-
-std::vector<SceneKey> all_keys()
-{
-    std::vector<SceneKey> keys = {
-        {.pattern = "scene_version", .type = integer, .required = true, .allowed = {1.0, 1.0},
-         .doc = "Version of the scene format: 1."},
-        {.pattern = "title", .type = text, .default_value = "", .doc = "One line on what the scene shows."},
-        {.pattern = "accept", .type = text_list, .default_value = std::vector<std::string>{},
-         .doc = "Keys whose warnings you have read and accept, as [\"materials.sand.porosity\"]."},
-    };
-    for (const auto& part : {geometry_keys(), ground_keys(), condition_keys(), motion_keys(), run_keys()}) {
-        keys.insert(keys.end(), part.begin(), part.end());
-    }
-    return keys;
-}
 
 bool matches(std::string_view pattern, const KeyPath& path)
 {
@@ -200,17 +18,12 @@ bool matches(std::string_view pattern, const KeyPath& path)
 
 bool is_bare(std::string_view part)
 {
-    return !part.empty() && part.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
-                                std::string_view::npos;
+    return !part.empty() &&
+           part.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
+               std::string_view::npos;
 }
 
 } // namespace
-
-const std::vector<SceneKey>& scene_keys()
-{
-    static const std::vector<SceneKey> keys = all_keys();
-    return keys;
-}
 
 std::string join_path(const KeyPath& path)
 {

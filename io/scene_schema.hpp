@@ -69,7 +69,7 @@ struct SceneKey {
     ValueType type = ValueType::number;
     Dimension dimension = Dimension::none;
     bool required = false;
-    bool saturated_only = false;             // of no use without [water]
+    bool saturated_only = false;                  // of no use without [water]
     std::optional<SceneValue> default_value = {}; // none: required, derived or simply absent
     DerivedDefault derived = {};
     std::string_view default_note = {}; // what absence means, where there is no default value

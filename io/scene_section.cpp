@@ -32,7 +32,7 @@ Diagnostic unknown_name(const SourcePlace& place, const std::string& what, const
 {
     const std::string nearest = nearest_name(name, drawn);
     return error_at(place, "unknown-group", "the drawing has no " + what + " \"" + name + "\"",
-                    drawn.empty() ? "the drawing has no " + what + " at all" : "one of " + list_words(drawn),
+                    drawn.empty() ? "the drawing has no " + what + " at all" : one_of(drawn),
                     nearest.empty() ? "" : "did you mean \"" + nearest + "\"?");
 }
 
@@ -79,7 +79,8 @@ std::string describe_misfit(const NamedCurve& curve, const BackgroundGrid& grid)
         if (std::abs(offset) > std::abs(largest)) largest = offset;
     }
     if (std::abs(largest) <= on_line * grid.cell_size) return "";
-    return "lies " + number_text(std::round(std::abs(largest) * 1e9) * 1e-9) + " m from the nearest grid line";
+    return "lies " + number_text(std::round(std::abs(largest) * 1e9) * 1e-9) +
+           " m from the nearest grid line";
 }
 
 Boundary make_boundary(const SceneBoundary* condition, const NamedCurve& curve)
@@ -103,8 +104,8 @@ struct Side {
 };
 
 /// The curve as one vertical line on a grid line; a finding when it is none.
-std::optional<Side> find_side(const SceneBoundary& boundary, const NamedCurve& curve, const BackgroundGrid& grid,
-                              Diagnostics& findings)
+std::optional<Side> find_side(const SceneBoundary& boundary, const NamedCurve& curve,
+                              const BackgroundGrid& grid, Diagnostics& findings)
 {
     const double tolerance = on_line * grid.cell_size;
     Side side;
@@ -118,17 +119,19 @@ std::optional<Side> find_side(const SceneBoundary& boundary, const NamedCurve& c
         }
     }
     if (!vertical) {
-        findings.add(error_at(boundary.place, "tied", "the tied curve \"" + boundary.name + "\" is not a vertical line",
+        findings.add(error_at(boundary.place, "tied",
+                              "the tied curve \"" + boundary.name + "\" is not a vertical line",
                               "a vertical straight line on a grid line"));
         return std::nullopt;
     }
     const double offset = offset_from_line(side.x, grid.origin.x(), grid.cell_size);
     if (std::abs(offset) <= tolerance) return side;
-    findings.add(error_at(boundary.place, "tied",
-                          "the tied curve \"" + boundary.name + "\" at x = " + number_text(side.x) +
-                              " m is not on a grid line: the nearest is at x = " + number_text(side.x - offset) + " m",
-                          "a vertical straight line on a grid line",
-                          "choose a cell size that divides the width, or set origin in [grid]"));
+    findings.add(
+        error_at(boundary.place, "tied",
+                 "the tied curve \"" + boundary.name + "\" at x = " + number_text(side.x) +
+                     " m is not on a grid line: the nearest is at x = " + number_text(side.x - offset) + " m",
+                 "a vertical straight line on a grid line",
+                 "choose a cell size that divides the width, or set origin in [grid]"));
     return std::nullopt;
 }
 
@@ -146,7 +149,8 @@ void check_names(const Scene& scene, const Section& section, Diagnostics& findin
         if (probe.at || contains(points, probe.name)) continue;
         Diagnostic finding = unknown_name(probe.place, "physical point", probe.name, points);
         finding.what = "the probe \"" + probe.name + "\" has no place: " + finding.what;
-        if (finding.hint.empty()) finding.hint = "give the probe at = [x, y], or name a physical point after it";
+        if (finding.hint.empty())
+            finding.hint = "give the probe at = [x, y], or name a physical point after it";
         findings.add(std::move(finding));
     }
 }
@@ -163,24 +167,26 @@ std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section
         const std::string misfit = describe_misfit(*curve, grid);
         if (misfit.empty()) continue;
         const std::string soil = condition.soil == SoilCondition::fixed ? "fixed" : "roller";
-        findings.add(warning_at(condition.place, join_path({"boundaries", condition.name}), "off-grid",
-                                "the " + soil + " curve \"" + condition.name + "\" " + misfit,
-                                "a wall on grid lines; off them the condition acts at the nodes nearest to the wall"));
+        findings.add(
+            warning_at(condition.place, join_path({"boundaries", condition.name}), "off-grid",
+                       "the " + soil + " curve \"" + condition.name + "\" " + misfit,
+                       "a wall on grid lines; off them the condition acts at the nodes nearest to the wall"));
     }
     const auto written = names_of(scene.boundaries);
     for (const NamedCurve& curve : section.curves) {
         if (contains(written, curve.name)) continue;
         boundaries.push_back(make_boundary(nullptr, curve));
         const std::string path = join_path({"boundaries", curve.name});
-        findings.add(warning_at(scene.geometry_place, path, "unnamed-boundary",
-                                "the physical curve \"" + curve.name + "\" has no conditions: it is free and drained",
-                                "", "say so with a table [" + path + "] and soil = \"free\""));
+        findings.add(
+            warning_at(scene.geometry_place, path, "unnamed-boundary",
+                       "the physical curve \"" + curve.name + "\" has no conditions: it is free and drained",
+                       "", "say so with a table [" + path + "] and soil = \"free\""));
     }
     return boundaries;
 }
 
-std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& section, const BackgroundGrid& grid,
-                                         Diagnostics& findings)
+std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& section,
+                                         const BackgroundGrid& grid, Diagnostics& findings)
 {
     std::vector<const SceneBoundary*> tied;
     for (const SceneBoundary& boundary : scene.boundaries) {
@@ -195,13 +201,17 @@ std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& sect
     if (!first || !second) return std::nullopt;
 
     const auto refuse = [&](const std::string& what, const std::string& expected) {
-        findings.add(error_at(tied[1]->place, "tied", "the tied curves \"" + tied[0]->name + "\" and \"" + tied[1]->name + "\" " + what, expected));
+        findings.add(error_at(
+            tied[1]->place, "tied",
+            "the tied curves \"" + tied[0]->name + "\" and \"" + tied[1]->name + "\" " + what, expected));
         return std::nullopt;
     };
     const double tolerance = on_line * grid.cell_size;
-    if (std::abs(first->lower - second->lower) > tolerance || std::abs(first->upper - second->upper) > tolerance) {
-        return refuse("reach from y = " + number_text(first->lower) + " to " + number_text(first->upper) + " m and from " +
-                          number_text(second->lower) + " to " + number_text(second->upper) + " m",
+    if (std::abs(first->lower - second->lower) > tolerance ||
+        std::abs(first->upper - second->upper) > tolerance) {
+        return refuse("reach from y = " + number_text(first->lower) + " to " + number_text(first->upper) +
+                          " m and from " + number_text(second->lower) + " to " + number_text(second->upper) +
+                          " m",
                       "two vertical lines of the same heights");
     }
     if (std::abs(first->x - second->x) <= tolerance) {
@@ -219,8 +229,8 @@ void check_water_level(const Scene& scene, const Section& section, Diagnostics& 
     const double tolerance = 1e-9 * (section.upper - section.lower).maxCoeff();
     if (section.upper.y() <= scene.water->level + tolerance) return;
     findings.add(error_at(scene.water_place, "water-level",
-                          "the soil reaches up to y = " + number_text(section.upper.y()) + " m, the water only to " +
-                              number_text(scene.water->level) + " m",
+                          "the soil reaches up to y = " + number_text(section.upper.y()) +
+                              " m, the water only to " + number_text(scene.water->level) + " m",
                           "a level of at least " + number_text(section.upper.y()) + " m",
                           "this version runs sections wholly below the water, or dry ones without [water]"));
 }

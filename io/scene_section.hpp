@@ -19,8 +19,8 @@ std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section
                                       Diagnostics& findings);
 
 /// The tied sides of the scene, if any; they must be vertical, on grid lines and of equal height.
-std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& section, const BackgroundGrid& grid,
-                                         Diagnostics& findings);
+std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& section,
+                                         const BackgroundGrid& grid, Diagnostics& findings);
 
 /// Check that the whole section lies below the water level, if there is water.
 void check_water_level(const Scene& scene, const Section& section, Diagnostics& findings);

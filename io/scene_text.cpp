@@ -14,7 +14,9 @@ constexpr std::uintmax_t largest_file = 64ULL << 20U; // [byte]
 /// Bytes of the UTF-8 character at the start of the text; 0 when it is none.
 std::size_t character_length(std::string_view text)
 {
-    const auto byte = [&](std::size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U; };
+    const auto byte = [&](std::size_t k) {
+        return k < text.size() ? static_cast<unsigned char>(text[k]) : 0U;
+    };
     const auto follows = [&](std::size_t k) { return (byte(k) & 0xC0U) == 0x80U; };
     const unsigned first = byte(0), second = byte(1);
     if (first < 0x80U) return 1;
@@ -44,8 +46,8 @@ public:
             return length;
         }
         if (delimiter_.empty()) return open(text, length);
-        if (delimiter_[0] == '"' && c == '\\' && text.size() > 1 && static_cast<unsigned char>(text[1]) < 0x80U &&
-            text[1] != '\n') {
+        if (delimiter_[0] == '"' && c == '\\' && text.size() > 1 &&
+            static_cast<unsigned char>(text[1]) < 0x80U && text[1] != '\n') {
             return 2;
         }
         if (text.starts_with(delimiter_)) {
@@ -95,10 +97,13 @@ std::optional<std::string> read_text_file(const std::filesystem::path& file, con
     };
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
-    if (!std::filesystem::exists(status)) return refuse("does not exist", "paths are relative to " + (place.line > 0 ? std::string("the scene file") : "the current folder " + std::filesystem::current_path(error).string()));
-    if (std::filesystem::is_directory(status)) return refuse("is a folder, not a file", "name the file in it");
+    if (!std::filesystem::exists(status)) {
+        return refuse("does not exist", place.line > 0 ? "the path is relative to the scene file" : "");
+    }
+    if (std::filesystem::is_directory(status)) return refuse("is a folder, not a file", "name a file in it");
     if (!std::filesystem::is_regular_file(status)) return refuse("is not a regular file", "");
-    if (std::filesystem::file_size(file, error) > largest_file) return refuse("is larger than 64 MiB", "is it the right file?");
+    if (std::filesystem::file_size(file, error) > largest_file)
+        return refuse("is larger than 64 MiB", "is it the right file?");
     std::ifstream stream(file, std::ios::binary);
     std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
     if (!stream) return refuse("cannot be read", "check its permissions");
@@ -123,7 +128,8 @@ void check_characters(const std::filesystem::path& file, std::string_view text, 
         if (length > 1 && quotes.outside()) {
             const auto character = text.substr(0, length);
             findings.add(error_at(place, "syntax",
-                                  "the character '" + std::string(character) + "' is allowed in quotes and comments only",
+                                  "the character '" + std::string(character) +
+                                      "' is allowed in quotes and comments only",
                                   "", advice_on(character)));
         }
         const std::size_t taken = quotes.advance(text, length);

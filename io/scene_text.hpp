@@ -9,7 +9,8 @@
 
 namespace quicksand {
 
-/// Read a text file of at most 64 MiB. What is wrong is added to `findings` at `place`; then the result is empty.
+/// Read a text file of at most 64 MiB. What is wrong is added to `findings` at `place`; then the result is
+/// empty.
 std::optional<std::string> read_text_file(const std::filesystem::path& file, const SourcePlace& place,
                                           Diagnostics& findings);
 

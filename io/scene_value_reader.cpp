@@ -1,5 +1,7 @@
 #include "io/scene_value_reader.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace quicksand {
@@ -35,7 +37,8 @@ private:
 
     bool check_range(double value, const DocumentNode& node, const ReadNumber* read);
     void check_plausibility(const ReadNumber& number, const DocumentNode& node);
-    void refuse(const DocumentNode& node, const char* kind, std::string what, std::string expected, std::string hint = "")
+    void refuse(const DocumentNode& node, const char* kind, std::string what, std::string expected,
+                std::string hint = "")
     {
         findings_.add(error_at(node.place, kind, std::move(what), std::move(expected), std::move(hint)));
     }
@@ -53,7 +56,23 @@ std::string list_units(Dimension dimension)
 {
     std::vector<std::string> symbols;
     for (const Unit& unit : units_of(dimension)) symbols.emplace_back(unit.symbol);
-    return list_words(symbols);
+    return one_of(symbols);
+}
+
+std::string lower_case(std::string_view text)
+{
+    std::string lower(text);
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return lower;
+}
+
+/// The unit that differs from the text in capitals only, "" when there is none.
+std::string unit_in_other_case(std::string_view text, Dimension dimension)
+{
+    for (const Unit& unit : units_of(dimension)) {
+        if (lower_case(unit.symbol) == lower_case(text)) return std::string(unit.symbol);
+    }
+    return "";
 }
 
 /// How a number of the dimension is written.
@@ -83,22 +102,14 @@ std::optional<ReadNumber> ValueReader::read_quantity(const DocumentNode& node)
         return std::nullopt;
     }
     if (quantity->unit.empty()) {
-        refuse(node, "unit", path_ + " stands in quotes but has no unit", "one of " + list_units(key_.dimension),
-               "without quotes, " + number_text(quantity->number) + " is in SI units");
+        refuse(node, "unit", path_ + " stands in quotes but has no unit", list_units(key_.dimension),
+               "without quotes, " + quantity_text(quantity->number, key_.dimension) + " is understood");
         return std::nullopt;
     }
     const auto value = to_si(*quantity, key_.dimension);
     if (!value) {
-        const std::string nearest = [&] {
-            for (const Unit& unit : units_of(key_.dimension)) {
-                std::string lower_unit(unit.symbol), lower_text = quantity->unit;
-                for (char& c : lower_unit) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-                for (char& c : lower_text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-                if (lower_unit == lower_text) return std::string(unit.symbol);
-            }
-            return std::string();
-        }();
-        refuse(node, "unit", path_ + " has the unit '" + quantity->unit + "'", "one of " + list_units(key_.dimension),
+        const std::string nearest = unit_in_other_case(quantity->unit, key_.dimension);
+        refuse(node, "unit", path_ + " has the unit '" + quantity->unit + "'", list_units(key_.dimension),
                nearest.empty() ? "" : "did you mean " + nearest + "?");
         return std::nullopt;
     }
@@ -109,7 +120,8 @@ std::optional<ReadNumber> ValueReader::read_quantity(const DocumentNode& node)
     return ReadNumber{*value, *quantity};
 }
 
-/// The quantity that was probably meant: the same number in a unit that makes `wanted` hold; "" when none does.
+/// The quantity that was probably meant: the same number in a unit that makes `wanted` hold; "" when none
+/// does.
 std::string likely_quantity(const Quantity& written, Dimension dimension, const Interval& wanted)
 {
     if (dimension == Dimension::none && wanted.contains(written.number / 100.0)) {
@@ -127,8 +139,9 @@ std::string likely_quantity(const Quantity& written, Dimension dimension, const 
 bool ValueReader::check_range(double value, const DocumentNode& node, const ReadNumber* read)
 {
     if (key_.allowed.contains(value)) return true;
-    const std::string likely =
-        read != nullptr && key_.dimension == Dimension::none ? likely_quantity(read->written, key_.dimension, key_.plausible) : "";
+    const std::string likely = read != nullptr && key_.dimension == Dimension::none
+                                   ? likely_quantity(read->written, key_.dimension, key_.plausible)
+                                   : "";
     refuse(node, "range", path_ + " = " + quantity_text(value, key_.dimension) + " is out of range",
            describe(key_.allowed, key_.dimension), likely.empty() ? "" : "did you mean " + likely + "?");
     return false;
@@ -188,12 +201,12 @@ std::optional<SceneValue> ValueReader::read_word(const DocumentNode& node)
 {
     const std::vector<std::string> words(key_.words.begin(), key_.words.end());
     if (node.kind != Kind::text) {
-        refuse_type(node, "one of " + list_words(words));
+        refuse_type(node, one_of(words));
         return std::nullopt;
     }
     if (std::find(words.begin(), words.end(), node.text) != words.end()) return node.text;
     const std::string nearest = nearest_name(node.text, words);
-    refuse(node, "word", path_ + " = \"" + node.text + "\" is not known", "one of " + list_words(words),
+    refuse(node, "word", path_ + " = \"" + node.text + "\" is not known", one_of(words),
            nearest.empty() ? "" : "did you mean \"" + nearest + "\"?");
     return std::nullopt;
 }
@@ -256,17 +269,25 @@ std::optional<SceneValue> ValueReader::read_text_list(const DocumentNode& node)
 std::optional<SceneValue> ValueReader::read(const DocumentNode& node)
 {
     switch (key_.type) {
-    case ValueType::number: return read_number(node);
-    case ValueType::integer: return read_integer(node);
+    case ValueType::number:
+        return read_number(node);
+    case ValueType::integer:
+        return read_integer(node);
     case ValueType::text:
-    case ValueType::path: return read_text(node);
-    case ValueType::word: return read_word(node);
+    case ValueType::path:
+        return read_text(node);
+    case ValueType::word:
+        return read_word(node);
     case ValueType::point:
-    case ValueType::count_pair: return read_pair(node);
-    case ValueType::number_table: return read_number_table(node);
-    case ValueType::text_list: return read_text_list(node);
+    case ValueType::count_pair:
+        return read_pair(node);
+    case ValueType::number_table:
+        return read_number_table(node);
+    case ValueType::text_list:
+        return read_text_list(node);
     case ValueType::table:
-    case ValueType::named_tables: break;
+    case ValueType::named_tables:
+        break;
     }
     return std::nullopt;
 }
@@ -282,22 +303,28 @@ std::optional<SceneValue> read_value(const SceneKey& key, const std::string& pat
 std::string describe_kind(DocumentNode::Kind kind)
 {
     switch (kind) {
-    case Kind::table: return "a table";
-    case Kind::array: return "a list";
-    case Kind::text: return "text";
+    case Kind::table:
+        return "a table";
+    case Kind::array:
+        return "a list";
+    case Kind::text:
+        return "text";
     case Kind::integer:
-    case Kind::number: return "a number";
-    case Kind::boolean: return "true or false";
-    case Kind::date: return "a date or time";
+    case Kind::number:
+        return "a number";
+    case Kind::boolean:
+        return "true or false";
+    case Kind::date:
+        return "a date or time";
     }
     return "";
 }
 
-std::string list_words(const std::vector<std::string>& words)
+std::string one_of(const std::vector<std::string>& words)
 {
     std::string list;
     for (const std::string& word : words) list += (list.empty() ? "" : ", ") + word;
-    return list;
+    return words.size() > 1 ? "one of " + list : list;
 }
 
 } // namespace quicksand

@@ -10,14 +10,15 @@
 
 namespace quicksand {
 
-/// Read the value of the key at `path`. What is wrong with it is added to `findings`; then the result is empty.
+/// Read the value of the key at `path`. What is wrong with it is added to `findings`; then the result is
+/// empty.
 std::optional<SceneValue> read_value(const SceneKey& key, const std::string& path, const DocumentNode& node,
                                      Diagnostics& findings);
 
 /// "text", "a table", ...: what a node is, in words.
 std::string describe_kind(DocumentNode::Kind kind);
 
-/// "a, b, c"
-std::string list_words(const std::vector<std::string>& words);
+/// "one of a, b, c", or "a" where there is no choice.
+std::string one_of(const std::vector<std::string>& words);
 
 } // namespace quicksand
