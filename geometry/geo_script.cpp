@@ -255,4 +255,15 @@ void refuse_side_effects(const std::filesystem::path& file)
     for (const Script& script : read_scripts(file)) refuse_side_effects_of(script);
 }
 
+void refuse_unfinished_line(const std::filesystem::path& file)
+{
+    for (const Script& script : read_scripts(file)) {
+        const std::size_t last = script.code.find_last_not_of(" \t\r\f");
+        if (last == std::string::npos || script.code[last] == '\n') continue;
+        throw InputError(fmt::format("{}:{}: the last line has no line end, and gmsh would pass over it\n"
+                                     "hint: end the file with an empty line",
+                                     script.file.string(), script.line_of(last)));
+    }
+}
+
 } // namespace quicksand

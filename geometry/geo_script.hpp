@@ -19,4 +19,7 @@ std::vector<std::string> declared_parameters(const std::filesystem::path& file);
 /// Throws InputError where the file, or one that it includes, would start a program or write a file.
 void refuse_side_effects(const std::filesystem::path& file);
 
+/// Throws InputError where a file's last line has no line end: gmsh passes over such a line without a word.
+void refuse_unfinished_line(const std::filesystem::path& file);
+
 } // namespace quicksand

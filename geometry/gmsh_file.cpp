@@ -124,6 +124,7 @@ void check_file(const GmshRequest& request)
     }
     if (head.find('\0') != std::string::npos) throw InputError(fmt::format("{}: is not a text file", name));
     refuse_side_effects(request.file);
+    refuse_unfinished_line(request.file);
     check_parameters(request, declared_parameters(request.file));
 }
 

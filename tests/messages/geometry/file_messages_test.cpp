@@ -1,0 +1,231 @@
+// What a user reads when a .geo or .msh file is wrong.
+#include "solver/failure.hpp"
+
+#include <algorithm>
+
+#include "tests/unit/geometry/scratch_files.hpp"
+
+namespace quicksand {
+namespace {
+
+const std::string square =
+    R"(Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0}; Point(3) = {1, 1, 0}; Point(4) = {0, 1, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+)";
+const std::string surface = "Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};\n";
+const std::string named = "Physical Surface(\"sand\") = {1};\n";
+
+struct Mistake {
+    std::string name;
+    std::string file; // its name in the scratch folder
+    std::string text;
+    std::vector<std::string> message; // parts of what must be said
+    GmshRequest request = {};
+};
+
+std::string message_of(GmshRequest request)
+{
+    try {
+        read_gmsh_file(request);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+void expect_parts(const std::string& message, const std::vector<std::string>& parts)
+{
+    for (const std::string& part : parts)
+        EXPECT_NE(message.find(part), std::string::npos) << "no " << part << " in\n" << message;
+}
+
+GmshRequest with_parameter(const std::string& name)
+{
+    GmshRequest request;
+    request.parameters[name] = 2.0;
+    return request;
+}
+
+GmshRequest with_limit(double seconds)
+{
+    GmshRequest request;
+    request.time_limit = seconds;
+    return request;
+}
+
+GmshRequest with_quads(double size)
+{
+    GmshRequest request;
+    request.quad_size = size;
+    return request;
+}
+
+const std::string mesh_2_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
+const std::string two_nodes = "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n";
+
+class FileMessages : public testing::TestWithParam<Mistake> {};
+
+TEST_P(FileMessages, SayWhatIsWrongAndWhere)
+{
+    const ScratchFolder folder;
+    GmshRequest request = GetParam().request;
+    request.file = folder.write(GetParam().file, GetParam().text);
+    const std::string message = message_of(request);
+    expect_parts(message, GetParam().message);
+    expect_parts(message, {GetParam().file});
+    if (std::getenv("QUICKSAND_SHOW_MESSAGES") != nullptr) std::cout << message << "\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Geo, FileMessages,
+    testing::Values(
+        Mistake{
+            "syntax", "dike.geo", square + "Curve Lop(1) = {1, 2};\n", {"'dike.geo', line 3: syntax error"}},
+        Mistake{"unknown_variable",
+                "dike.geo",
+                "Point(1) = {0, hight, 0};\n",
+                {"line 1: Unknown variable 'hight'"}},
+        Mistake{"missing_curve",
+                "dike.geo",
+                square + "Curve Loop(1) = {1, 2, 4}; Plane Surface(1) = {1};\n" + named,
+                {"Curve Loop 1 is wrong", "line 3"}},
+        Mistake{"unknown_curve",
+                "dike.geo",
+                square + "Curve Loop(1) = {1, 2, 3, 9}; Plane Surface(1) = {1};\n" + named,
+                {"Unknown curve 9", "line 3"}},
+        Mistake{"repeated_name",
+                "dike.geo",
+                square + surface + named +
+                    "Physical Surface(\"sand\") += {1};\n"
+                    "Physical Surface(\"sand\") = {1};\n",
+                {"already exists", "line 6"}},
+        Mistake{"empty", "dike.geo", "", {"the file is empty"}},
+        Mistake{"only_comments",
+                "dike.geo",
+                "// nothing\n",
+                {"it has no surface", "Physical Surface(\"sand\") = {1};"}},
+        Mistake{"no_physical_surface",
+                "dike.geo",
+                square + surface,
+                {"it has 1 surface(s) but no physical surface", "hint: name soil"}},
+        Mistake{"unnamed_group",
+                "dike.geo",
+                square + surface + "Physical Surface(7) = {1};\n",
+                {"Physical Surface(7) has no name", "Physical Surface(\"name\", 7) = {...};"}},
+        Mistake{"unnamed_curve",
+                "dike.geo",
+                square + surface + named + "Physical Curve(3) = {1};\n",
+                {"Physical Curve(3) has no name"}},
+        Mistake{"group_of_nothing",
+                "dike.geo",
+                square + surface + named + "Physical Curve(\"base\") = {17};\n",
+                {"Physical Curve(\"base\") is empty", "does not exist"}},
+        Mistake{"out_of_plane",
+                "dike.geo",
+                "Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {1,0,1};\n"
+                "Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,1};\n"
+                "Curve Loop(1) = {1,2,3}; Plane Surface(1) = {1};\n" +
+                    named,
+                {"Physical Surface(\"sand\") leaves the plane z = 0 at (1.0", "x and y, with y up"}},
+        Mistake{"rubbish",
+                "dike.geo",
+                std::string("\x7f"
+                            "ELF\0\0\x01\x02\n",
+                            9),
+                {"is not a text file"}},
+        Mistake{"starts_a_program",
+                "dike.geo",
+                square + "SystemCall \"rm -rf ~\";\n",
+                {"dike.geo:3: SystemCall starts another program", "hint: a section needs geometry only"}},
+        Mistake{"writes_a_file",
+                "dike.geo",
+                "Printf(\"x\") > \"notes.txt\";\n",
+                {"dike.geo:1: Printf with > writes a file"}},
+        Mistake{"no_line_end",
+                "dike.geo",
+                square + surface + "Physical Surface(\"sand\") = {1};",
+                {"dike.geo:4: the last line has no line end", "empty line"}},
+        Mistake{"endless_recursion",
+                "dike.geo",
+                "Macro deeper\n x = 1;\n Call deeper;\nReturn\nCall deeper;\n",
+                {"gmsh was stopped after 1 s", "loop or macro without end"},
+                with_limit(1.0)},
+        Mistake{"misspelt_parameter",
+                "dike.geo",
+                "DefineConstant[ crest_width = 3, slope = 2 ];\n" + square + surface + named,
+                {"declares no parameter \"crest_with\"", "did you mean \"crest_width\"?",
+                 "declared: crest_width, slope"},
+                with_parameter("crest_with")},
+        Mistake{"parameter_of_none",
+                "dike.geo",
+                "width = 3;\n" + square + surface + named,
+                {"declares no parameter \"width\"", "it declares none", "DefineConstant[ width = 1.0 ];"},
+                with_parameter("width")},
+        Mistake{"crossing_when_meshed",
+                "dike.geo",
+                "Point(1)={0,0,0}; Point(2)={1,0,0}; Point(3)={0,1,0}; Point(4)={1,1,0};\n"
+                "Line(1)={1,2}; Line(2)={2,3}; Line(3)={3,4}; Line(4)={4,1};\n" +
+                    surface + named,
+                {"cannot mesh the section", "meets itself at (0.5, 0.5)"},
+                with_quads(0.1)},
+        Mistake{"too_many_quads",
+                "dike.geo",
+                square + surface + named,
+                {"quadrilaterals of 0.0001", "more than 4000000"},
+                with_quads(1e-4)}),
+    [](const auto& one) { return one.param.name; });
+
+INSTANTIATE_TEST_SUITE_P(
+    Msh, FileMessages,
+    testing::Values(
+        Mistake{"not_a_mesh",
+                "dike.msh",
+                "Point(1) = {0, 0, 0};\n",
+                {"does not begin with $MeshFormat", "2.2 or 4.1"}},
+        Mistake{"rubbish", "dike.msh", std::string("\0\1\2\3", 4), {"is not a gmsh mesh"}},
+        Mistake{"truncated",
+                "dike.msh",
+                mesh_2_2 + "$Nodes\n3\n1 0 0 0\n2 1 0",
+                {"gmsh cannot read it", "is the file complete?"}},
+        Mistake{"without_elements", "dike.msh", mesh_2_2 + two_nodes, {"it has no surface"}},
+        Mistake{"without_names",
+                "dike.msh",
+                mesh_2_2 + two_nodes + "$Elements\n1\n1 2 2 5 1 1 2 3\n$EndElements\n",
+                {"Physical Surface(5) has no name"}},
+        Mistake{
+            "parameter", "dike.msh", mesh_2_2, {"declares no parameter \"width\""}, with_parameter("width")},
+        Mistake{"other_format", "dike.stl", "solid\n", {"a section is a .geo, .geo_unrolled or .msh file"}}),
+    [](const auto& one) { return one.param.name; });
+
+TEST(FileMessages, NameAMissingFile)
+{
+    GmshRequest request;
+    request.file = "nowhere/dike.geo";
+    expect_parts(message_of(request), {"nowhere/dike.geo: there is no such file"});
+}
+
+TEST(FileMessages, NameAFolder)
+{
+    const ScratchFolder folder;
+    GmshRequest request;
+    request.file = folder.path();
+    expect_parts(message_of(request), {folder.path().string(), "is a folder, not a .geo or .msh file"});
+}
+
+TEST(FileMessages, NameATruncatedFixture)
+{
+    const ScratchFolder folder;
+    for (const char* name : {"slope_22.msh", "slope_41.msh", "slope_41_binary.msh"}) {
+        std::ifstream stream(fixture(name), std::ios::binary);
+        const std::string whole(std::istreambuf_iterator<char>(stream), {});
+        for (const double share : {0.3, 0.6, 0.9}) {
+            GmshRequest request;
+            const auto length = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
+            request.file = folder.write(name, whole.substr(0, length));
+            expect_parts(message_of(request), {name, "hint: "});
+        }
+    }
+}
+
+} // namespace
+} // namespace quicksand
