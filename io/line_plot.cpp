@@ -2,6 +2,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/picture_gnuplot.hpp"
+#include "io/picture_ticks.hpp"
 
 #include <fmt/format.h>
 
@@ -13,9 +14,9 @@ namespace quicksand {
 namespace {
 
 // Sizes of the sheet and its margins [pixel].
-constexpr double stack_width = 1200.0, stack_panel = 170.0, stack_alone = 430.0, stack_gap = 34.0;
+constexpr double stack_width = 1200.0, stack_panel = 170.0, stack_alone = 430.0, stack_gap = 46.0;
 constexpr double beside_width = 600.0, beside_panel = 560.0;
-constexpr double left_margin = 118.0, right_margin = 36.0, top_margin = 112.0, bottom_margin = 76.0;
+constexpr double left_margin = 112.0, right_margin = 36.0, top_margin = 120.0, bottom_margin = 76.0;
 constexpr double key_margin = 210.0; // right of the axes where the key stands beside them
 
 struct Box {
@@ -91,6 +92,26 @@ std::string heading(const LinePlot& plot, const Sheet& sheet)
            label(2, plot.note, 62.0, "font ',11' textcolor rgb '#606060'");
 }
 
+/// Ticks that leave room between their labels; gnuplot's own choice where the values are all the same.
+std::string tick_step(const char* axis, const std::vector<PlotCurve>& curves,
+                      std::vector<double> PlotCurve::*values, int at_most)
+{
+    double low = INFINITY, high = -INFINITY;
+    for (const PlotCurve& curve : curves)
+        for (const double value : curve.*values)
+            if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+    if (!(high > low)) return fmt::format("set {}tics autofreq\n", axis);
+    return fmt::format("set {}tics {:g}\n", axis, nice_ticks({low, high}, at_most).step);
+}
+
+/// Where panels are stacked the y label lies above its axes, where long ones have room; else beside them.
+std::string y_label(const PlotPanel& panel, const Box& box, bool stacked, const Sheet& sheet)
+{
+    if (!stacked) return fmt::format("set ylabel {}\n", quoted(panel.y_label));
+    return fmt::format("set label 3 {} at screen {:.5f}, screen {:.5f} left\n", quoted(panel.y_label),
+                       box.left / sheet.width, 1.0 - (box.top - 13.0) / sheet.height);
+}
+
 std::string panel_commands(const LinePlot& plot, std::size_t p, const Sheet& sheet)
 {
     const PlotPanel& panel = plot.panels[p];
@@ -103,8 +124,9 @@ std::string panel_commands(const LinePlot& plot, std::size_t p, const Sheet& she
                                      1.0 - box.top / sheet.height, 1.0 - box.bottom / sheet.height);
     script += fmt::format("set format x {}\n", shows_x ? "'%g'" : "''");
     script += fmt::format("set xlabel {} offset 0,-0.3\n", shows_x ? quoted(panel.x_label) : "''");
-    script +=
-        fmt::format("set ylabel {} offset screen {:.5f},0\n", quoted(panel.y_label), stacked ? 0.0 : -0.002);
+    script += y_label(panel, box, stacked, sheet);
+    script += tick_step("y", panel.curves, &PlotCurve::y, stacked && plot.panels.size() > 1 ? 5 : 9);
+    if (!stacked) script += tick_step("x", panel.curves, &PlotCurve::x, 6);
     script += panel.key_beside ? "set key at graph 1.03, graph 1.0 left top vertical Left reverse samplen 2\n"
                                : "set key at graph 1.0, graph 1.01 right bottom horizontal samplen 2\n";
     std::string separator = "plot ";
@@ -115,7 +137,7 @@ std::string panel_commands(const LinePlot& plot, std::size_t p, const Sheet& she
                               curve.name.empty() ? "notitle" : "title " + quoted(curve.name));
         separator = ", \\\n     ";
     }
-    return script + "\nunset label 1\nunset label 2\n";
+    return script + "\nunset label 1\nunset label 2\nunset label 3\n";
 }
 
 } // namespace
@@ -146,8 +168,8 @@ std::string plot_script(const LinePlot& plot, const std::filesystem::path& png)
     script += "set minussign\n"
               "set border 15 lw 1 lc rgb '#303030'\n"
               "set tics out nomirror scale 0.6 textcolor rgb '#1a1a1a'\n"
-              "set grid lt 1 lw 0.7 lc rgb '#dddddd'\n"
-              "set autoscale xfix\n";
+              "set grid lt 1 lw 0.7 lc rgb '#dddddd'\n";
+    if (plot.arrangement == PlotArrangement::stacked) script += "set autoscale xfix\n";
     script += data_blocks(plot);
     script += "set multiplot\n" + heading(plot, sheet);
     for (std::size_t p = 0; p < plot.panels.size(); ++p) script += panel_commands(plot, p, sheet);

@@ -26,7 +26,7 @@ struct PanelPlan {
 
 const std::vector<PanelPlan> probe_plan{
     {"Excess pore pressure", "Pa", {{"excess_pore_pressure_Pa", ""}}},
-    {"Excess ratio ru", "", {{"ru", ""}}},
+    {"Excess pore pressure ratio ru", "", {{"ru", ""}}},
     {"Displacement", "m", {{"ux_m", "horizontal"}, {"uy_m", "vertical, up"}}},
     {"Velocity", "m/s", {{"vx_m_s", "horizontal"}, {"vy_m_s", "vertical, up"}}},
     {"Acceleration", "m/s²", {{"ax_m_s2", "horizontal"}, {"ay_m_s2", "vertical, up"}}},
@@ -37,9 +37,9 @@ const PanelPlan dry_plan{"Mean effective stress", "Pa", {{"mean_effective_stress
 const std::vector<PanelPlan> history_plan{
     {"Base acceleration", "m/s²", {{"base_acceleration_m_s2", ""}}},
     {"Crest settlement", "m", {{"crest_settlement_m", ""}}},
-    {"Kinetic energy", "J/m", {{"kinetic_energy_J", ""}}},
-    {"Largest excess pressure", "Pa", {{"max_excess_pore_pressure_Pa", ""}}},
-    {"Largest excess ratio ru", "", {{"max_ru", ""}}},
+    {"Kinetic energy of both phases", "J/m", {{"kinetic_energy_J", ""}}},
+    {"Largest excess pore pressure", "Pa", {{"max_excess_pore_pressure_Pa", ""}}},
+    {"Largest excess pore pressure ratio ru", "", {{"max_ru", ""}}},
 };
 
 /// None where the table has no values for it.

@@ -91,6 +91,8 @@ DisplayUnit display_unit(std::string_view unit, double magnitude)
 {
     // Below a hundredth of a per cent the powers of ten read better.
     if (unit == "%") return magnitude >= 1e-4 ? DisplayUnit{0.01, "%"} : display_unit("", magnitude);
+    // Ratios such as ru read best as they are.
+    if (unit.empty() && magnitude >= 0.01 && magnitude < 1000.0) return {};
     const Prefix prefix = prefix_for(magnitude);
     const double factor = std::pow(1000.0, prefix.thousands);
     if (unit.empty()) return {factor, std::string(prefix.power)};
