@@ -178,6 +178,15 @@ std::string list_lines(const json& lines, const fs::path& file)
     return text;
 }
 
+std::string hint_for_reading(const fs::path& file, const std::string& first_error)
+{
+    if (lower_case_extension(file) == ".msh") return "is the file complete? Save it again as MSH 2.2 or 4.1";
+    if (first_error.find("syntax error") != std::string::npos) {
+        return "is there a ; missing in the line before, or a word misspelt?";
+    }
+    return "the first line is usually the cause of the others";
+}
+
 Ring read_ring(const json& points)
 {
     Ring ring;
@@ -301,15 +310,13 @@ Section read_gmsh_file(const GmshRequest& request)
     if (!result["gmsh_errors"].empty()) {
         throw InputError(fmt::format("{}: gmsh cannot read it:{}\nhint: {}", name,
                                      list_lines(result["gmsh_errors"], request.file),
-                                     lower_case_extension(request.file) == ".msh"
-                                         ? "is the file complete? Save it again as MSH 2.2 or 4.1"
-                                         : "the first line is usually the cause of the others"));
+                                     hint_for_reading(request.file, result["gmsh_errors"][0])));
     }
     if (!result["faults"].empty()) {
-        throw InputError(
-            fmt::format("{}: the section cannot be used:{}\nhint: name soil, boundaries and points so: "
-                        "Physical Surface(\"sand\") = {{1}}; Physical Curve(\"base\") = {{1}};",
-                        name, list_lines(result["faults"], request.file)));
+        const std::string hint = result.value("hint", "");
+        throw InputError(fmt::format("{}: the section cannot be used:{}{}{}", name,
+                                     list_lines(result["faults"], request.file),
+                                     hint.empty() ? "" : "\nhint: ", hint));
     }
     const Section section = read_section(result);
     if (!result["mesh_errors"].empty()) {

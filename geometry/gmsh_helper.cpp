@@ -17,6 +17,7 @@
 #include <exception>
 #include <fstream>
 #include <set>
+#include <sstream>
 #include <string_view>
 
 namespace quicksand {
@@ -61,6 +62,14 @@ std::vector<std::string> errors_of(const Step& step)
     gmsh::logger::stop();
     if (!thrown.empty() && errors.empty()) errors.push_back(thrown);
     return errors;
+}
+
+/// A number as one writes it, six digits.
+std::string write_number(double number)
+{
+    std::ostringstream text;
+    text << number;
+    return text.str();
 }
 
 /// Add what is wrong with the groups of a dimension: without a name, or named and empty.
@@ -147,8 +156,8 @@ json flatten(const Polyline& line, const std::string& owner, json& faults)
     json points = json::array();
     for (const Point3& point : line) {
         if (!(std::abs(point[2]) <= thickness)) {
-            faults.push_back(owner + " leaves the plane z = 0 at (" + std::to_string(point[0]) + ", " +
-                             std::to_string(point[1]) + ", " + std::to_string(point[2]) +
+            faults.push_back(owner + " leaves the plane z = 0 at (" + write_number(point[0]) + ", " +
+                             write_number(point[1]) + ", " + write_number(point[2]) +
                              "); a section is drawn in x and y, with y up");
             break;
         }
@@ -279,7 +288,11 @@ void read_model(double curve_tolerance, double quad_size, json& result)
 {
     json& faults = result["faults"];
     faults = faults_of_groups();
-    if (!faults.empty()) return;
+    if (!faults.empty()) {
+        result["hint"] = "name soil, boundaries and points so: Physical Surface(\"sand\") = {1}; "
+                         "Physical Curve(\"base\") = {1};";
+        return;
+    }
 
     const bool as_elements = is_discrete(groups_of(2));
     if (as_elements) {
@@ -292,7 +305,7 @@ void read_model(double curve_tolerance, double quad_size, json& result)
 
     if (!as_elements) {
         if (drawn_area(result["surfaces"]) > most_quads * quad_size * quad_size) {
-            faults.push_back("quadrilaterals of " + std::to_string(quad_size) + " m would be more than " +
+            faults.push_back("quadrilaterals of " + write_number(quad_size) + " m would be more than " +
                              std::to_string(most_quads) + " in this section");
             return;
         }

@@ -79,8 +79,10 @@ TEST_P(FileMessages, SayWhatIsWrongAndWhere)
 INSTANTIATE_TEST_SUITE_P(
     Geo, FileMessages,
     testing::Values(
-        Mistake{
-            "syntax", "dike.geo", square + "Curve Lop(1) = {1, 2};\n", {"'dike.geo', line 3: syntax error"}},
+        Mistake{"syntax",
+                "dike.geo",
+                square + "Plane Surface(1) = {1}\n" + named,
+                {"'dike.geo', line 4: syntax error", "a ; missing in the line before"}},
         Mistake{"unknown_variable",
                 "dike.geo",
                 "Point(1) = {0, hight, 0};\n",
@@ -126,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
                 "Line(1) = {1,2}; Line(2) = {2,3}; Line(3) = {3,1};\n"
                 "Curve Loop(1) = {1,2,3}; Plane Surface(1) = {1};\n" +
                     named,
-                {"Physical Surface(\"sand\") leaves the plane z = 0 at (1.0", "x and y, with y up"}},
+                {"Physical Surface(\"sand\") leaves the plane z = 0 at (1, 0, 1)", "x and y, with y up"}},
         Mistake{"rubbish",
                 "dike.geo",
                 std::string("\x7f"
@@ -171,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"too_many_quads",
                 "dike.geo",
                 square + surface + named,
-                {"quadrilaterals of 0.0001", "more than 4000000"},
+                {"quadrilaterals of 0.0001 m", "more than 4000000"},
                 with_quads(1e-4)}),
     [](const auto& one) { return one.param.name; });
 
