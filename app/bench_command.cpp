@@ -38,7 +38,8 @@ StepCost measure_run(const Problem& problem, double dt, State& state, TwoPhaseWo
     const auto start = std::chrono::steady_clock::now();
     advance(problem, dt, steps_of_a_run, state, work);
     StepCost cost;
-    cost.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps_of_a_run;
+    cost.total =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps_of_a_run;
     cost.phases = work.timers;
     for (double& seconds : cost.phases.seconds) seconds /= steps_of_a_run;
     return cost;
@@ -62,7 +63,8 @@ std::string table_row(const std::string& name, const std::vector<double>& second
 {
     std::string row = fmt::format("{:<16}", name);
     for (const double time : seconds) {
-        row += fmt::format("{:>12.3f}{:>22}", 1e3 * time, time > 0.0 ? short_number(particles / time, 3) : "-");
+        row +=
+            fmt::format("{:>12.3f}{:>22}", 1e3 * time, time > 0.0 ? short_number(particles / time, 3) : "-");
     }
     return row + '\n';
 }
@@ -72,7 +74,8 @@ std::string cost_table(const std::vector<int>& threads, const std::vector<StepCo
     std::string table = fmt::format("{:<16}", "threads");
     for (const int count : threads) table += fmt::format("{:>34}", count);
     table += fmt::format("\n{:<16}", "phase");
-    for (std::size_t k = 0; k < threads.size(); ++k) table += fmt::format("{:>12}{:>22}", "ms/step", "particle-steps/s");
+    for (std::size_t k = 0; k < threads.size(); ++k)
+        table += fmt::format("{:>12}{:>22}", "ms/step", "particle-steps/s");
     table += '\n';
     const auto row = [&](const std::string& name, auto&& seconds_of) {
         std::vector<double> seconds;
@@ -80,7 +83,8 @@ std::string cost_table(const std::vector<int>& threads, const std::vector<StepCo
         table += table_row(name, seconds, particles);
     };
     for (std::size_t phase = 0; phase < phase_count; ++phase) {
-        row(name_of(static_cast<Phase>(phase)), [&](const StepCost& cost) { return cost.phases.seconds[phase]; });
+        row(name_of(static_cast<Phase>(phase)),
+            [&](const StepCost& cost) { return cost.phases.seconds[phase]; });
     }
     row("whole step", [](const StepCost& cost) { return cost.total; });
     return table;
@@ -100,7 +104,8 @@ ExitCode measure_kernel(int threads)
     journal.say(fmt::format("Two-phase step of the dike example, {} particles: median of {} runs of {} steps",
                             grouped(static_cast<long long>(particles)), runs, steps_of_a_run));
     std::vector<StepCost> costs;
-    for (const int count : counts) costs.push_back(median_cost(setup.assembled.problem, setup.assembled.state, count));
+    for (const int count : counts)
+        costs.push_back(median_cost(setup.assembled.problem, setup.assembled.state, count));
     journal.say(cost_table(counts, costs, static_cast<double>(particles)));
     return ExitCode::good;
 }

@@ -37,7 +37,8 @@ void write_initial_frame(const AssembledCase& assembled, const ResultsFolder& fo
     scene.output.probe_interval = scene.output.history_interval = scene.output.checkpoint_interval = 0.0;
     State state = assembled.state;
     begin_shaking(state);
-    for (const auto& writer : make_output_observers(scene, assembled.problem, state, {folder.directory, "", false})) {
+    for (const auto& writer :
+         make_output_observers(scene, assembled.problem, state, {folder.directory, "", false})) {
         writer->observe(assembled.problem, state, {Stage::shaking, 0, 0.0, {}, 0});
     }
 }
@@ -59,7 +60,8 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.say(describe_left_out(assembled.scene));
     write_initial_frame(assembled, folder);
     journal.say("The initial state is in " + folder.particle_series().string() + " and " +
-                folder.grid_series().string() + "; this plan is in " + (folder.directory / plan_file).string());
+                folder.grid_series().string() + "; this plan is in " +
+                (folder.directory / plan_file).string());
     return ExitCode::good;
 }
 

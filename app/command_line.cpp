@@ -17,10 +17,11 @@ namespace {
 
 constexpr const char* description =
     "Quicksand: liquefaction of saturated sand and the deformation of dikes in earthquakes.";
-constexpr const char* footer = "Start with:  quicksand demo      (two minutes, then open its files)\n"
-                               "             quicksand new dike my_dike\n"
-                               "Exit codes:  0 good, 2 input, 3 numerical, 4 files and disk, 5 a bug of ours\n"
-                               "Help on a command:  quicksand COMMAND --help";
+constexpr const char* footer =
+    "Start with:  quicksand demo      (two minutes, then open its files)\n"
+    "             quicksand new dike my_dike\n"
+    "Exit codes:  0 good, 2 input, 3 numerical, 4 files and disk, 5 a bug of ours\n"
+    "Help on a command:  quicksand COMMAND --help";
 
 /// A command's parser and what to do once it has been parsed.
 struct Command {
@@ -35,8 +36,9 @@ using Execute = ExitCode (*)(const Choice&);
 
 /// Give the program a command; the returned choice is filled when the command line is parsed.
 template <class Choice>
-std::pair<CLI::App*, std::shared_ptr<Choice>> add_command(CLI::App& program, Commands& commands, const char* name,
-                                                          const char* about, Execute<Choice> execute)
+std::pair<CLI::App*, std::shared_ptr<Choice>> add_command(CLI::App& program, Commands& commands,
+                                                          const char* name, const char* about,
+                                                          Execute<Choice> execute)
 {
     CLI::App* parser = program.add_subcommand(name, about);
     auto choice = std::make_shared<Choice>();
@@ -58,7 +60,8 @@ void add_scene(CLI::App& parser, SceneChoice& choice)
     parser.add_option("--until", choice.until, "End of the run in s, in place of run.end_time")
         ->check(CLI::PositiveNumber)
         ->type_name("T");
-    parser.add_option("--set", choice.overrides, "Replace a key of the scene: --set motion.amplitude=\"0.2 g\"")
+    parser
+        .add_option("--set", choice.overrides, "Replace a key of the scene: --set motion.amplitude=\"0.2 g\"")
         ->type_name("KEY=VALUE")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -79,9 +82,12 @@ void add_run(CLI::App& program, Commands& commands)
 void add_check(CLI::App& program, Commands& commands)
 {
     const auto [parser, choice] = add_command<CheckChoice>(
-        program, commands, "check", "Say what a run of the scene will be, and write its initial frame", check_scene);
+        program, commands, "check", "Say what a run of the scene will be, and write its initial frame",
+        check_scene);
     add_scene(*parser, choice->scene);
-    parser->add_option("-o,--output", choice->directory, "Folder of the frame; results/<scene>-check when not given")
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Folder of the frame; results/<scene>-check when not given")
         ->type_name("DIR");
 }
 
@@ -96,7 +102,8 @@ void add_keys(CLI::App& program, Commands& commands)
 void add_new(CLI::App& program, Commands& commands)
 {
     const auto [parser, choice] = add_command<NewChoice>(
-        program, commands, "new", "Make a folder with a commented scene and drawing to start from", create_scene);
+        program, commands, "new", "Make a folder with a commented scene and drawing to start from",
+        create_scene);
     parser->add_option("KIND", choice->example, "dike or column")->required();
     parser->add_option("NAME", choice->folder, "The folder to make")->required();
 }
@@ -111,7 +118,11 @@ void add_probe(CLI::App& program, Commands& commands)
     auto choice = std::make_shared<ProbeChoice>();
     auto words = std::make_shared<Words>();
     parser->add_option("RESULTS", choice->results, "Results folder of a run")->required();
-    parser->add_option("--at", words->at, "Place in m")->delimiter(',')->expected(2)->required()->type_name("X,Y");
+    parser->add_option("--at", words->at, "Place in m")
+        ->delimiter(',')
+        ->expected(2)
+        ->required()
+        ->type_name("X,Y");
     parser->add_option("--fields", choice->fields, "Fields, as excess_pore_pressure,ru")
         ->delimiter(',')
         ->required()
@@ -129,13 +140,17 @@ void add_probe(CLI::App& program, Commands& commands)
 void add_picture(CLI::App& program, Commands& commands)
 {
     const auto [parser, choice] = add_command<PictureChoice>(
-        program, commands, "picture", "Draw the results of a run as PNG files, no display needed", draw_pictures);
+        program, commands, "picture", "Draw the results of a run as PNG files, no display needed",
+        draw_pictures);
     parser->add_option("RESULTS", choice->results, "Results folder of a run")->required();
-    parser->add_option("-o,--output", choice->output, "A .png file or a folder; RESULTS/pictures when not given")
+    parser
+        ->add_option("-o,--output", choice->output,
+                     "A .png file or a folder; RESULTS/pictures when not given")
         ->type_name("FILE");
     parser->add_option("--field", choice->field, "Only this field, as excess_pore_pressure or displacement")
         ->type_name("NAME");
-    parser->add_option("--time", choice->time, "Time in s, the nearest frame is drawn; the last when not given")
+    parser
+        ->add_option("--time", choice->time, "Time in s, the nearest frame is drawn; the last when not given")
         ->type_name("T");
     parser->add_option("--range", choice->range, "Limits of the colours, in the SI unit of the field")
         ->type_name("LOW:HIGH");
@@ -166,7 +181,9 @@ void add_demo(CLI::App& program, Commands& commands)
     const auto [parser, choice] = add_command<DemoChoice>(
         program, commands, "demo", "Run the dike example, shortened to about two minutes", run_demo);
     add_threads(*parser, choice->threads);
-    parser->add_option("-o,--output", choice->directory, "Results folder, replaced if there; results/demo when not given")
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Results folder, replaced if there; results/demo when not given")
         ->type_name("DIR");
 }
 

@@ -14,7 +14,8 @@ ExitCode list_keys(const KeysChoice& choice)
     }
     const std::string keys = describe_keys(choice.pattern);
     if (keys.empty()) {
-        throw InputError("no key of a scene contains '" + choice.pattern + "'\nhint: quicksand keys lists all");
+        throw InputError("no key of a scene contains '" + choice.pattern +
+                         "'\nhint: quicksand keys lists all");
     }
     std::cout << keys;
     return ExitCode::good;

@@ -1,6 +1,5 @@
 // The program quicksand: one command a call, failures sorted into exit codes.
 #include "app/command_line.hpp"
-
 #include "io/file_error.hpp"
 #include "solver/failure.hpp"
 
@@ -22,8 +21,9 @@ ExitCode report(const char* what, ExitCode code)
 ExitCode report_bug(const char* what)
 {
     report(what, ExitCode::bug);
-    std::cerr << "This is a bug of Quicksand, not of your input. Please report it with this text and the scene."
-              << std::endl;
+    std::cerr
+        << "This is a bug of Quicksand, not of your input. Please report it with this text and the scene."
+        << std::endl;
     return ExitCode::bug;
 }
 

@@ -34,7 +34,8 @@ std::string bytes_text(double bytes)
         bytes /= 1000.0;
         ++unit;
     }
-    return fmt::format("{} {}", bytes < 99.5 ? fmt::format("{:.2g}", bytes) : fmt::format("{:.0f}", bytes), units[unit]);
+    return fmt::format("{} {}", bytes < 99.5 ? fmt::format("{:.2g}", bytes) : fmt::format("{:.0f}", bytes),
+                       units[unit]);
 }
 
 std::string grouped(long long count)

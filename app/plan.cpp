@@ -21,10 +21,12 @@ std::string describe_waves(const Material& material, const Problem& problem)
     const WaveSpeeds waves = wave_speeds(material, problem.water, material.porosity);
     std::string text = fmt::format("  {:<16}", material.name);
     if (problem.water) {
-        text += fmt::format("fast P {:.0f}, undrained P {:.0f}, slow P {:.0f}, ", waves.fast, waves.undrained, waves.slow);
+        text += fmt::format("fast P {:.0f}, undrained P {:.0f}, slow P {:.0f}, ", waves.fast, waves.undrained,
+                            waves.slow);
     }
-    return text + fmt::format("skeleton P {:.0f}, shear {:.0f} m/s; waves up to {:.0f} Hz are resolved\n", waves.skeleton,
-                              waves.shear, waves.shear / (cells_per_wavelength * problem.grid.cell_size));
+    return text + fmt::format("skeleton P {:.0f}, shear {:.0f} m/s; waves up to {:.0f} Hz are resolved\n",
+                              waves.skeleton, waves.shear,
+                              waves.shear / (cells_per_wavelength * problem.grid.cell_size));
 }
 
 } // namespace
@@ -34,12 +36,14 @@ std::string describe_scene_keys(const SceneSetup& setup)
     std::size_t path_width = 0, value_width = 0;
     for (const ResolvedKey& key : setup.keys) {
         path_width = std::max(path_width, key.path.size());
-        value_width = std::max(value_width, std::min<std::size_t>(key.value.size() + key.unit.size() + 1, 28));
+        value_width =
+            std::max(value_width, std::min<std::size_t>(key.value.size() + key.unit.size() + 1, 28));
     }
     std::string text = "Scene " + setup.assembled.scene.file.string() + ", in SI units\n";
     for (const ResolvedKey& key : setup.keys) {
-        text += fmt::format("  {:<{}}  {:<{}}  {}\n", key.path, path_width, key.value + (key.unit.empty() ? "" : " ") + key.unit,
-                            value_width, key.given ? "given" : "default");
+        text += fmt::format("  {:<{}}  {:<{}}  {}\n", key.path, path_width,
+                            key.value + (key.unit.empty() ? "" : " ") + key.unit, value_width,
+                            key.given ? "given" : "default");
     }
     return text;
 }
@@ -47,23 +51,24 @@ std::string describe_scene_keys(const SceneSetup& setup)
 std::string describe_soil(const AssembledCase& assembled)
 {
     const Problem& problem = assembled.problem;
-    std::string text =
-        fmt::format("Soil\n  {:<16}{:>12}{:>14}{:>16}{:>12}\n", "region", "area m2", "area error", "volume factor", "particles");
+    std::string text = fmt::format("Soil\n  {:<16}{:>12}{:>14}{:>16}{:>12}\n", "region", "area m2",
+                                   "area error", "volume factor", "particles");
     for (std::size_t r = 0; r < assembled.sampling.regions.size(); ++r) {
         const RegionSampling& region = assembled.sampling.regions[r];
-        text += fmt::format("  {:<16}{:>12.6g}{:>14.2e}{:>16.12f}{:>12}\n", problem.region_names[r], region.area,
-                            region.area_error, region.volume_factor, grouped(static_cast<long long>(region.particles)));
+        text += fmt::format("  {:<16}{:>12.6g}{:>14.2e}{:>16.12f}{:>12}\n", problem.region_names[r],
+                            region.area, region.area_error, region.volume_factor,
+                            grouped(static_cast<long long>(region.particles)));
     }
     text += "  The areas are made exact by the volume factor on the region's particles.\n";
     const Monitors sums = monitor(problem, assembled.state, {});
     const BackgroundGrid& grid = problem.grid;
     text += fmt::format("  {} particles in {} x {} = {} cells of {} m; {:.2f} per occupied cell ({} cells)\n",
-                        grouped(static_cast<long long>(assembled.state.particles.size())), grid.cells_x, grid.cells_y,
-                        grouped(static_cast<long long>(grid.cells_x) * grid.cells_y), short_number(grid.cell_size),
-                        assembled.sampling.particles_per_cell,
+                        grouped(static_cast<long long>(assembled.state.particles.size())), grid.cells_x,
+                        grid.cells_y, grouped(static_cast<long long>(grid.cells_x) * grid.cells_y),
+                        short_number(grid.cell_size), assembled.sampling.particles_per_cell,
                         grouped(static_cast<long long>(assembled.sampling.occupied_cells)));
-    text += fmt::format("  mass of the grains {} kg/m, of the water {} kg/m\n", short_number(sums.mass_solid, 6),
-                        short_number(sums.mass_fluid, 6));
+    text += fmt::format("  mass of the grains {} kg/m, of the water {} kg/m\n",
+                        short_number(sums.mass_solid, 6), short_number(sums.mass_fluid, 6));
     return text;
 }
 
@@ -73,12 +78,13 @@ std::string describe_time_step(const AssembledCase& assembled)
     std::string text = "Waves\n";
     for (const Material& material : problem.materials) text += describe_waves(material, problem);
     const TimeStep step = stable_time_step(problem, assembled.state.particles);
-    text += fmt::format("Time step\n  {} s, limited by the {}{}\n", short_number(step.dt), name_of(step.limiter),
-                        step.material.empty() ? "" : " in " + step.material);
+    text += fmt::format("Time step\n  {} s, limited by the {}{}\n", short_number(step.dt),
+                        name_of(step.limiter), step.material.empty() ? "" : " in " + step.material);
     if (assembled.scene.relaxation) {
         const TimeStep settling = stable_relaxation_step(problem, assembled.state.particles);
-        text += fmt::format("  {} s while settling drained; out-of-balance force at the start {} of the weight\n",
-                            short_number(settling.dt), short_number(out_of_balance(problem, assembled.state), 2));
+        text +=
+            fmt::format("  {} s while settling drained; out-of-balance force at the start {} of the weight\n",
+                        short_number(settling.dt), short_number(out_of_balance(problem, assembled.state), 2));
     }
     return text;
 }
@@ -88,19 +94,21 @@ std::string describe_cost(const Forecast& forecast)
     std::string text = "Cost\n";
     const RelaxationForecast& relaxation = forecast.relaxation;
     if (relaxation.needed) {
-        text += fmt::format("  settling   about {} steps of {} ms{}\n", grouped(relaxation.steps),
-                            short_number(1e3 * relaxation.step_seconds),
-                            relaxation.reliable ? "" : "; the trial did not see it settle, so this is the limit max_steps");
+        text += fmt::format(
+            "  settling   about {} steps of {} ms{}\n", grouped(relaxation.steps),
+            short_number(1e3 * relaxation.step_seconds),
+            relaxation.reliable ? "" : "; the trial did not see it settle, so this is the limit max_steps");
     }
     text += fmt::format("  shaking    {} steps of {} ms, measured with {} threads\n", grouped(forecast.steps),
                         short_number(1e3 * forecast.step_seconds), thread_count());
-    text += fmt::format("  run time   about {}: settling {}, shaking {}, output {}\n", duration_text(forecast.seconds()),
-                        duration_text(forecast.relaxation_seconds()),
+    text += fmt::format("  run time   about {}: {}shaking {}, output {}\n", duration_text(forecast.seconds()),
+                        relaxation.needed ? "settling " + duration_text(forecast.relaxation_seconds()) + ", "
+                                          : "",
                         duration_text(static_cast<double>(forecast.steps) * forecast.step_seconds),
                         duration_text(forecast.output.seconds));
     text += fmt::format("  memory     {}\n", bytes_text(forecast.memory));
-    text += fmt::format("  disk       {} for {} frames, probes and one checkpoint\n", bytes_text(forecast.output.bytes),
-                        grouped(forecast.output.frames));
+    text += fmt::format("  disk       {} for {} frames, probes and one checkpoint\n",
+                        bytes_text(forecast.output.bytes), grouped(forecast.output.frames));
     return text;
 }
 
@@ -110,10 +118,12 @@ std::string describe_left_out(const Scene& scene)
     const auto leave_out = [&](bool condition, const char* line) {
         if (condition) text += std::string("  ") + line + '\n';
     };
-    leave_out(!scene.water, "pore water: dry soil moves as one phase and its particles carry no arrays for water");
+    leave_out(!scene.water,
+              "pore water: dry soil moves as one phase and its particles carry no arrays for water");
     leave_out(!scene.relaxation, "settling: the run starts from the K0 state as it is");
     leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is still");
-    leave_out(std::holds_alternative<LatticeSampling>(scene.sampling), "meshing: the particles lie on a lattice");
+    leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),
+              "meshing: the particles lie on a lattice");
     leave_out(scene.probes.empty(), "probes: none are named");
     return text.empty() ? text : "Not needed, so left out\n" + text;
 }

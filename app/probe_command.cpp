@@ -12,8 +12,8 @@ ExitCode extract_probe(const ProbeChoice& choice)
                                  choice.rides_with_soil ? ProbeKind::material : ProbeKind::fixed};
     const HistoryTable table = extract_history(choice.results, request);
     write_history_table(choice.file, table);
-    std::cout << grouped(static_cast<long long>(table.rows.size())) << " times of " << table.columns.size() - 1
-              << " columns written to " << choice.file.string() << '\n';
+    std::cout << grouped(static_cast<long long>(table.rows.size())) << " times of "
+              << table.columns.size() - 1 << " columns written to " << choice.file.string() << '\n';
     return ExitCode::good;
 }
 

@@ -22,8 +22,9 @@ constexpr Seconds plain_interval{30.0};
 } // namespace
 
 ProgressLine::ProgressLine(double start_time, double end_time, std::size_t particles, Journal& journal)
-    : start_time_(start_time), end_time_(end_time), particles_(static_cast<double>(particles)), journal_(journal),
-      terminal_(isatty(STDOUT_FILENO) == 1), began_(Clock::now()), last_line_(began_), last_plain_(began_)
+    : start_time_(start_time), end_time_(end_time), particles_(static_cast<double>(particles)),
+      journal_(journal), terminal_(isatty(STDOUT_FILENO) == 1), began_(Clock::now()), last_line_(began_),
+      last_plain_(began_)
 {
     last_tenth_ = static_cast<int>(10.0 * start_time / end_time);
 }
@@ -49,8 +50,8 @@ void ProgressLine::after_step(const StepReport& report)
     const double rate = particles_ * static_cast<double>(steps_) / wall;
     const double left = wall * (end_time_ - report.time) / (report.time - start_time_);
     show(fmt::format("t {:.4f}/{} s  {:2.0f}%  dt {}  {} particle-steps/s  elapsed {}  left {}", report.time,
-                     short_number(end_time_), 100.0 * report.time / end_time_, last_limit_, short_number(rate, 2),
-                     duration_text(wall), duration_text(left)),
+                     short_number(end_time_), 100.0 * report.time / end_time_, last_limit_,
+                     short_number(rate, 2), duration_text(wall), duration_text(left)),
          tenth);
 }
 
@@ -59,8 +60,9 @@ void ProgressLine::show_relaxation(std::int64_t steps, double out_of_balance, do
     const Clock::time_point now = Clock::now();
     if (now - last_line_ < terminal_interval) return;
     last_line_ = now;
-    show(fmt::format("settling: step {}  out-of-balance force {} of the weight, to reach {}  elapsed {}", steps,
-                     short_number(out_of_balance, 2), short_number(tolerance, 2), duration_text(elapsed())),
+    show(fmt::format("settling: step {}  out-of-balance force {} of the weight, to reach {}  elapsed {}",
+                     steps, short_number(out_of_balance, 2), short_number(tolerance, 2),
+                     duration_text(elapsed())),
          last_tenth_);
 }
 

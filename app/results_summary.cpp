@@ -59,8 +59,8 @@ std::string summarize_probes(const ResultsFolder& folder)
     }
     std::sort(files.begin(), files.end());
     if (!files.empty()) {
-        text += fmt::format("  {:<16}{:>16}{:>12}{:>14}{:>14}\n", "probe", "peak excess kPa", "ru max", "final ux mm",
-                            "final uy mm");
+        text += fmt::format("  {:<16}{:>16}{:>12}{:>14}{:>14}\n", "probe", "peak excess kPa", "ru max",
+                            "final ux mm", "final uy mm");
     }
     for (const std::filesystem::path& file : files) text += probe_row(file);
     if (std::filesystem::exists(folder.history())) {

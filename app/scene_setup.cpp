@@ -15,13 +15,15 @@ namespace fs = std::filesystem;
 fs::path find_scene_file(const fs::path& scene)
 {
     if (!fs::exists(scene)) {
-        throw InputError("there is no scene " + scene.string() +
-                         "\nhint: name a scene file or its folder, for example examples/dike; quicksand new dike NAME "
-                         "makes one");
+        throw InputError(
+            "there is no scene " + scene.string() +
+            "\nhint: name a scene file or its folder, for example examples/dike; quicksand new dike NAME "
+            "makes one");
     }
     if (!fs::is_directory(scene)) return scene;
     if (fs::exists(scene / "scene.toml")) return scene / "scene.toml";
-    throw InputError("the folder " + scene.string() + " holds no scene.toml\nhint: name the scene file itself");
+    throw InputError("the folder " + scene.string() +
+                     " holds no scene.toml\nhint: name the scene file itself");
 }
 
 } // namespace

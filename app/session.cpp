@@ -39,7 +39,8 @@ public:
         manifest_.status = status;
         manifest_.exit_reason = reason.substr(0, reason.find('\n'));
         manifest_.end_time = utc_now();
-        manifest_.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+        manifest_.wall_time =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
         write_run_manifest(path_, manifest_);
     }
     /// On the way out of another failure, which is the one to be told.
@@ -76,7 +77,8 @@ std::string say_where_good(const ResultsFolder& folder)
                                                ? read_series_index(folder.particle_series())
                                                : std::vector<FrameEntry>();
     if (!frames.empty()) {
-        text += fmt::format("\n  last good frame: {} (t = {} s)", (folder.directory / frames.back().file).string(),
+        text += fmt::format("\n  last good frame: {} (t = {} s)",
+                            (folder.directory / frames.back().file).string(),
                             short_number(frames.back().time, 6));
     }
     if (std::filesystem::exists(folder.checkpoint())) {
@@ -99,18 +101,24 @@ void settle(Session& session)
             if (StopSignal::received()) throw StopRequest();
         });
     progress.clear();
-    session.journal.say(fmt::format("Settled in {} steps, {}: out-of-balance force {} of the weight, displacement up to "
-                                    "{} mm, which counts as zero from here",
-                                    report.steps, duration_text(progress.elapsed()),
-                                    short_number(report.out_of_balance, 2),
-                                    short_number(1e3 * report.max_displacement, 2)));
+    session.journal.say(
+        fmt::format("Settled in {} steps, {}: out-of-balance force {} of the weight, displacement up to "
+                    "{} mm, which counts as zero from here",
+                    report.steps, duration_text(progress.elapsed()), short_number(report.out_of_balance, 2),
+                    short_number(1e3 * report.max_displacement, 2)));
 }
 
 void shake(Session& session)
 {
+    if (!session.resume) {
+        // From here a stop or a failure need not settle the soil again.
+        std::filesystem::create_directories(session.folder.checkpoint().parent_path());
+        write_checkpoint(session.folder.checkpoint(), session.state, session.hash);
+    }
     const OutputSettings settings{session.folder.directory, session.hash, session.resume};
     const auto writers = make_output_observers(session.scene, session.problem, session.state, settings);
-    ProgressLine progress(session.state.time, session.scene.end_time, session.state.particles.size(), session.journal);
+    ProgressLine progress(session.state.time, session.scene.end_time, session.state.particles.size(),
+                          session.journal);
     std::vector<Observer*> observers;
     for (const auto& writer : writers) observers.push_back(writer.get());
     observers.push_back(&progress);
@@ -125,10 +133,11 @@ void shake(Session& session)
     session.manifest.reach(session.state.time, progress.steps());
     write_checkpoint(session.folder.checkpoint(), session.state, session.hash);
     const double seconds = progress.elapsed();
-    const double work = static_cast<double>(session.state.particles.size()) * static_cast<double>(progress.steps());
-    session.journal.say(fmt::format("Ran {} steps to t = {} s in {}: {} particle-steps/s", grouped(progress.steps()),
-                                    short_number(session.state.time, 6), duration_text(seconds),
-                                    short_number(work / seconds, 2)));
+    const double work =
+        static_cast<double>(session.state.particles.size()) * static_cast<double>(progress.steps());
+    session.journal.say(fmt::format("Ran {} steps to t = {} s in {}: {} particle-steps/s",
+                                    grouped(progress.steps()), short_number(session.state.time, 6),
+                                    duration_text(seconds), short_number(work / seconds, 2)));
 }
 
 /// Returns whether the run came to its end.
@@ -145,8 +154,9 @@ bool run_stages(Session& session)
     }
     if (session.state.time < session.scene.end_time) {
         session.manifest.end(RunStatus::stopped, "stopped on request");
-        session.journal.say(fmt::format("Stopped on request at t = {} s. Go on with the same command and --resume.",
-                                        short_number(session.state.time, 6)));
+        session.journal.say(
+            fmt::format("Stopped on request at t = {} s. Go on with the same command and --resume.",
+                        short_number(session.state.time, 6)));
         return false;
     }
     session.manifest.end(RunStatus::finished, "reached the end time");
@@ -188,11 +198,17 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
     RunManifest manifest =
         begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
     if (choice.resume) manifest.resumed_at = state.time;
-    journal.say(fmt::format("{}{}\n{} particles, {} x {} cells of {} m, {} threads; results in {}",
-                            choice.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
-                            grouped(static_cast<long long>(state.particles.size())), problem.grid.cells_x,
-                            problem.grid.cells_y, short_number(problem.grid.cell_size), thread_count(),
-                            directory.string()));
+    if (choice.resume && state.time >= scene.end_time) {
+        journal.say(
+            fmt::format("Nothing to do: the results reach t = {} s already.", short_number(state.time, 6)));
+        outcome.finished = true;
+        return outcome;
+    }
+    journal.say(fmt::format(
+        "{}{}\n{} particles, {} x {} cells of {} m, {} threads; results in {}",
+        choice.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
+        grouped(static_cast<long long>(state.particles.size())), problem.grid.cells_x, problem.grid.cells_y,
+        short_number(problem.grid.cell_size), thread_count(), directory.string()));
     ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
     Session session{scene, problem, state, setup.hash, outcome.folder, choice.resume, journal, keeper};
     outcome.code = run_guarded(session, outcome.finished);

@@ -114,8 +114,8 @@ double folder_bytes(const fs::path& folder)
 }
 
 /// Let one writer look at the state a few times and add what all its looks will cost.
-void measure_writer(Observer& writer, const Problem& problem, State& state, double end_time, const fs::path& scratch,
-                    OutputForecast& forecast)
+void measure_writer(Observer& writer, const Problem& problem, State& state, double end_time,
+                    const fs::path& scratch, OutputForecast& forecast)
 {
     const StepReport report{Stage::shaking, 0, 0.0, {}, 0};
     state.time = writer.next_time();
@@ -125,7 +125,8 @@ void measure_writer(Observer& writer, const Problem& problem, State& state, doub
     const double bytes_before = folder_bytes(scratch);
     const StopWatch watch;
     double looks = 0.0;
-    while (std::isfinite(writer.next_time()) && (looks == 0.0 || (watch.seconds() < output_trial_seconds && looks < 5.0))) {
+    while (std::isfinite(writer.next_time()) &&
+           (looks == 0.0 || (watch.seconds() < output_trial_seconds && looks < 5.0))) {
         state.time = writer.next_time();
         writer.observe(problem, state, report);
         looks += 1.0;
@@ -143,14 +144,15 @@ OutputForecast forecast_output(const AssembledCase& assembled, const fs::path& s
     begin_shaking(state);
     fs::remove_all(scratch);
     fs::create_directories(scratch);
-    const auto writers = make_output_observers(assembled.scene, assembled.problem, state, {scratch, "", false});
+    const auto writers =
+        make_output_observers(assembled.scene, assembled.problem, state, {scratch, "", false});
     for (const auto& writer : writers) {
         measure_writer(*writer, assembled.problem, state, assembled.scene.end_time, scratch, forecast);
     }
     fs::remove_all(scratch);
     forecast.bytes += static_cast<double>(memory_bytes(state.particles)); // the checkpoint
-    forecast.frames =
-        static_cast<std::int64_t>(observation_times(assembled.scene.output.frame_interval, assembled.scene.end_time).size());
+    forecast.frames = static_cast<std::int64_t>(
+        observation_times(assembled.scene.output.frame_interval, assembled.scene.end_time).size());
     return forecast;
 }
 
@@ -183,7 +185,8 @@ std::int64_t count_steps(const Scene& scene, double dt)
 Forecast forecast_run(const AssembledCase& assembled, const fs::path& scratch)
 {
     Forecast forecast;
-    forecast.steps = count_steps(assembled.scene, stable_time_step(assembled.problem, assembled.state.particles).dt);
+    forecast.steps =
+        count_steps(assembled.scene, stable_time_step(assembled.problem, assembled.state.particles).dt);
     forecast.step_seconds = measure_step(assembled);
     forecast.relaxation = forecast_relaxation(assembled);
     forecast.output = forecast_output(assembled, scratch);

@@ -29,8 +29,14 @@ struct Forecast {
     OutputForecast output;
     double memory = 0.0; // most that this process has held so far [byte]
 
-    double relaxation_seconds() const { return static_cast<double>(relaxation.steps) * relaxation.step_seconds; }
-    double seconds() const { return relaxation_seconds() + static_cast<double>(steps) * step_seconds + output.seconds; }
+    double relaxation_seconds() const
+    {
+        return static_cast<double>(relaxation.steps) * relaxation.step_seconds;
+    }
+    double seconds() const
+    {
+        return relaxation_seconds() + static_cast<double>(steps) * step_seconds + output.seconds;
+    }
 };
 
 /// Steps that a run takes at a time step, which it shortens so that every output time is hit.

@@ -1,0 +1,127 @@
+// The examples and what users are shown: fixed file names, headers, counts, scenes made by `new`.
+#include <gtest/gtest.h>
+
+#include <regex>
+
+#include "tests/examples/program.hpp"
+
+namespace quicksand {
+
+namespace {
+
+using namespace testing_program;
+
+/// The number that the pattern's first group finds, thousands separated or not; -1 when it finds nothing.
+long number_in(const std::string& text, const std::string& pattern)
+{
+    std::smatch match;
+    if (!std::regex_search(text, match, std::regex(pattern))) return -1;
+    std::string digits = match[1];
+    std::erase(digits, ',');
+    return std::stol(digits);
+}
+
+void expect_results(const std::filesystem::path& results, const std::string& probe)
+{
+    for (const char* name : {"fields.pvd", "fields/frame_000000.vtu", "grid.pvd", "grid/frame_000000.vtu",
+                             "history.csv", "steps.csv", "run_manifest.json", "log.txt"}) {
+        EXPECT_TRUE(std::filesystem::exists(results / name)) << name;
+    }
+    EXPECT_TRUE(header_of(results / ("probes/" + probe + ".csv")).starts_with("time_s,x_m,y_m,ux_m,uy_m"));
+    EXPECT_NE(header_of(results / ("probes/" + probe + ".csv")).find("excess_pore_pressure_Pa,ru"),
+              std::string::npos);
+    EXPECT_TRUE(header_of(results / "history.csv").starts_with("time_s,"));
+    EXPECT_NE(header_of(results / "history.csv").find("crest_settlement_m"), std::string::npos);
+    EXPECT_TRUE(header_of(results / "steps.csv").starts_with("time_s,step,dt_s,dt_limiter"));
+    EXPECT_NE(read_file(results / "run_manifest.json").find("\"status\": \"finished\""), std::string::npos);
+}
+
+TEST(Column, CheckCountsParticlesCellsAndSteps)
+{
+    const WorkFolder folder;
+    const Outcome check =
+        run_program("check " + example("column") + " --until 1e-3 -o " + (folder / "check").string());
+    EXPECT_EQ(check.code, 0) << check.output;
+    EXPECT_NE(check.output.find("3,429 particles in 9 x 52 = 468 cells"), std::string::npos) << check.output;
+    EXPECT_TRUE(std::filesystem::exists(folder / "check/fields.pvd"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "check/grid.pvd"));
+
+    const Outcome run =
+        run_program("run " + example("column") + " --until 1e-3 -o " + (folder / "run").string());
+    EXPECT_EQ(run.code, 0) << run.output;
+    const long predicted = number_in(check.output, "shaking +([0-9,]+) steps");
+    const long taken = number_in(read_file(folder / "run/run_manifest.json"), "\"steps\": ([0-9]+)");
+    EXPECT_NEAR(static_cast<double>(predicted), static_cast<double>(taken),
+                0.05 * static_cast<double>(taken));
+}
+
+TEST(Column, RunWritesTheFixedNames)
+{
+    const WorkFolder folder;
+    const Outcome run =
+        run_program("run " + example("column") + " --until 6e-4 --set output.frame_interval=\"0.2 ms\" -o " +
+                    (folder / "out").string());
+    EXPECT_EQ(run.code, 0) << run.output;
+    expect_results(folder / "out", "upper");
+    EXPECT_TRUE(std::filesystem::exists(folder / "out/fields/frame_000003.vtu"));
+    EXPECT_NE(run.output.find("fields.pvd"), std::string::npos);
+    EXPECT_NE(run.output.find("crest settlement"), std::string::npos);
+
+    const Outcome probe =
+        run_program("probe " + (folder / "out").string() +
+                    " --at 0.03,0.1 --fields excess_pore_pressure,ru -o " + (folder / "a.csv").string());
+    EXPECT_EQ(probe.code, 0) << probe.output;
+    EXPECT_EQ(header_of(folder / "a.csv"), "time_s,excess_pore_pressure_Pa,ru");
+}
+
+TEST(Dike, SettlesShakesAndDraws)
+{
+    const WorkFolder folder;
+    const Outcome run =
+        run_program("run " + example("dike") +
+                    " --until 1e-4 --set relaxation.tolerance=0.02 --set output.frame_interval=5e-5 -o " +
+                    (folder / "out").string());
+    EXPECT_EQ(run.code, 0) << run.output;
+    expect_results(folder / "out", "A");
+    EXPECT_NE(run.output.find("Settled in"), std::string::npos);
+
+    const Outcome picture = run_program("picture " + (folder / "out").string() + " --field displacement -o " +
+                                        (folder / "picture.png").string());
+    EXPECT_EQ(picture.code, 0) << picture.output;
+    EXPECT_TRUE(read_file(folder / "picture.png").starts_with("\x89PNG"));
+}
+
+TEST(New, TheColumnRunsUnchanged)
+{
+    const WorkFolder folder;
+    const Outcome made = run_program("new column " + (folder / "mine").string());
+    ASSERT_EQ(made.code, 0) << made.output;
+    EXPECT_TRUE(std::filesystem::exists(folder / "mine/mine.geo"));
+    const Outcome run = run_shell("cd " + folder.string() + " && \"$QUICKSAND\" run mine --until 1e-5");
+    EXPECT_EQ(run.code, 0) << run.output;
+    EXPECT_TRUE(std::filesystem::exists(folder / "results/mine/fields.pvd"));
+}
+
+TEST(New, TheDikeRunsUnchanged)
+{
+    const WorkFolder folder;
+    const Outcome made = run_shell("cd " + folder.string() + " && \"$QUICKSAND\" new dike 'my dike'");
+    ASSERT_EQ(made.code, 0) << made.output;
+    const Outcome check =
+        run_shell("cd " + folder.string() +
+                  " && \"$QUICKSAND\" run 'my dike/scene.toml' --until 1e-5 --set relaxation.tolerance=0.1");
+    EXPECT_EQ(check.code, 0) << check.output;
+    EXPECT_TRUE(std::filesystem::exists(folder / "results/my dike/grid.pvd"));
+}
+
+TEST(Keys, TheReferencePageIsUpToDate)
+{
+    const Outcome outcome = run_program("keys --markdown");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_EQ(outcome.output, read_file(QUICKSAND_SOURCE_DIR "/io/SCENE.md"))
+        << "make it anew: quicksand keys --markdown > io/SCENE.md";
+}
+
+} // namespace
+
+} // namespace quicksand

@@ -1,0 +1,104 @@
+// A run gives the same bits whatever the number of threads, and however often it was stopped.
+#include "io/checkpoint.hpp"
+#include "io/run_manifest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <vector>
+
+#include "tests/examples/program.hpp"
+
+namespace quicksand {
+
+namespace {
+
+using namespace testing_program;
+
+const std::string end_time = "run.end_time=1.2e-3";
+const std::string column_run = "run " + example("column") + " --set " + end_time + " -o ";
+
+State final_state(const std::filesystem::path& results)
+{
+    return read_checkpoint(results / "checkpoint/state.h5",
+                           scene_hash(read_file(results / "scene.toml"), {end_time}));
+}
+
+void expect_same_bits(const State& a, const State& b)
+{
+    EXPECT_EQ(a.time, b.time);
+    EXPECT_EQ(a.step, b.step);
+    std::vector<Scalars> arrays;
+    for_each_array(a.particles, [&](const char*, const Scalars& values) { arrays.push_back(values); });
+    std::size_t k = 0;
+    for_each_array(b.particles, [&](const char* name, const Scalars& values) {
+        ASSERT_EQ(values.size(), arrays[k].size()) << name;
+        EXPECT_EQ(std::memcmp(values.data(), arrays[k].data(), values.size() * sizeof(double)), 0) << name;
+        ++k;
+    });
+}
+
+class SameBits : public ::testing::Test {
+protected:
+    void SetUp() override
+    {
+        const Outcome whole = run_program(column_run + (folder / "whole").string() + " --threads 2");
+        ASSERT_EQ(whole.code, 0) << whole.output;
+    }
+
+    void expect_same_files(const std::string& other)
+    {
+        for (const char* name :
+             {"probes/upper.csv", "probes/middle.csv", "probes/surface.csv", "probes/centre_line.csv",
+              "history.csv", "fields.pvd", "fields/frame_000001.vtu", "grid/frame_000001.vtu"}) {
+            EXPECT_EQ(read_file(folder / ("whole/" + std::string(name))),
+                      read_file(folder / (other + "/" + name)))
+                << name;
+        }
+    }
+
+    WorkFolder folder;
+};
+
+TEST_F(SameBits, ForAnyNumberOfThreads)
+{
+    const Outcome single = run_program(column_run + (folder / "single").string() + " --threads 1");
+    ASSERT_EQ(single.code, 0) << single.output;
+    expect_same_bits(final_state(folder / "whole"), final_state(folder / "single"));
+    expect_same_files("single");
+}
+
+TEST_F(SameBits, AfterAStopAtAnOutputTimeAndAResume)
+{
+    const std::string results = (folder / "parts").string();
+    ASSERT_EQ(run_program(column_run + results + " --until 6e-4").code, 0);
+    const Outcome second = run_program(column_run + results + " --resume");
+    ASSERT_EQ(second.code, 0) << second.output;
+    expect_same_bits(final_state(folder / "whole"), final_state(results));
+}
+
+TEST_F(SameBits, AfterAKillAndAResume)
+{
+    const std::string results = (folder / "killed").string();
+    const Outcome killed = run_shell("\"$QUICKSAND\" " + column_run + results +
+                                     " & pid=$!\n"
+                                     "for k in $(seq 600); do\n"
+                                     "  grep -q '^0.0005,' " +
+                                     results +
+                                     "/history.csv 2>/dev/null && break\n"
+                                     "  sleep 0.1\n"
+                                     "done\n"
+                                     "kill -TERM $pid; wait $pid");
+    ASSERT_EQ(killed.code, 0) << killed.output;
+    EXPECT_NE(killed.output.find("Stopped on request"), std::string::npos) << killed.output;
+    EXPECT_NE(read_file(results + "/run_manifest.json").find("\"status\": \"stopped\""), std::string::npos);
+    const Outcome resumed = run_program(column_run + results + " --resume");
+    ASSERT_EQ(resumed.code, 0) << resumed.output;
+    EXPECT_NE(read_file(results + "/run_manifest.json").find("resumed_at_s"), std::string::npos);
+    expect_same_bits(final_state(folder / "whole"), final_state(results));
+    expect_same_files("killed");
+}
+
+} // namespace
+
+} // namespace quicksand

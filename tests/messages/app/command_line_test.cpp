@@ -1,0 +1,150 @@
+// Mistakes on the command line: exit code 2, what is allowed, and the word that was meant.
+#include <gtest/gtest.h>
+
+#include "tests/examples/program.hpp"
+
+namespace quicksand {
+
+namespace {
+
+using namespace testing_program;
+
+void expect_mention(const Outcome& outcome, const std::string& text)
+{
+    EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n" << outcome.output;
+}
+
+TEST(CommandLine, WithoutWordsShowsTheHelp)
+{
+    const Outcome outcome = run_program("");
+    EXPECT_EQ(outcome.code, 0);
+    for (const char* command :
+         {"run", "check", "new", "keys", "probe", "picture", "demo", "bench", "version"}) {
+        expect_mention(outcome, command);
+    }
+    expect_mention(outcome, "Exit codes");
+}
+
+TEST(CommandLine, EveryCommandHasHelp)
+{
+    for (const char* command :
+         {"run", "check", "new", "keys", "probe", "picture", "demo", "bench", "version"}) {
+        EXPECT_EQ(run_program(std::string(command) + " --help").code, 0) << command;
+    }
+}
+
+TEST(CommandLine, AMisspeltCommandIsGuessed)
+{
+    const Outcome outcome = run_program("chek examples/dike");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "there is no command 'chek'");
+    expect_mention(outcome, "did you mean check?");
+}
+
+TEST(CommandLine, AnUnknownCommandListsTheCommands)
+{
+    const Outcome outcome = run_program("frobnicate");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "expected: run, check, new, keys, probe, picture, demo, bench, version");
+}
+
+TEST(CommandLine, AMisspeltOptionIsGuessed)
+{
+    const Outcome outcome = run_program("run " + example("dike") + " --thread 2");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "run knows no option '--thread'");
+    expect_mention(outcome, "did you mean --threads?");
+}
+
+TEST(CommandLine, AMisspeltOptionWithEqualsSignIsGuessed)
+{
+    const Outcome outcome = run_program("check " + example("dike") + " --untill=0.1");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "check knows no option '--untill'");
+    expect_mention(outcome, "did you mean --until?");
+}
+
+TEST(CommandLine, AMissingSceneIsNamed)
+{
+    const Outcome outcome = run_program("run");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "SCENE is required");
+}
+
+TEST(CommandLine, AFurtherWordIsRefused)
+{
+    const Outcome outcome = run_program("version now");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "version knows no further word 'now'");
+}
+
+TEST(CommandLine, ThreadsHaveARange)
+{
+    const Outcome outcome = run_program("run " + example("dike") + " --threads 0");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "--threads");
+}
+
+TEST(CommandLine, UntilMustBePositive)
+{
+    const Outcome outcome = run_program("run " + example("dike") + " --until -1");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "--until");
+}
+
+TEST(CommandLine, ResumeAndOverwriteExcludeEachOther)
+{
+    const Outcome outcome = run_program("run " + example("dike") + " --resume --overwrite");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "excludes");
+}
+
+TEST(CommandLine, APlaceNeedsTwoNumbers)
+{
+    const Outcome outcome = run_program("probe results --at 0.1 --fields ru -o a.csv");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "--at");
+}
+
+TEST(CommandLine, TheVersionIsPrinted)
+{
+    const Outcome outcome = run_program("version");
+    EXPECT_EQ(outcome.code, 0);
+    EXPECT_TRUE(outcome.output.starts_with("Quicksand ")) << outcome.output;
+}
+
+TEST(Keys, APatternSelects)
+{
+    const Outcome outcome = run_program("keys porosity");
+    EXPECT_EQ(outcome.code, 0);
+    expect_mention(outcome, "porosity");
+    EXPECT_EQ(outcome.output.find("end_time"), std::string::npos);
+}
+
+TEST(Keys, APatternWithoutKeysIsAMistake)
+{
+    const Outcome outcome = run_program("keys xyzzy");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "no key of a scene contains 'xyzzy'");
+}
+
+TEST(New, AnUnknownKindIsGuessed)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("new dyke " + (folder / "mine").string());
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "did you mean dike?");
+}
+
+TEST(New, AnExistingFolderIsLeftAlone)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("new dike " + folder.string());
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "exists already");
+    EXPECT_TRUE(std::filesystem::is_empty(folder.string()));
+}
+
+} // namespace
+
+} // namespace quicksand

@@ -1,0 +1,121 @@
+// Scenes and results folders that cannot be used, and runs that go bad.
+#include <gtest/gtest.h>
+
+#include "tests/examples/program.hpp"
+
+namespace quicksand {
+
+namespace {
+
+using namespace testing_program;
+
+void expect_mention(const Outcome& outcome, const std::string& text)
+{
+    EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n" << outcome.output;
+}
+
+const std::string short_column = "run " + example("column") + " --until 5e-6 -o ";
+
+TEST(SceneFolder, AMissingSceneIsNamed)
+{
+    const Outcome outcome = run_program("run no/such/scene.toml");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "there is no scene no/such/scene.toml");
+}
+
+TEST(SceneFolder, AFolderWithoutASceneIsNamed)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("check " + folder.string());
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "holds no scene.toml");
+}
+
+TEST(SceneFolder, AWrongOverrideIsGuessed)
+{
+    const Outcome outcome = run_program("check " + example("column") + " --set motion.amplitud=3");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "amplitude");
+}
+
+TEST(ResultsFolder, AFormerRunIsNotOverwritten)
+{
+    const WorkFolder folder;
+    const std::string results = (folder / "results").string();
+    EXPECT_EQ(run_program(short_column + results).code, 0);
+    const Outcome again = run_program(short_column + results);
+    EXPECT_EQ(again.code, 2);
+    expect_mention(again, "holds a former run");
+    expect_mention(again, "--overwrite");
+    EXPECT_EQ(run_program(short_column + results + " --overwrite").code, 0);
+}
+
+TEST(ResultsFolder, AFolderThatCannotBeMadeIsAFileError)
+{
+    const Outcome outcome = run_program(short_column + "/proc/quicksand/results");
+    EXPECT_EQ(outcome.code, 4);
+    expect_mention(outcome, "/proc/quicksand/results");
+}
+
+TEST(ResultsFolder, AFileIsNoFolder)
+{
+    const WorkFolder folder;
+    std::ofstream(folder / "file") << "mine";
+    const Outcome outcome = run_program(short_column + (folder / "file").string());
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "is a file, not a folder");
+    EXPECT_EQ(read_file(folder / "file"), "mine");
+}
+
+TEST(ResultsFolder, WithoutACheckpointThereIsNothingToResume)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program(short_column + folder.string() + " --resume");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "cannot be resumed");
+}
+
+TEST(ResultsFolder, AnotherSceneCannotResume)
+{
+    const WorkFolder folder;
+    EXPECT_EQ(run_program(short_column + (folder / "a").string()).code, 0);
+    const Outcome outcome =
+        run_program("run " + example("column") + " --set initial.k0=0.6 --resume --until 1e-5 -o " +
+                    (folder / "a").string());
+    EXPECT_EQ(outcome.code, 2);
+}
+
+TEST(ResultsFolder, APictureNeedsResults)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("picture " + folder.string());
+    EXPECT_NE(outcome.code, 0);
+    EXPECT_NE(outcome.code, 5) << outcome.output;
+}
+
+TEST(ResultsFolder, AProbeNeedsResults)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("probe " + folder.string() + " --at 0.1,0.2 --fields ru -o " +
+                                        (folder / "a.csv").string());
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "fields.pvd");
+}
+
+TEST(NumericalFailure, IsToldKeptAndCoded)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("run " + example("dike") +
+                                        " --set relaxation.max_steps=50 --set relaxation.tolerance=1e-9 -o " +
+                                        (folder / "results").string());
+    EXPECT_EQ(outcome.code, 3);
+    expect_mention(outcome, "does not settle");
+    expect_mention(outcome, "likely causes");
+    EXPECT_NE(read_file(folder / "results/run_manifest.json").find("\"status\": \"failed\""),
+              std::string::npos);
+    EXPECT_NE(read_file(folder / "results/log.txt").find("does not settle"), std::string::npos);
+}
+
+} // namespace
+
+} // namespace quicksand
