@@ -1,6 +1,7 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
-// particles.
+// particles. The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look at: the file
+// is checked before HDF5 opens it, since it copes badly with damaged tables.
 #include "io/checkpoint.hpp"
 
 #include "io/atomic_file.hpp"
@@ -11,7 +12,9 @@
 #include <hdf5.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <set>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -145,22 +148,55 @@ void read_array(hid_t file, const char* name, std::size_t count, std::vector<Val
     require(H5Dread(dataset, type_of(Value{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
 }
 
-/// Settings of a file that is built in memory. HDF5 itself copes badly with a full disk: after a failed flush
-/// the file can be neither closed nor abandoned. The newer format has checksums of its own structure too.
-hid_t memory_file_settings()
+/// The bytes of a file that HDF5 builds in memory. HDF5 itself copes badly with a full disk: after a failed
+/// flush its file can be neither closed nor abandoned. So it writes here, and plain bytes go to the disk.
+struct FileImage {
+    std::string bytes;        // complete once the file is closed
+    std::size_t capacity = 0; // of HDF5's buffer [byte]
+};
+
+void* grow_image(void* buffer, size_t size, H5FD_file_image_op_t, void* image)
 {
-    const hid_t settings = H5Pcreate(H5P_FILE_ACCESS);
-    constexpr std::size_t growth = 1 << 20; // [byte]
-    H5Pset_fapl_core(settings, growth, false);
-    H5Pset_libver_bounds(settings, H5F_LIBVER_V18, H5F_LIBVER_V110);
-    return settings;
+    static_cast<FileImage*>(image)->capacity = size;
+    return std::realloc(buffer, size);
 }
 
-/// The bytes of the HDF5 file.
-std::string file_image(const std::string& file_name, const State& state, const std::string& scene_hash)
+/// HDF5 gives the buffer back on closing; its checksums are complete only then.
+herr_t take_image(void* buffer, H5FD_file_image_op_t operation, void* user_data)
 {
-    const Handle settings(memory_file_settings(), H5Pclose, "settings");
-    const Handle file(H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, settings), H5Fclose,
+    auto& image = *static_cast<FileImage*>(user_data);
+    if (operation == H5FD_FILE_IMAGE_OP_FILE_CLOSE)
+        image.bytes.assign(static_cast<const char*>(buffer), image.capacity);
+    std::free(buffer);
+    return 0;
+}
+
+void* share_image(void* image)
+{
+    return image;
+}
+
+herr_t leave_image(void*)
+{
+    return 0;
+}
+
+/// Settings for a file in memory, in the newer format, which has checksums of its own structure too.
+void set_up_memory_file(hid_t settings, FileImage& image)
+{
+    constexpr std::size_t growth = 1; // the buffer is as long as the file [byte]
+    H5FD_file_image_callbacks_t callbacks{nullptr,     nullptr,     grow_image, take_image,
+                                          share_image, leave_image, &image};
+    require(H5Pset_fapl_core(settings, growth, false), "settings");
+    require(H5Pset_file_image_callbacks(settings, &callbacks), "settings");
+    require(H5Pset_libver_bounds(settings, H5F_LIBVER_V18, H5F_LIBVER_V110), "settings");
+}
+
+void write_state(const State& state, const std::string& scene_hash, FileImage& image)
+{
+    const Handle settings(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "settings");
+    set_up_memory_file(settings, image);
+    const Handle file(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, settings), H5Fclose,
                       "creating the file");
     write_number(file, "format_version", format_version);
     write_text(file, "program_version", program_version());
@@ -176,11 +212,6 @@ std::string file_image(const std::string& file_name, const State& state, const s
     for_each_index_array(state.particles, write);
     for_each_array(state.particles, write);
     require(H5Fflush(file, H5F_SCOPE_GLOBAL), "flushing the file");
-    const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-    if (size <= 0) throw Hdf5Failure{"taking the image"};
-    std::string image(static_cast<std::size_t>(size), '\0');
-    if (H5Fget_file_image(file, image.data(), image.size()) != size) throw Hdf5Failure{"taking the image"};
-    return image;
 }
 
 State read_state(const Handle& file)
@@ -212,6 +243,15 @@ void require_complete(const State& state)
     if (state.particles.region.size() != state.particles.size()) throw Hdf5Failure{"region"};
 }
 
+void require_intact(const fs::path& path)
+{
+    constexpr std::size_t hash_length = 16;
+    const std::string bytes = read_text(path);
+    if (bytes.size() < hash_length) throw Hdf5Failure{"its end, it is cut off"};
+    const std::string_view content = std::string_view(bytes).substr(0, bytes.size() - hash_length);
+    if (text_hash(content) != bytes.substr(content.size())) throw Hdf5Failure{"its checksum"};
+}
+
 void require_same_scene(const fs::path& path, hid_t file, const std::string& scene_hash)
 {
     const std::int64_t version = read_number<std::int64_t>(file, "format_version");
@@ -235,7 +275,9 @@ void write_checkpoint(const fs::path& path, const State& state, const std::strin
     fs::create_directories(folder, error);
     if (error) throw FileError(folder, "cannot create the folder", error.message(), "");
     try {
-        write_durably(path, file_image(path.string(), state, scene_hash));
+        FileImage image;
+        write_state(state, scene_hash, image);
+        write_durably(path, image.bytes + text_hash(image.bytes));
     } catch (const Hdf5Failure& failure) {
         throw FileError(path, "cannot write the checkpoint", "HDF5 failed at: " + failure.what,
                         "the checkpoint before it is untouched");
@@ -247,6 +289,7 @@ State read_checkpoint(const fs::path& path, const std::string& scene_hash)
     const QuietHdf5 quiet;
     if (!fs::exists(path)) throw InputError(path.string() + ": there is no checkpoint to resume from");
     try {
+        require_intact(path);
         const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "opening the file");
         require_same_scene(path, file, scene_hash);
         State state = read_state(file);

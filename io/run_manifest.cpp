@@ -29,6 +29,8 @@ const char* name_of(RunStatus status)
     return "";
 }
 
+constexpr std::uint64_t empty_hash = 14695981039346656037ULL;
+
 void add_to_hash(std::uint64_t& hash, std::string_view text)
 {
     constexpr std::uint64_t prime = 1099511628211ULL;
@@ -75,9 +77,14 @@ std::string program_version()
     return QUICKSAND_VERSION;
 }
 
+std::string text_hash(std::string_view text)
+{
+    return scene_hash(text, {});
+}
+
 std::string scene_hash(std::string_view text, const std::vector<std::string>& overrides)
 {
-    std::uint64_t hash = 14695981039346656037ULL;
+    std::uint64_t hash = empty_hash;
     add_to_hash(hash, text);
     for (const std::string& override_text : overrides) {
         add_to_hash(hash, std::string_view("\0", 1));

@@ -15,6 +15,9 @@ namespace quicksand {
 /// Version of this program, e.g. "0.1.0".
 std::string program_version();
 
+/// FNV-1a hash (64 bits) of a text, as 16 hexadecimal digits.
+std::string text_hash(std::string_view text);
+
 /// FNV-1a hash (64 bits) of the scene's text and then of each override after a zero byte, as 16 hexadecimal
 /// digits. It tells scenes apart; it is no protection against forgery.
 std::string scene_hash(std::string_view text, const std::vector<std::string>& overrides);

@@ -1,0 +1,134 @@
+#include "io/checkpoint.hpp"
+#include "io/file_error.hpp"
+#include "solver/failure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tests/unit/io/temporary_folder.hpp"
+
+namespace quicksand {
+
+using fixtures::TemporaryFolder;
+
+namespace {
+
+/// A state whose every number is another one.
+State varied_state(bool saturated)
+{
+    const Problem problem = fixtures::small_problem(saturated);
+    State state = fixtures::small_state(problem);
+    double value = 1.0 / 3.0;
+    for_each_array(state.particles, [&](const char*, Scalars& values) {
+        for (double& entry : values) entry += (value += 1.0 / 7.0);
+    });
+    state.time = 0.1;
+    state.step = 12345678901;
+    return state;
+}
+
+bool same_bits(const State& a, const State& b)
+{
+    std::vector<Scalars> of_a;
+    for_each_array(a.particles, [&](const char*, const Scalars& values) { of_a.push_back(values); });
+    bool same = a.time == b.time && a.step == b.step && a.stage == b.stage;
+    std::size_t k = 0;
+    for_each_array(b.particles, [&](const char*, const Scalars& values) {
+        const Scalars& other = of_a[k++];
+        same =
+            same && values.size() == other.size() &&
+            (values.empty() || std::memcmp(values.data(), other.data(), values.size() * sizeof(double)) == 0);
+    });
+    return same && a.particles.identifier == b.particles.identifier &&
+           a.particles.material == b.particles.material && a.particles.region == b.particles.region;
+}
+
+void write_text(const std::filesystem::path& path, const std::string& text)
+{
+    std::ofstream(path, std::ios::binary) << text;
+}
+
+} // namespace
+
+TEST(Checkpoint, ReadsBackToTheSameBits)
+{
+    const TemporaryFolder folder;
+    for (const bool saturated : {true, false}) {
+        const State written = varied_state(saturated);
+        write_checkpoint(folder / "checkpoint/state.h5", written, "abc");
+        EXPECT_TRUE(same_bits(written, read_checkpoint(folder / "checkpoint/state.h5", "abc")));
+    }
+    EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
+}
+
+TEST(Checkpoint, AMissingFileIsTheUsers)
+{
+    EXPECT_THROW(read_checkpoint("/nowhere/state.h5", "abc"), InputError);
+}
+
+TEST(Checkpoint, AnotherScenesIsRefused)
+{
+    const TemporaryFolder folder;
+    write_checkpoint(folder / "state.h5", varied_state(true), "abc");
+    try {
+        read_checkpoint(folder / "state.h5", "xyz");
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("another scene (hash abc, this one has xyz)"),
+                  std::string::npos);
+    }
+}
+
+TEST(Checkpoint, ATruncatedFileIsAFileError)
+{
+    const TemporaryFolder folder;
+    write_checkpoint(folder / "state.h5", varied_state(true), "abc");
+    const std::string text = fixtures::text_of(folder / "state.h5");
+    for (const std::size_t size : {std::size_t(0), std::size_t(100), text.size() / 2, text.size() - 1}) {
+        write_text(folder / "state.h5", text.substr(0, size));
+        EXPECT_THROW(read_checkpoint(folder / "state.h5", "abc"), FileError) << size;
+    }
+}
+
+TEST(Checkpoint, AFlippedByteIsAFileErrorWhereverItIs)
+{
+    const TemporaryFolder folder;
+    write_checkpoint(folder / "state.h5", varied_state(true), "abc");
+    const std::string text = fixtures::text_of(folder / "state.h5");
+    for (std::size_t place = 0; place < text.size(); place += 211) {
+        std::string damaged = text;
+        damaged[place] = static_cast<char>(damaged[place] ^ 0x55);
+        write_text(folder / "state.h5", damaged);
+        EXPECT_THROW(read_checkpoint(folder / "state.h5", "abc"), FileError) << "byte " << place;
+    }
+}
+
+TEST(Checkpoint, AFullDiskKeepsTheFormerOne)
+{
+    const TemporaryFolder folder;
+    const State former = varied_state(true);
+    write_checkpoint(folder / "state.h5", former, "abc");
+    State later = former;
+    later.time = 0.2;
+    {
+        const fixtures::FullDisk full(4096);
+        EXPECT_THROW(write_checkpoint(folder / "state.h5", later, "abc"), FileError);
+    }
+    EXPECT_TRUE(same_bits(former, read_checkpoint(folder / "state.h5", "abc")));
+    EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
+}
+
+TEST(Checkpoint, WriterWritesWhenItsWallTimeHasPassed)
+{
+    const TemporaryFolder folder;
+    const State state = varied_state(true);
+    CheckpointWriter patient(folder / "patient.h5", 3600.0, state, "abc");
+    CheckpointWriter eager(folder / "eager.h5", 1e-9, state, "abc");
+    patient.after_step({});
+    eager.after_step({});
+    EXPECT_FALSE(std::filesystem::exists(folder / "patient.h5"));
+    EXPECT_TRUE(same_bits(state, read_checkpoint(folder / "eager.h5", "abc")));
+}
+
+} // namespace quicksand

@@ -1,0 +1,75 @@
+#include "io/probe_sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/unit/io/temporary_folder.hpp"
+
+namespace quicksand {
+
+TEST(ProbeSample, NearestParticleGoesByTheStartAndTheLowestNumber)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    // (0.5, 0.5) is equally near to four particles; they have moved since, and the arrays are in another
+    // order.
+    const std::int32_t expected = state.particles.identifier[nearest_particle(state.particles, {0.5, 0.5})];
+    for (double& x : state.particles.position.x) x += 0.3;
+    std::vector<std::int32_t> order;
+    for (std::size_t p = state.particles.size(); p-- > 0;) order.push_back(static_cast<std::int32_t>(p));
+    reorder(state.particles, order);
+    EXPECT_EQ(state.particles.identifier[nearest_particle(state.particles, {0.5, 0.5})], expected);
+}
+
+TEST(ProbeSample, SurfaceIsTheHighestDomainOverTheLine)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    const std::size_t p = nearest_particle(particles, {1.1, 1.4});
+    EXPECT_EQ(surface_point(particles, 1.1).particle, p);
+    EXPECT_NEAR(surface_point(particles, 1.1).height, 1.5, 1e-12);
+    // a top that slopes up to the right by 0.1 over the half edge
+    particles.half_edge_1.y[p] = 0.1;
+    const double x = particles.position.x[p] + 0.5 * particles.half_edge_1.x[p];
+    EXPECT_NEAR(surface_point(particles, x).height, 1.55, 1e-12);
+    EXPECT_FALSE(surface_point(particles, 7.0).found);
+}
+
+TEST(ProbeSample, FixedPointInterpolatesLinearFieldsExactly)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    NodalFields fields = nodal_fields(problem, state.particles);
+    for (std::size_t node = 0; node < problem.grid.node_count(); ++node) {
+        const Vector2 place = problem.grid.node_position(node);
+        fields.displacement.x[node] = 0.01 * place.x() + 0.03 * place.y();
+        fields.displacement.y[node] = 0.02 * place.x() - 0.01 * place.y();
+        fields.excess_pore_pressure[node] = 100.0 * place.y();
+    }
+    const ProbeSample sample = sample_point(problem, fields, {1.1, 0.7});
+    EXPECT_NEAR(sample.displacement.x(), 0.032, 1e-14);
+    EXPECT_NEAR(sample.excess_pore_pressure, 70.0, 1e-11);
+    EXPECT_NEAR(sample.shear_strain_xy, 0.05, 1e-14);
+}
+
+TEST(ProbeSample, OutsideTheSoilThereIsNoValue)
+{
+    const Problem problem = fixtures::small_problem(true);
+    const NodalFields fields = nodal_fields(problem, fixtures::small_state(problem).particles);
+    const ProbeSample sample = sample_point(problem, fields, {1.0, 2.4});
+    EXPECT_EQ(sample.position, Vector2(1.0, 2.4));
+    EXPECT_TRUE(std::isnan(sample.velocity.x()));
+    EXPECT_TRUE(std::isnan(sample.pore_pressure));
+}
+
+TEST(ProbeSample, AParticlesShearStrainFollowsItsEdges)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    state.particles.half_edge_2.x[3] += 0.02 * state.particles.half_edge_2.y[3];
+    EXPECT_NEAR(sample_particle(problem, state.particles, 3).shear_strain_xy, 0.02, 1e-14);
+}
+
+} // namespace quicksand

@@ -1,0 +1,111 @@
+#include "io/results_folder.hpp"
+#include "solver/failure.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/unit/io/temporary_folder.hpp"
+
+namespace quicksand {
+
+using fixtures::TemporaryFolder;
+
+namespace {
+
+void touch(const std::filesystem::path& path, const std::string& text = "")
+{
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+}
+
+void pretend_former_run(const TemporaryFolder& folder)
+{
+    touch(folder / "run_manifest.json");
+    touch(folder / "scene.toml", "title = \"other\"\n");
+    touch(folder / "fields.pvd");
+    touch(folder / "fields/frame_000000.vtu");
+    touch(folder / "fields/frame_000001.vtu.tmp");
+    touch(folder / "probes/a.csv", "# Quicksand 0.1.0\n");
+    touch(folder / "checkpoint/state.h5");
+}
+
+std::string refusal(const TemporaryFolder& folder, FolderUse use)
+{
+    try {
+        prepare_results_folder(folder.path(), fixtures::small_scene(), use);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "";
+}
+
+} // namespace
+
+TEST(ResultsFolder, IsMadeWithACopyOfTheScene)
+{
+    const TemporaryFolder folder;
+    const Scene scene = fixtures::small_scene();
+    const ResultsFolder results = prepare_results_folder(folder / "a/b", scene, FolderUse::fresh);
+    EXPECT_EQ(fixtures::text_of(results.scene_copy()), scene.text);
+    EXPECT_EQ(results.log(), folder / "a/b/log.txt");
+}
+
+TEST(ResultsFolder, RefusesAFormerRun)
+{
+    const TemporaryFolder folder;
+    pretend_former_run(folder);
+    EXPECT_NE(refusal(folder, FolderUse::fresh).find("--overwrite"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder / "fields/frame_000000.vtu"));
+}
+
+TEST(ResultsFolder, OverwriteRemovesOnlyWhatQuicksandWrote)
+{
+    const TemporaryFolder folder;
+    pretend_former_run(folder);
+    touch(folder / "notes.txt", "mine");
+    touch(folder / "probes/measured.csv", "t,u\n");
+    touch(folder / "fields/picture.png");
+    prepare_results_folder(folder.path(), fixtures::small_scene(), FolderUse::overwrite);
+    for (const char* kept : {"notes.txt", "probes/measured.csv", "fields/picture.png", "scene.toml"})
+        EXPECT_TRUE(std::filesystem::exists(folder / kept)) << kept;
+    for (const char* gone : {"run_manifest.json", "fields.pvd", "fields/frame_000000.vtu",
+                             "fields/frame_000001.vtu.tmp", "probes/a.csv", "checkpoint"})
+        EXPECT_FALSE(std::filesystem::exists(folder / gone)) << gone;
+    EXPECT_EQ(fixtures::text_of(folder / "scene.toml"), fixtures::small_scene().text);
+}
+
+TEST(ResultsFolder, OverwriteLeavesAForeignFolderAlone)
+{
+    const TemporaryFolder folder;
+    touch(folder / "history.csv", "somebody else's");
+    EXPECT_NE(refusal(folder, FolderUse::overwrite).find("no run_manifest.json"), std::string::npos);
+    EXPECT_TRUE(std::filesystem::exists(folder / "history.csv"));
+}
+
+TEST(ResultsFolder, NeverReplacesTheSceneItself)
+{
+    const TemporaryFolder folder;
+    Scene scene = fixtures::small_scene();
+    scene.file = folder / "scene.toml";
+    touch(scene.file, scene.text);
+    EXPECT_THROW(prepare_results_folder(folder.path(), scene, FolderUse::overwrite), InputError);
+    EXPECT_TRUE(std::filesystem::exists(scene.file));
+}
+
+TEST(ResultsFolder, ResumeNeedsACheckpoint)
+{
+    const TemporaryFolder folder;
+    EXPECT_NE(refusal(folder, FolderUse::resume).find("checkpoint/state.h5"), std::string::npos);
+    pretend_former_run(folder);
+    EXPECT_EQ(refusal(folder, FolderUse::resume), "");
+    EXPECT_TRUE(std::filesystem::exists(folder / "fields/frame_000000.vtu"));
+}
+
+TEST(ResultsFolder, RefusesAFileInItsPlace)
+{
+    const TemporaryFolder folder;
+    touch(folder / "out");
+    EXPECT_THROW(prepare_results_folder(folder / "out", fixtures::small_scene(), FolderUse::fresh),
+                 InputError);
+}
+
+} // namespace quicksand

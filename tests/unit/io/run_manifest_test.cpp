@@ -1,0 +1,60 @@
+#include "io/run_manifest.hpp"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/unit/io/temporary_folder.hpp"
+
+namespace quicksand {
+
+TEST(RunManifest, HashIsFnv1aOfTheText)
+{
+    // published values of the FNV-1a 64 test suite
+    EXPECT_EQ(scene_hash("", {}), "cbf29ce484222325");
+    EXPECT_EQ(scene_hash("foobar", {}), "85944171f73967e8");
+    EXPECT_NE(scene_hash("foobar", {"a=1"}), scene_hash("foobar", {"a=2"}));
+    EXPECT_NE(scene_hash("foo", {"bar"}), scene_hash("foobar", {}));
+}
+
+TEST(RunManifest, TellsWhatTheRunWasAndHowItEnded)
+{
+    const fixtures::TemporaryFolder folder;
+    const Scene scene = fixtures::small_scene();
+    RunManifest manifest = begin_manifest(scene, {"time.end=2"}, 2, 48);
+    write_run_manifest(folder / "run_manifest.json", manifest);
+    auto json = nlohmann::json::parse(fixtures::text_of(folder / "run_manifest.json"));
+    EXPECT_EQ(json["status"], "running");
+    EXPECT_EQ(json["scene_hash"], scene_hash(scene.text, {"time.end=2"}));
+    EXPECT_EQ(json["version"], program_version());
+    EXPECT_EQ(json["outputs"],
+              nlohmann::json({"fields.pvd", "grid.pvd", "probes/rider.csv", "probes/point.csv",
+                              "probes/crest.csv", "probes/line.csv", "history.csv", "steps.csv"}));
+    EXPECT_FALSE(json.contains("resumed_at_s"));
+
+    manifest.status = RunStatus::failed;
+    manifest.exit_reason = "not a number in the pore pressure";
+    manifest.steps = 1000;
+    manifest.wall_time = 2.0;
+    manifest.resumed_at = 0.5;
+    manifest.end_time = utc_now();
+    write_run_manifest(folder / "run_manifest.json", manifest);
+    json = nlohmann::json::parse(fixtures::text_of(folder / "run_manifest.json"));
+    EXPECT_EQ(json["status"], "failed");
+    EXPECT_EQ(json["exit_reason"], manifest.exit_reason);
+    EXPECT_EQ(json["particle_steps_per_s"], 24000.0);
+    EXPECT_EQ(json["resumed_at_s"], 0.5);
+    EXPECT_EQ(json["overrides"][0], "time.end=2");
+    EXPECT_EQ(std::string(json["end_time"]).size(), std::string("2025-01-01T00:00:00Z").size());
+    EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
+}
+
+TEST(RunManifest, SurvivesAFileNameThatIsNotUtf8)
+{
+    const fixtures::TemporaryFolder folder;
+    Scene scene = fixtures::small_scene();
+    scene.file = "d\xffke.toml";
+    write_run_manifest(folder / "run_manifest.json", begin_manifest(scene, {}, 1, 1));
+    EXPECT_TRUE(nlohmann::json::accept(fixtures::text_of(folder / "run_manifest.json")));
+}
+
+} // namespace quicksand
