@@ -104,8 +104,8 @@ std::string note_of(const ParticleFrame& frame, const std::string& field, double
 {
     const std::vector<std::string> known = drawable_fields(frame);
     const std::string near = nearest_name(field, known);
-    throw InputError(fmt::format("there is no field '{}' in the results{}. Available: {}", field,
-                                 near.empty() ? "" : "; did you mean '" + near + "'?",
+    throw InputError(fmt::format("there is no field '{}' in the results{} Available: {}", field,
+                                 near.empty() ? "." : "; did you mean '" + near + "'?",
                                  fmt::join(known, ", ")));
 }
 
