@@ -12,7 +12,11 @@
 namespace quicksand {
 
 struct BackgroundGrid {
-    static constexpr int ghost_cells = 3;
+    static constexpr int ghost_cells = 4;
+
+    /// Farthest a particle's domain may reach from its centre along an axis [cells]. Tiles of cells that are
+    /// scattered at the same time and the rim are wide enough for it.
+    static constexpr double domain_reach = 2.5;
 
     Vector2 origin = Vector2::Zero(); // lower left corner of the scene's cells [m]
     double cell_size = 0.0;           // h [m]

@@ -7,15 +7,6 @@ namespace quicksand {
 
 namespace {
 
-/// Scale one edge so that neither component of the whole edge exceeds a cell.
-bool limit_edge(double cell_size, Vector2& half_edge)
-{
-    const double longest = 2.0 * std::max(std::abs(half_edge.x()), std::abs(half_edge.y()));
-    if (longest <= cell_size) return false;
-    half_edge *= cell_size / longest;
-    return true;
-}
-
 /// A corner's cell and its place in it.
 struct Corner {
     int i, j;
@@ -33,9 +24,12 @@ Corner locate(const Vector2& point, const Vector2& rim, double inverse_cell_size
 
 bool limit_domain(double cell_size, ParallelogramDomain& domain)
 {
-    const bool first = limit_edge(cell_size, domain.half_edge_1);
-    const bool second = limit_edge(cell_size, domain.half_edge_2);
-    return first || second;
+    const Vector2 reach = domain.half_edge_1.cwiseAbs() + domain.half_edge_2.cwiseAbs();
+    const double allowed = BackgroundGrid::domain_reach * cell_size, farthest = reach.maxCoeff();
+    if (farthest <= allowed) return false;
+    domain.half_edge_1 *= allowed / farthest;
+    domain.half_edge_2 *= allowed / farthest;
+    return true;
 }
 
 bool Cpdi::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p, NodePatch& patch)

@@ -21,9 +21,10 @@ struct Cpdi {
                          NodePatch& patch);
 };
 
-/// Shorten edges that are longer than a cell in either direction: a longer domain would give no weight to the
-/// nodes inside it, and the body would fall apart there (Homel, Brannon and Guilkey 2016 scale likewise).
-/// Returns whether an edge was shortened.
+/// Scale down a domain that reaches farther than BackgroundGrid::domain_reach cells from its centre (Homel,
+/// Brannon and Guilkey 2016 scale likewise, to one cell). Sheared neighbours overlap, so that a long domain
+/// keeps its accuracy: with 2 x 2 particles a cell the limit lies at a shear strain of 9, with 3 x 3 at 14.
+/// Returns whether the domain was scaled.
 bool limit_domain(double cell_size, ParallelogramDomain& domain);
 
 /// Weights of a domain whose centre lies in the grid and whose edges are limited.

@@ -30,8 +30,10 @@ LineWeights line_weights(double cells, double length_in_cells, double cell_size)
 {
     LineWeights line;
     const double low = cells - 0.5 * length_in_cells, high = cells + 0.5 * length_in_cells;
-    line.first = static_cast<int>(low);
-    line.count = static_cast<int>(high) - line.first + 2;
+    // an overlap of rounding alone would give a node a force without a mass
+    constexpr double rounding = 1e-10;
+    line.first = static_cast<int>(low + rounding);
+    line.count = static_cast<int>(high - rounding) - line.first + 2;
     for (int a = 0; a < line.count; ++a) {
         const double node = line.first + a;
         line.value[a] = (hat_primitive(high - node) - hat_primitive(low - node)) / length_in_cells;
@@ -43,8 +45,9 @@ LineWeights line_weights(double cells, double length_in_cells, double cell_size)
 /// A box of size length_x x length_y around the particle [m].
 bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 lengths, NodePatch& patch)
 {
-    const bool limited = lengths.maxCoeff() > grid.cell_size;
-    lengths = lengths.cwiseMin(grid.cell_size);
+    const double allowed = 2.0 * BackgroundGrid::domain_reach * grid.cell_size;
+    const bool limited = lengths.maxCoeff() > allowed;
+    lengths = lengths.cwiseMin(allowed);
     const Vector2 cells = (centre - grid.rim_origin()) / grid.cell_size;
     const LineWeights x = line_weights(cells.x(), lengths.x() / grid.cell_size, grid.cell_size);
     const LineWeights y = line_weights(cells.y(), lengths.y() / grid.cell_size, grid.cell_size);

@@ -63,11 +63,21 @@ Balance balance_along(const TwoPhaseSums& node, const NodeImpulses& impulses, do
             impulses.fluid.dot(direction)};
 }
 
-void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
+void set_flux_and_change(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
 {
     const double porosity = node.mass_fluid / (problem.water->density * node.volume);
     motion.flux_x = (1.0 - porosity) * motion.solid_x + porosity * motion.fluid_x;
     motion.flux_y = (1.0 - porosity) * motion.solid_y + porosity * motion.fluid_y;
+    motion.solid_change_x = motion.solid_x - node.momentum_solid_x / node.mass_solid;
+    motion.solid_change_y = motion.solid_y - node.momentum_solid_y / node.mass_solid;
+    motion.fluid_change_x = motion.fluid_x - node.momentum_fluid_x / node.mass_fluid;
+    motion.fluid_change_y = motion.fluid_y - node.momentum_fluid_y / node.mass_fluid;
+}
+
+void set_change(const SinglePhaseSums& node, SinglePhaseMotion& motion)
+{
+    motion.change_x = motion.x - node.momentum_x / node.mass;
+    motion.change_y = motion.y - node.momentum_y / node.mass;
 }
 
 TwoPhaseMotion solve_aligned(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
@@ -77,7 +87,7 @@ TwoPhaseMotion solve_aligned(const TwoPhaseSums& node, const NodeImpulses& impul
                                               held & solid_x_fixed, held & fluid_x_fixed, held & film_x);
     const PhaseVelocities y = solve_direction(balance_along(node, impulses, dt, Vector2::UnitY()),
                                               held & solid_y_fixed, held & fluid_y_fixed, held & film_y);
-    return {x.solid, y.solid, x.fluid, y.fluid, 0.0, 0.0};
+    return {x.solid, y.solid, x.fluid, y.fluid, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 }
 
 TwoPhaseMotion solve_slanted(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
@@ -91,7 +101,7 @@ TwoPhaseMotion solve_slanted(const TwoPhaseSums& node, const NodeImpulses& impul
                                               held & fluid_y_fixed, held & film_y);
     const Vector2 solid = n.solid * wall.normal + s.solid * across;
     const Vector2 fluid = n.fluid * wall.normal + s.fluid * across;
-    return {solid.x(), solid.y(), fluid.x(), fluid.y(), 0.0, 0.0};
+    return {solid.x(), solid.y(), fluid.x(), fluid.y(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 }
 
 template <class Sums, class Add>
@@ -158,14 +168,14 @@ void solve_two_phase_momentum(const Problem& problem, const NodeConditions& cond
         }
         const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, sums[i]);
         motion[i] = solve_aligned(sums[i], impulses, dt, conditions.of_node[i]);
-        set_flux(problem, sums[i], motion[i]);
+        set_flux_and_change(problem, sums[i], motion[i]);
     }
     for (const SlantedNode& wall : conditions.slanted) {
         const TwoPhaseSums& node = sums[wall.node];
         if (!node.active() || conditions.of_node[wall.node] != 0) continue;
         const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, node);
         motion[wall.node] = solve_slanted(node, impulses, dt, wall);
-        set_flux(problem, node, motion[wall.node]);
+        set_flux_and_change(problem, node, motion[wall.node]);
     }
 }
 
@@ -183,7 +193,7 @@ void solve_single_phase_momentum(const Problem& problem, const NodeConditions& c
         const auto i = static_cast<std::size_t>(k);
         const SinglePhaseSums& node = sums[i];
         if (!node.active()) {
-            motion[i] = {0.0, 0.0};
+            motion[i] = {};
             continue;
         }
         const double force_x = damped(node.stress_force_x - node.mass * acceleration, node.momentum_x);
@@ -191,13 +201,15 @@ void solve_single_phase_momentum(const Problem& problem, const NodeConditions& c
         const std::uint8_t held = conditions.of_node[i];
         motion[i].x = held & solid_x_fixed ? 0.0 : (node.momentum_x + dt * force_x) / node.mass;
         motion[i].y = held & solid_y_fixed ? 0.0 : (node.momentum_y + dt * force_y) / node.mass;
+        set_change(node, motion[i]);
     }
     for (const SlantedNode& wall : conditions.slanted) {
         if (!sums[wall.node].active() || conditions.of_node[wall.node] != 0) continue;
         Vector2 velocity(motion[wall.node].x, motion[wall.node].y);
         if (wall.conditions & solid_x_fixed) velocity -= velocity.dot(wall.normal) * wall.normal;
         if (wall.conditions & solid_y_fixed) velocity.setZero();
-        motion[wall.node] = {velocity.x(), velocity.y()};
+        motion[wall.node] = {velocity.x(), velocity.y(), 0.0, 0.0};
+        set_change(sums[wall.node], motion[wall.node]);
     }
 }
 

@@ -1,24 +1,39 @@
-// Nodes to particles: velocities, velocity gradients and the divergence of the flux of grains and water.
+// Nodes to particles: positions, velocities, velocity gradients and the divergence of the flux of grains and
+// water.
+//
+// Velocities. A particle keeps its own velocity and takes the change of the grid's (FLIP): taking the grid's
+// velocity itself (PIC) would smooth the motion a little in every step, and the explicit step is so short
+// that this would damp a shear wave of twenty cells by a per cent of critical, even with the gradient carried
+// along. What the grid cannot see of the particles' motion is noise, though; it is taken out at a rate, not
+// per step:
+//   v_p <- v + theta (v_grid - v),  theta = dt / (dt + tau),  tau = 20 h / c
+// (c the fastest wave), and noise of the water relative to the grains, which drag at the nodes cannot reach,
+// at the rate at which drag would: theta_r = a dt / (1 + a dt), a = C (1/r_s + 1/r_w). The relative velocity
+// is corrected such that the momentum of both phases together is untouched.
 #pragma once
 
 #include "solver/cell_lists.hpp"
 #include "solver/node_weights.hpp"
 #include "solver/nodes.hpp"
+#include "solver/problem.hpp"
 #include "solver/state.hpp"
 
 #include <vector>
 
 namespace quicksand {
 
-/// v_p = sum phi v_i and L_p = sum v_i (x) grad phi for both phases of a tile's particles;
+/// tau, the time over which velocity noise is taken out [s].
+double noise_time(const Problem& problem);
+
+/// x_p += dt sum phi v_i, v_p as above and L_p = sum v_i (x) grad phi for both phases of a tile's particles;
 /// flux_divergence = sum grad phi . [(1-n_i) v_s + n_i v_w] [1/s].
-void gather_two_phase(const BackgroundGrid& grid, const CellLists& lists, const Tile& tile,
-                      const PatchStore& store, const std::vector<TwoPhaseMotion>& motion,
+void gather_two_phase(const Problem& problem, double dt, double share, const CellLists& lists,
+                      const Tile& tile, const PatchStore& store, const std::vector<TwoPhaseMotion>& motion,
                       Particles& particles, Scalars& flux_divergence);
 
 /// The same for a body that moves as one phase.
-void gather_single_phase(const BackgroundGrid& grid, const CellLists& lists, const Tile& tile,
-                         const PatchStore& store, const std::vector<SinglePhaseMotion>& motion,
-                         Particles& particles);
+void gather_single_phase(const Problem& problem, double dt, double share, const CellLists& lists,
+                         const Tile& tile, const PatchStore& store,
+                         const std::vector<SinglePhaseMotion>& motion, Particles& particles);
 
 } // namespace quicksand

@@ -17,6 +17,11 @@ double shear_modulus(const LinearElastic& law)
     return law.shear_modulus;
 }
 
+double stiffest_modulus(const LinearElastic& law, std::size_t, std::size_t, const Particles&)
+{
+    return constrained_modulus(law);
+}
+
 void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles)
 {

@@ -22,6 +22,11 @@ double constrained_modulus(const LinearElastic& law);
 /// G [Pa]
 double shear_modulus(const LinearElastic& law);
 
+/// Stiffest modulus of a P wave in any direction and any of the particles [first, last), per present volume
+/// [Pa].
+double stiffest_modulus(const LinearElastic& law, std::size_t first, std::size_t last,
+                        const Particles& particles);
+
 /// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
 void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles);

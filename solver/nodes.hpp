@@ -19,11 +19,13 @@ struct alignas(64) TwoPhaseSums {
     bool active() const { return mass_solid > 0.0; }
 };
 
-/// Velocities at the end of the step.
-struct alignas(64) TwoPhaseMotion {
-    double solid_x, solid_y; // v_s [m/s]
-    double fluid_x, fluid_y; // v_w [m/s]
-    double flux_x, flux_y;   // (1-n) v_s + n v_w [m/s]
+/// Velocities at the end of the step and their change in it.
+struct TwoPhaseMotion {
+    double solid_x, solid_y;               // v_s [m/s]
+    double fluid_x, fluid_y;               // v_w [m/s]
+    double flux_x, flux_y;                 // (1-n) v_s + n v_w [m/s]
+    double solid_change_x, solid_change_y; // v_s - momentum_solid / m_s [m/s]
+    double fluid_change_x, fluid_change_y; // v_w - momentum_fluid / m_w [m/s]
 };
 
 /// Sums scattered from the particles of a body that moves as one phase.
@@ -36,9 +38,10 @@ struct alignas(64) SinglePhaseSums {
     bool active() const { return mass > 0.0; }
 };
 
-/// Velocities at the end of the step.
+/// Velocities at the end of the step and their change in it.
 struct SinglePhaseMotion {
-    double x, y; // v [m/s]
+    double x, y;               // v [m/s]
+    double change_x, change_y; // v - momentum / mass [m/s]
 };
 
 } // namespace quicksand

@@ -71,8 +71,6 @@ void advance_domains(double dt, Particles& particles)
     const Gradients& L = particles.velocity_gradient_solid;
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t p = first; p < last; ++p) {
-            particles.position.x[p] += dt * particles.velocity_solid.x[p];
-            particles.position.y[p] += dt * particles.velocity_solid.y[p];
             stretch(dt, L, p, particles.half_edge_1);
             stretch(dt, L, p, particles.half_edge_2);
             particles.volume[p] *= (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p];

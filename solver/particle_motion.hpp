@@ -10,7 +10,7 @@
 
 namespace quicksand {
 
-/// x += dt v, r_a <- (I + dt L) r_a, V <- det(I + dt L) V.
+/// r_a <- (I + dt L) r_a, V <- det(I + dt L) V.
 void advance_domains(double dt, Particles& particles);
 
 /// The corners of quadrilateral domains move with the grid: x_c += dt sum N_i(x_c) v_i; position, edges,

@@ -132,4 +132,21 @@ void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles
     }
 }
 
+void scatter_body_force(const Problem& problem, double time, const Particles& particles,
+                        const CarriedMasses& masses, const CellLists& lists, const Tile& tile,
+                        const PatchStore& store, std::vector<SinglePhaseSums>& sums)
+{
+    const StoredPatch* patch = store.patches.data();
+    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
+        const auto p = static_cast<std::size_t>(lists.order[k]);
+        const Vector2 force =
+            masses.inertia[p] * problem.body_acceleration(particles.reference_position[p], time);
+        for_each_node(*patch, store.weights.data() + patch->first, problem.grid.nodes_x(),
+                      problem.grid.cell_size, [&](std::size_t i, const NodeWeight& w, double, double) {
+                          sums[i].stress_force_x += w.value * force.x();
+                          sums[i].stress_force_y += w.value * force.y();
+                      });
+    }
+}
+
 } // namespace quicksand

@@ -34,4 +34,9 @@ void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles
                           const CellLists& lists, const Tile& tile, const PatchStore& store,
                           std::vector<SinglePhaseSums>& sums);
 
+/// Add the problem's own body force at `time` [s].
+void scatter_body_force(const Problem& problem, double time, const Particles& particles,
+                        const CarriedMasses& masses, const CellLists& lists, const Tile& tile,
+                        const PatchStore& store, std::vector<SinglePhaseSums>& sums);
+
 } // namespace quicksand

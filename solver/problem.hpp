@@ -6,6 +6,7 @@
 #include "solver/interpolation.hpp"
 #include "solver/skeleton_law.hpp"
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,9 @@ struct Problem {
     BaseMotion base_motion;
     std::vector<Boundary> boundaries;
     std::optional<TiedSides> tied_sides;
+    /// Body force per mass on a point, by its reference position and time; for verification, none otherwise
+    /// [m/s2].
+    std::function<Vector2(const Vector2&, double)> body_acceleration;
 };
 
 /// Static pressure of the still water at height y, zero above the level [Pa].

@@ -32,10 +32,12 @@ SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem)
     work.patches.resize(work.lists.tile_count);
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
+    work.noise_time = noise_time(problem);
     return work;
 }
 
-void scatter_to_nodes(const Problem& problem, const Particles& particles, SinglePhaseWorkspace& work)
+void scatter_to_nodes(const Problem& problem, double time, const Particles& particles,
+                      SinglePhaseWorkspace& work)
 {
     compute_carried_masses(problem, particles, work.masses);
     work.sums.assign(work.sums.size(), SinglePhaseSums{});
@@ -44,6 +46,8 @@ void scatter_to_nodes(const Problem& problem, const Particles& particles, Single
         PatchStore& store = work.patches[static_cast<std::size_t>(tile.number)];
         limited += evaluate_weights(problem, particles, work.lists, tile, store);
         scatter_single_phase(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);
+        if (!problem.body_acceleration) return;
+        scatter_body_force(problem, time, particles, work.masses, work.lists, tile, store, work.sums);
     });
     work.limited_domains = limited;
     gather_tied_sums(work.conditions, work.sums);
@@ -54,7 +58,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
 {
     Particles& particles = state.particles;
     timed(work.timers, Phase::sort, [&] { sort_particles(problem.grid, dt, state, work.lists); });
-    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, particles, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, state.time, particles, work); });
     timed(work.timers, Phase::momentum, [&] {
         const bool shaking = state.stage == Stage::shaking;
         const double acceleration =
@@ -64,8 +68,9 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         spread_tied_motion(work.conditions, work.motion);
     });
     timed(work.timers, Phase::gather, [&] {
+        const double share = dt / (dt + work.noise_time);
         for_each_tile(work.lists, [&](const Tile& tile) {
-            gather_single_phase(problem.grid, work.lists, tile,
+            gather_single_phase(problem, dt, share, work.lists, tile,
                                 work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles);
         });
     });

@@ -22,7 +22,8 @@ struct SinglePhaseWorkspace {
     std::vector<SinglePhaseSums> sums;
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
-    std::int64_t limited_domains = 0; // domains shortened in the last step [-]
+    double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
+    std::int64_t limited_domains = 0; // domains scaled down in the last step [-]
     PhaseTimers timers;
 };
 
@@ -30,7 +31,8 @@ SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem);
 
 /// Scatter the state to the nodes, tied nodes gathered: masses, momenta and forces of a step about to be
 /// taken.
-void scatter_to_nodes(const Problem& problem, const Particles& particles, SinglePhaseWorkspace& work);
+void scatter_to_nodes(const Problem& problem, double time, const Particles& particles,
+                      SinglePhaseWorkspace& work);
 
 /// Advance the state by one explicit step, t -> t + dt: steps 1-4, 6 and 7 of advance_two_phase_step with one
 /// velocity. `damping` is the local damping factor, 0 for a real motion [-]. Throws NumericalError.

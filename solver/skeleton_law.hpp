@@ -5,11 +5,12 @@
 #pragma once
 
 #include "solver/linear_elastic.hpp"
+#include "solver/neo_hookean.hpp"
 
 #include <variant>
 
 namespace quicksand {
 
-using SkeletonLaw = std::variant<LinearElastic>;
+using SkeletonLaw = std::variant<LinearElastic, NeoHookean>;
 
 } // namespace quicksand

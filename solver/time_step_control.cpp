@@ -19,26 +19,49 @@ constexpr double relaxation_safety = 0.45;
 constexpr double motion_safety = 0.2; // of a cell per step [-]
 
 /// What of the particles' state decides the step.
-struct Extremes {
-    double max_speed = 0.0;                         // [m/s]
-    std::vector<double> min_porosity, max_porosity; // per material, of the saturated particles [-]
+struct MaterialExtremes {
+    double min_porosity = 1.0, max_porosity = 0.0; // [-]
+    double stiffest_modulus = 0.0;                 // of a P wave of the skeleton [Pa]
 };
+
+struct Extremes {
+    double max_speed = 0.0;                  // [m/s]
+    std::vector<MaterialExtremes> materials; // as Problem::materials
+};
+
+void include_run(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last,
+                 Extremes& extremes)
+{
+    const auto m = static_cast<std::size_t>(particles.material[first]);
+    const Material& material = problem.materials[m];
+    MaterialExtremes& extreme = extremes.materials[m];
+    double least = 1.0, most = 0.0; // of the grains' share of the volume
+    for (std::size_t p = first; p < last; ++p) {
+        const double share = particles.mass_solid[p] / (material.grain_density * particles.volume[p]);
+        least = std::min(least, share);
+        most = std::max(most, share);
+    }
+    extreme.min_porosity = std::min(extreme.min_porosity, 1.0 - most);
+    extreme.max_porosity = std::max(extreme.max_porosity, 1.0 - least);
+    const double modulus = std::visit(
+        [&](const auto& law) { return stiffest_modulus(law, first, last, particles); }, material.law);
+    extreme.stiffest_modulus = std::max(extreme.stiffest_modulus, modulus);
+}
 
 Extremes find_extremes(const Problem& problem, const Particles& particles)
 {
     Extremes extremes;
+    extremes.materials.resize(problem.materials.size());
     double speed_squared = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double x = particles.velocity_solid.x[p], y = particles.velocity_solid.y[p];
         speed_squared = std::max(speed_squared, x * x + y * y);
     }
     extremes.max_speed = std::sqrt(speed_squared);
-    extremes.min_porosity.assign(problem.materials.size(), 1.0);
-    extremes.max_porosity.assign(problem.materials.size(), 0.0);
-    for (std::size_t p = 0; p < particles.porosity.size(); ++p) {
-        const auto m = static_cast<std::size_t>(particles.material[p]);
-        extremes.min_porosity[m] = std::min(extremes.min_porosity[m], particles.porosity[p]);
-        extremes.max_porosity[m] = std::max(extremes.max_porosity[m], particles.porosity[p]);
+    for (std::size_t first = 0, last = 0; first < particles.size(); first = last) {
+        last = first + 1;
+        while (last < particles.size() && particles.material[last] == particles.material[first]) ++last;
+        include_run(problem, particles, first, last, extremes);
     }
     return extremes;
 }
@@ -51,12 +74,12 @@ TimeStep wave_limit(const Problem& problem, const Extremes& extremes, double saf
     limit.dt = std::numeric_limits<double>::infinity();
     for (std::size_t m = 0; m < problem.materials.size(); ++m) {
         const Material& material = problem.materials[m];
-        const bool present = extremes.min_porosity[m] <= extremes.max_porosity[m];
-        const double low = present ? extremes.min_porosity[m] : material.porosity;
-        const double high = present ? extremes.max_porosity[m] : material.porosity;
-        for (const double porosity : {low, high}) {
-            const double dt =
-                safety * problem.grid.cell_size / speed(wave_speeds(material, problem.water, porosity));
+        const MaterialExtremes& extreme = extremes.materials[m];
+        if (extreme.min_porosity > extreme.max_porosity) continue; // no particle of this material
+        for (const double porosity : {extreme.min_porosity, extreme.max_porosity}) {
+            const WaveSpeeds speeds =
+                wave_speeds(material, extreme.stiffest_modulus, problem.water, porosity);
+            const double dt = safety * problem.grid.cell_size / speed(speeds);
             if (dt < limit.dt) limit = {dt, TimeStepLimiter::wave, material.name};
         }
     }
@@ -73,12 +96,18 @@ TimeStep limit_motion(const Problem& problem, const Extremes& extremes, TimeStep
 
 WaveSpeeds wave_speeds(const Material& material, const std::optional<Water>& water, double porosity)
 {
-    const double n = porosity;
     const double M = std::visit([](const auto& law) { return constrained_modulus(law); }, material.law);
+    return wave_speeds(material, M, water, porosity);
+}
+
+WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const std::optional<Water>& water,
+                       double porosity)
+{
+    const double n = porosity, M = skeleton_modulus;
     const double G = std::visit([](const auto& law) { return shear_modulus(law); }, material.law);
     WaveSpeeds speeds;
     if (!water) {
-        const double density = (1.0 - material.porosity) * material.grain_density;
+        const double density = (1.0 - n) * material.grain_density;
         speeds.skeleton = std::sqrt(M / density);
         speeds.shear = std::sqrt(G / density);
         return speeds;

@@ -20,6 +20,10 @@ struct WaveSpeeds {
 /// method: eigenvalues of R^-1 K of the drag-free two-phase P wave (Biot).
 WaveSpeeds wave_speeds(const Material& material, const std::optional<Water>& water, double porosity);
 
+/// The same with the skeleton's present P-wave modulus M [Pa].
+WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const std::optional<Water>& water,
+                       double porosity);
+
 enum class TimeStepLimiter { wave, motion, output };
 
 struct TimeStep {

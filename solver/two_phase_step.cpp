@@ -54,6 +54,7 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
     work.patches.resize(work.lists.tile_count);
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
+    work.noise_time = noise_time(problem);
     return work;
 }
 
@@ -66,8 +67,9 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     timed(work.timers, Phase::scatter, [&] { scatter(problem, particles, work); });
     timed(work.timers, Phase::momentum, [&] { solve_momentum(problem, state.time, dt, work); });
     timed(work.timers, Phase::gather, [&] {
+        const double share = dt / (dt + work.noise_time);
         for_each_tile(work.lists, [&](const Tile& tile) {
-            gather_two_phase(problem.grid, work.lists, tile,
+            gather_two_phase(problem, dt, share, work.lists, tile,
                              work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles,
                              work.flux_divergence);
         });

@@ -21,7 +21,8 @@ struct TwoPhaseWorkspace {
     std::vector<TwoPhaseSums> sums;
     std::vector<TwoPhaseMotion> motion;
     Scalars flux_divergence;          // [1/s]
-    std::int64_t limited_domains = 0; // domains shortened in the last step [-]
+    double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
+    std::int64_t limited_domains = 0; // domains scaled down in the last step [-]
     PhaseTimers timers;
 };
 

@@ -42,11 +42,11 @@ TEST(Determinism, OneTwoAndFourThreadsGiveTheSameBits)
     const int threads_before = thread_count();
     set_thread_count(1);
     State reference = block(problem);
-    run(problem, 0.01, {}, reference);
+    run(problem, 0.004, {}, reference);
     for (const int threads : {2, 4}) {
         set_thread_count(threads);
         State state = block(problem);
-        run(problem, 0.01, {}, state);
+        run(problem, 0.004, {}, state);
         EXPECT_EQ(state.step, reference.step);
         expect_same_bits(state.particles, reference.particles);
     }
@@ -58,13 +58,13 @@ TEST(Determinism, ACopyTakenInMidRunGoesOnWithTheSameBits)
     const Problem problem = shaken_block();
     State uninterrupted = block(problem);
     State interrupted = uninterrupted;
-    run(problem, 0.01, {}, uninterrupted);
+    run(problem, 0.004, {}, uninterrupted);
 
     const auto stop = [&] { return interrupted.step == 137; };
-    run(problem, 0.01, {}, interrupted, stop);
-    ASSERT_LT(interrupted.time, 0.01);
+    run(problem, 0.004, {}, interrupted, stop);
+    ASSERT_LT(interrupted.time, 0.004);
     State copy = interrupted;
-    run(problem, 0.01, {}, copy);
+    run(problem, 0.004, {}, copy);
     EXPECT_EQ(copy.step, uninterrupted.step);
     EXPECT_EQ(copy.time, uninterrupted.time);
     expect_same_bits(copy.particles, uninterrupted.particles);

@@ -1,0 +1,54 @@
+#include "solver/neo_hookean.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+double lame_modulus(const NeoHookean& law)
+{
+    return 2.0 * law.shear_modulus * law.poisson_ratio / (1.0 - 2.0 * law.poisson_ratio);
+}
+
+double constrained_modulus(const NeoHookean& law)
+{
+    return lame_modulus(law) + 2.0 * law.shear_modulus;
+}
+
+double shear_modulus(const NeoHookean& law)
+{
+    return law.shear_modulus;
+}
+
+double stiffest_modulus(const NeoHookean& law, std::size_t first, std::size_t last,
+                        const Particles& particles)
+{
+    // acoustic tensor along n: {[lambda (1 - ln J) + mu] n (x) n + mu (n.B n) I} / J
+    const double lambda = lame_modulus(law), mu = law.shear_modulus;
+    double stiffest = 0.0;
+    for (std::size_t p = first; p < last; ++p) {
+        const Eigen::Matrix2d F = deformation_gradient(particles, p);
+        const double J = F.determinant(), trace = F.squaredNorm(); // tr B
+        const double largest = 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4.0 * J * J)));
+        stiffest = std::max(stiffest, (lambda * (1.0 - std::log(J)) + mu + mu * largest) / J);
+    }
+    return stiffest;
+}
+
+void update_stress(const NeoHookean& law, double, std::size_t first, std::size_t last, Particles& particles)
+{
+    const double lambda = lame_modulus(law), mu = law.shear_modulus;
+    for (std::size_t p = first; p < last; ++p) {
+        const Eigen::Matrix2d F = deformation_gradient(particles, p);
+        const Eigen::Matrix2d B = F * F.transpose();
+        const double J = F.determinant();
+        const double volumetric = lambda * std::log(J);
+        particles.stress.xx[p] = (volumetric + mu * (B(0, 0) - 1.0)) / J;
+        particles.stress.yy[p] = (volumetric + mu * (B(1, 1) - 1.0)) / J;
+        particles.stress.zz[p] = volumetric / J;
+        particles.stress.xy[p] = mu * B(0, 1) / J;
+    }
+}
+
+} // namespace quicksand
