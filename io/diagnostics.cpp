@@ -40,9 +40,12 @@ std::vector<std::string_view> characters(std::string_view text)
     return parts;
 }
 
-bool is_control(std::string_view character)
+/// As it may be shown on a terminal: control characters as blanks, stray bytes as question marks.
+std::string_view printable(std::string_view character)
 {
-    return character.size() == 1 && static_cast<unsigned char>(character[0]) < 0x20U;
+    const auto byte = static_cast<unsigned char>(character[0]);
+    if (character.size() == 1 && byte >= 0x80U) return "?";
+    return character.size() == 1 && (byte < 0x20U || byte == 0x7FU) ? std::string_view(" ") : character;
 }
 
 /// The source line and the caret below it; a long line is cut to the neighbourhood of the mark.
@@ -56,7 +59,7 @@ std::string quote(std::string_view line, const SourcePlace& place)
                                                std::max<std::size_t>(last - std::min(column, last), 1));
     std::string shown = first > 0 ? "..." : "", padding(shown.size(), ' ');
     for (std::size_t k = first; k < last; ++k) {
-        shown += is_control(all[k]) ? std::string_view(" ") : all[k];
+        shown += printable(all[k]);
         if (k < column) padding += ' ';
     }
     if (last < all.size()) shown += "...";

@@ -160,8 +160,13 @@ void DocumentCheck::refuse_missing(const SceneKey& key, const Entry& table)
     const SourcePlace file{document_.place.file, 0, 0};
     const SourcePlace place = table.node != nullptr && !table.path.empty() ? table.node->place : file;
     if (is_table(key)) {
+        std::string keys;
+        for (const SceneKey* child : keys_of_table(key.pattern)) {
+            if (child->required)
+                keys += (keys.empty() ? " with " : ", ") + std::string(last_part(child->pattern));
+        }
         findings_.add(error_at(place, "missing-table", "there is no table " + header(path, &key),
-                               std::string(key.doc)));
+                               "a table " + header(path, &key) + keys + ": " + std::string(key.doc)));
         return;
     }
     const std::string unit(si_symbol(key.dimension));

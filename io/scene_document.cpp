@@ -94,6 +94,7 @@ std::string syntax_hint(std::string_view message)
     if (says("could not determine value type")) return "text stands in quotes: \"sand\"";
     if (says("expected decimal digit")) return "write a digit on both sides of the point: 0.5";
     if (says("expected value, saw")) return "give the key a value, or put # before the line";
+    if (says("control characters")) return "is a closing quote missing on this line?";
     if (says("expected '='")) return "a line is `key = value`, `[table]` or `# comment`";
     return "";
 }
@@ -106,8 +107,11 @@ Diagnostic syntax_error(const std::filesystem::path& file, const toml::parse_err
         what.erase(0, start + 2);
     }
     const bool duplicate = what.find("cannot redefine") != std::string::npos;
-    return error_at(place_of(file, error.source()), duplicate ? "duplicate-key" : "syntax", what, "",
-                    syntax_hint(what));
+    const std::string hint = syntax_hint(what);
+    if (const auto name = what.find('\''); duplicate && name != std::string::npos) {
+        what = what.substr(name, what.find('\'', name + 1) + 1 - name) + " is given twice";
+    }
+    return error_at(place_of(file, error.source()), duplicate ? "duplicate-key" : "syntax", what, "", hint);
 }
 
 /// Parse one text; nothing, and a finding, when it is no TOML.

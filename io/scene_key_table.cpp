@@ -95,7 +95,7 @@ std::vector<SceneKey> material_keys()
          .doc = "Initial porosity: void volume over total volume."},
         {.pattern = "materials.*.hydraulic_conductivity", .dimension = Dimension::velocity, .required = true,
          .saturated_only = true, .allowed = positive, .plausible = {1e-10, 1.0},
-         .caution = "this is Darcy's conductivity in m/s, not the intrinsic permeability in m2 and not k/gamma_w",
+         .caution = "this is Darcy's conductivity in m/s, not an intrinsic permeability in m2, not k/gamma_w",
          .doc = "Darcy's conductivity k, at the gravity of conductivity_gravity."},
         {.pattern = "materials.*.conductivity_gravity", .dimension = Dimension::acceleration,
          .saturated_only = true,

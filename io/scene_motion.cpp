@@ -78,16 +78,20 @@ std::string check_spacing(const std::vector<Row>& rows, const std::vector<int>& 
     if (std::abs(rows.front().time) > spacing_tolerance * std::abs(interval)) {
         return "its time starts at " + number_text(rows.front().time) + " s, not at 0";
     }
+    const auto step = [&](std::size_t k) { return rows[k].time - rows[k - 1].time; };
+    const auto text = [&](std::size_t k) {
+        return number_text(std::round(step(k) * 1e9) * 1e-9) + " s (line " + std::to_string(lines[k]) + ")";
+    };
+    std::size_t shortest = 1, longest = 1;
+    bool even = true;
     for (std::size_t k = 1; k < rows.size(); ++k) {
-        const double step = rows[k].time - rows[k - 1].time;
-        const std::string at = " at line " + std::to_string(lines[k]);
-        if (!(step > 0.0)) return "its time does not increase" + at;
+        if (!(step(k) > 0.0)) return "its time does not increase at line " + std::to_string(lines[k]);
+        if (step(k) < step(shortest)) shortest = k;
+        if (step(k) > step(longest)) longest = k;
         const double expected = rows.front().time + static_cast<double>(k) * interval;
-        if (std::abs(rows[k].time - expected) <= spacing_tolerance * interval) continue;
-        return "its times are not equally spaced: " + number_text(rows[k].time) + " s" + at + ", " +
-               number_text(expected) + " s expected";
+        even = even && std::abs(rows[k].time - expected) <= spacing_tolerance * interval;
     }
-    return "";
+    return even ? "" : "its time steps are between " + text(shortest) + " and " + text(longest);
 }
 
 void check_shaking(const SceneValues& values, const BaseMotion& motion, Diagnostics& findings)

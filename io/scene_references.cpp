@@ -41,10 +41,10 @@ void check_materials(const SceneValues& values, Diagnostics& findings)
     bool all_known = true;
     for (const NamedTable& region : tables_named(values, "regions")) {
         const std::string path = region.path + ".material", name = values.text(path);
-        if (name.empty()) continue;
         used.push_back(name);
+        all_known = all_known && contains(known, name);
+        if (name.empty()) continue;
         if (contains(known, name)) continue;
-        all_known = false;
         findings.add(error_at(values.place(path), "unknown-material", "there is no material \"" + name + "\"",
                               one_of(known), did_you_mean(name, known)));
     }
@@ -78,7 +78,7 @@ void check_tied_boundary(const SceneValues& values, const NamedTable& boundary,
         "write soil = \"tied\" and tied_to = \"" + boundary.name + "\" in [" + partner_path + "]";
     if (!soil.empty() && soil != "tied") {
         refuse("\"" + partner + "\" is " + soil + ", not tied", "two curves tied to each other", lines);
-    } else if (!back.empty() && back != boundary.name) {
+    } else if (contains(known, back) && back != partner && back != boundary.name) {
         refuse("\"" + partner + "\" is tied to \"" + back + "\", not to \"" + boundary.name + "\"",
                "two curves tied to each other", lines);
     }

@@ -124,8 +124,10 @@ std::optional<ReadNumber> ValueReader::read_quantity(const DocumentNode& node)
 /// does.
 std::string likely_quantity(const Quantity& written, Dimension dimension, const Interval& wanted)
 {
-    if (dimension == Dimension::none && wanted.contains(written.number / 100.0)) {
-        return number_text(written.number / 100.0) + " (" + number_text(written.number) + " %)";
+    if (dimension == Dimension::none) {
+        const bool percent = written.number > 1.0 && wanted.contains(written.number / 100.0);
+        return percent ? number_text(written.number / 100.0) + " (" + number_text(written.number) + " %)"
+                       : "";
     }
     for (const Unit& unit : units_of(dimension)) {
         if (unit.symbol == written.unit || (written.unit.empty() && unit.multiply == unit.divide)) continue;

@@ -1,0 +1,143 @@
+// Scenes that do not fit their drawings.
+#include <gtest/gtest.h>
+
+#include "tests/unit/io/scene_example.hpp"
+
+namespace quicksand {
+namespace {
+
+using fixtures::column_scene;
+using fixtures::column_section;
+using fixtures::rectangular_section;
+using fixtures::replaced;
+using fixtures::SceneFolder;
+
+TEST(Assembly, OfASoundSceneHasNothingToSay)
+{
+    EXPECT_EQ(SceneFolder().assembly_message(column_scene, column_section()), "");
+}
+
+TEST(Assembly, NamesARegionThatTheDrawingLacks)
+{
+    const std::string text = replaced(column_scene, "[regions.sand]", "[regions.snad]");
+    EXPECT_EQ(SceneFolder().assembly_message(text, column_section()),
+              R"(scene.toml:5:8: error[missing-table]: the drawing's physical surface "sand" has no material
+    5 | file = "column.geo"
+      |        ^~~~~~~~~~~~
+hint: add a table [regions.sand] with a material
+scene.toml:27:1: error[unknown-group]: the drawing has no physical surface "snad"
+   27 | [regions.snad]
+      | ^~~~~~~~~~~~~~
+expected: sand
+hint: did you mean "sand"?
+)");
+}
+
+TEST(Assembly, NamesABoundaryThatTheDrawingLacks)
+{
+    const std::string text = replaced(column_scene, "[boundaries.surface]", "[boundaries.surfaces]");
+    EXPECT_EQ(
+        SceneFolder().assembly_message(text, column_section()),
+        R"(scene.toml:5:8: warning[unnamed-boundary]: the physical curve "surface" has no conditions: it is free and drained
+    5 | file = "column.geo"
+      |        ^~~~~~~~~~~~
+hint: say so with a table [boundaries.surface] and soil = "free"
+to accept it: accept = ["boundaries.surface"] at the top of the scene
+scene.toml:41:1: error[unknown-group]: the drawing has no physical curve "surfaces"
+   41 | [boundaries.surfaces]
+      | ^~~~~~~~~~~~~~~~~~~~~
+expected: one of base, right, surface, left
+hint: did you mean "surface"?
+)");
+}
+
+TEST(Assembly, AsksForThePlaceOfAProbe)
+{
+    const std::string text = replaced(column_scene, "at = [0.03, 0.3]\n", "");
+    EXPECT_EQ(
+        SceneFolder().assembly_message(text, column_section()),
+        R"(scene.toml:52:1: error[unknown-group]: the probe "crest" has no place: the drawing has no physical point "crest"
+   52 | [probes.crest]
+      | ^~~~~~~~~~~~~~
+expected: the drawing has no physical point at all
+hint: give the probe at = [x, y], or name a physical point after it
+)");
+}
+
+TEST(Assembly, RefusesSoilAboveTheWater)
+{
+    const std::string text = replaced(column_scene, "level = 0.3175", "level = 0.3");
+    EXPECT_EQ(
+        SceneFolder().assembly_message(text, column_section()),
+        R"(scene.toml:17:9: error[water-level]: the soil reaches up to y = 0.3175 m, the water only to 0.3 m
+   17 | level = 0.3
+      |         ^~~
+expected: a level of at least 0.3175 m
+hint: this version runs sections wholly below the water, or dry ones without [water]
+)");
+}
+
+TEST(Assembly, RefusesTiedSidesOffTheGrid)
+{
+    const std::string text = replaced(column_scene, "\"7.5 mm\"", "0.008");
+    EXPECT_EQ(
+        SceneFolder().assembly_message(text, column_section()),
+        R"(scene.toml:37:1: error[tied]: the tied curve "right" at x = 0.0675 m is not on a grid line: the nearest is at x = 0.064 m
+   37 | [boundaries.right]
+      | ^~~~~~~~~~~~~~~~~~
+expected: a vertical straight line on a grid line
+hint: choose a cell size that divides the width, or set origin in [grid]
+)");
+}
+
+TEST(Assembly, RefusesTiedSidesOfUnequalHeight)
+{
+    Section section = column_section();
+    section.curves[3].segments[0].start.y() = 0.25;
+    EXPECT_NE(SceneFolder()
+                  .assembly_message(column_scene, section)
+                  .find("error[tied]: the tied curves \"left\" and \"right\" reach from y = 0 to 0.25 m and "
+                        "from 0 to 0.3175 m"),
+              std::string::npos);
+}
+
+TEST(Assembly, RefusesTiedCurvesThatAreNotVertical)
+{
+    Section section = column_section();
+    section.curves[3].segments[0].start.x() = 0.01;
+    EXPECT_NE(SceneFolder()
+                  .assembly_message(column_scene, section)
+                  .find("error[tied]: the tied curve \"left\" is not a vertical line"),
+              std::string::npos);
+}
+
+TEST(Assembly, WarnsOfWallsBetweenGridLines)
+{
+    const std::string text = replaced(column_scene, "\"7.5 mm\"", "\"7.5 mm\"\norigin = [0, -0.005]");
+    EXPECT_EQ(
+        SceneFolder().assembly_message(text, column_section()),
+        R"(scene.toml:31:1: warning[off-grid]: the fixed curve "base" lies 0.0025 m from the nearest grid line
+   31 | [boundaries.base]
+      | ^~~~~~~~~~~~~~~~~
+expected: a wall on grid lines; off them the condition acts at the nodes nearest to the wall
+to accept it: accept = ["boundaries.base"] at the top of the scene
+)");
+}
+
+TEST(Assembly, KeepsQuietOfWhatIsAccepted)
+{
+    std::string text = replaced(column_scene, "\"7.5 mm\"", "\"7.5 mm\"\norigin = [0, -0.005]");
+    text = replaced(text, "title = \"column\"", "accept = [\"boundaries.base\"]");
+    EXPECT_EQ(SceneFolder().assembly_message(text, column_section()), "");
+}
+
+TEST(Assembly, RefusesAGridOfTooManyCells)
+{
+    const std::string text = replaced(column_scene, "\"7.5 mm\"", "1e-6");
+    const std::string message = SceneFolder().assembly_message(text, column_section());
+    EXPECT_NE(message.find("error[range]: the grid has 67500 x 3.65125e5 cells"), std::string::npos)
+        << message;
+}
+
+} // namespace
+} // namespace quicksand

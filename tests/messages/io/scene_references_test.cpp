@@ -1,0 +1,120 @@
+// Names that refer to nothing, sides that are not tied to each other, files that are not there.
+#include "tests/messages/io/scene_mistake.hpp"
+
+namespace quicksand {
+namespace {
+
+using fixtures::SceneMistake;
+
+class SceneReferences : public testing::TestWithParam<SceneMistake> {};
+
+TEST_P(SceneReferences, AreReportedWithPlaceAndCure)
+{
+    const SceneMistake& mistake = GetParam();
+    const fixtures::SceneFolder folder;
+    folder.write("uneven.csv", "time,a\n0,0\n0.01,1\n0.03,0\n");
+    const std::string text = fixtures::replaced(fixtures::column_scene, mistake.sound, mistake.mistaken);
+    EXPECT_EQ(folder.message(text), mistake.message.substr(1)); // after the line break that opens it
+}
+
+// clang-format off
+INSTANTIATE_TEST_SUITE_P(Mistakes, SceneReferences, testing::Values(
+SceneMistake{"UnknownMaterial",
+    "material = \"sand\"",
+    "material = \"snad\"",
+R"_(
+scene.toml:28:12: error[unknown-material]: there is no material "snad"
+   28 | material = "snad"
+      |            ^~~~~~
+expected: sand
+hint: did you mean "sand"?
+)_"},
+SceneMistake{"UnusedMaterial",
+    "[regions.sand]",
+    "[materials.clay]\nmodel = \"linear_elastic\"\nshear_modulus = \"10 MPa\"\nporosity = 0.5\npoisson_ratio = 0.3\nhydraulic_conductivity = 1e-8\n\n[regions.sand]",
+R"_(
+scene.toml:27:1: warning[unused]: no region is made of the material "clay"
+   27 | [materials.clay]
+      | ^~~~~~~~~~~~~~~~
+to accept it: accept = ["materials.clay"] at the top of the scene
+)_"},
+SceneMistake{"TiedToUnknown",
+    "tied_to = \"right\"",
+    "tied_to = \"rihgt\"",
+R"_(
+scene.toml:35:11: error[tied]: there is no boundary "rihgt"
+   35 | tied_to = "rihgt"
+      |           ^~~~~~~
+expected: one of base, left, right, surface
+hint: did you mean "right"?
+)_"},
+SceneMistake{"TiedToNothing",
+    "tied_to = \"right\"\n",
+    "",
+R"_(
+scene.toml:33:1: error[missing-key]: [boundaries.left] has no tied_to
+   33 | [boundaries.left]
+      | ^~~~~~~~~~~~~~~~~
+expected: tied_to: The opposite curve, whose points of equal height move together with this one's.
+)_"},
+SceneMistake{"NotTiedBack",
+    "soil = \"tied\"\ntied_to = \"left\"",
+    "soil = \"free\"",
+R"_(
+scene.toml:35:11: error[tied]: "right" is free, not tied
+   35 | tied_to = "right"
+      |           ^~~~~~~
+expected: two curves tied to each other
+hint: write soil = "tied" and tied_to = "left" in [boundaries.right]
+)_"},
+SceneMistake{"TiedToItself",
+    "tied_to = \"right\"",
+    "tied_to = \"left\"",
+R"_(
+scene.toml:35:11: error[tied]: "left" is tied to itself
+   35 | tied_to = "left"
+      |           ^~~~~~
+hint: name the opposite curve
+)_"},
+SceneMistake{"MissingDrawing",
+    "file = \"column.geo\"",
+    "file = \"colunm.geo\"",
+R"_(
+scene.toml:5:8: error[file]: there is no file 'colunm.geo'
+    5 | file = "colunm.geo"
+      |        ^~~~~~~~~~~~
+expected: a drawing; its path is relative to the scene file
+hint: did you mean column.geo?
+)_"},
+SceneMistake{"FolderInsteadOfDrawing",
+    "file = \"column.geo\"",
+    "file = \".\"",
+R"_(
+scene.toml:5:8: error[file]: '.' is a folder
+    5 | file = "."
+      |        ^~~
+expected: a drawing
+hint: name the file in it
+)_"},
+SceneMistake{"RecordMissing",
+    "kind = \"sine\"\namplitude = \"24 g\"\nfrequency = 180",
+    "kind = \"file\"\nfile = \"record.csv\"\nunit = \"g\"",
+R"_(
+scene.toml:46:8: error[file]: 'record.csv' does not exist
+   46 | file = "record.csv"
+      |        ^~~~~~~~~~~~
+hint: the path is relative to the scene file
+)_"},
+SceneMistake{"RecordUnevenlySpaced",
+    "kind = \"sine\"\namplitude = \"24 g\"\nfrequency = 180",
+    "kind = \"file\"\nfile = \"uneven.csv\"\nunit = \"m/s2\"",
+R"_(
+scene.toml:46:8: error[motion]: 'uneven.csv': its time steps are between 0.01 s (line 3) and 0.02 s (line 4)
+   46 | file = "uneven.csv"
+      |        ^~~~~~~~~~~~
+expected: rows `time_s, acceleration` at equal intervals from time 0, at most one header line
+)_"}), fixtures::name_of);
+// clang-format on
+
+} // namespace
+} // namespace quicksand

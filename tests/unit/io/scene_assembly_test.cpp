@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "tests/unit/io/scene_example.hpp"
+
+namespace quicksand {
+namespace {
+
+using fixtures::column_scene;
+using fixtures::column_section;
+using fixtures::rectangular_section;
+using fixtures::replaced;
+using fixtures::SceneFolder;
+
+double sum(const Scalars& values)
+{
+    return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+AssembledCase assemble_column()
+{
+    return assemble_case(SceneFolder().read(column_scene), column_section());
+}
+
+TEST(Assembly, FillsTheColumn)
+{
+    const AssembledCase column = assemble_column();
+    const Particles& particles = column.state.particles;
+    ASSERT_EQ(particles.size(), 3429U);
+    EXPECT_TRUE(particles.has_fluid());
+    const double area = 0.0675 * 0.3175;
+    EXPECT_NEAR(sum(particles.volume), area, 1e-14);
+    EXPECT_NEAR(sum(particles.mass_solid), area * 0.595 * 2670.0, 1e-9);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        ASSERT_EQ(particles.identifier[p], static_cast<std::int32_t>(p));
+        ASSERT_EQ(particles.porosity[p], 0.405);
+        ASSERT_EQ(particles.pore_pressure[p], 0.0);
+        ASSERT_EQ(particles.velocity_fluid[p], Vector2::Zero());
+        ASSERT_EQ(particles.reference_position[p], particles.position[p]);
+        ASSERT_EQ(particles.reference_edge_1[p], particles.half_edge_1[p]);
+    }
+}
+
+TEST(Assembly, SetsAStressLinearInDepth)
+{
+    const AssembledCase column = assemble_column();
+    const Particles& particles = column.state.particles;
+    const double unit_weight = 0.595 * (2670.0 - 1000.0) * 120 * 9.81;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double vertical = unit_weight * (0.3175 - particles.position.y[p]);
+        ASSERT_NEAR(particles.stress.yy[p], -vertical, 1e-10 * unit_weight);
+        ASSERT_EQ(particles.stress.xx[p], 0.5 * particles.stress.yy[p]);
+        ASSERT_EQ(particles.stress.zz[p], 0.5 * particles.stress.yy[p]);
+        ASSERT_EQ(particles.stress.xy[p], 0.0);
+    }
+}
+
+TEST(Assembly, GivesADrySceneItsFullWeightAndNoWater)
+{
+    std::string text = replaced(column_scene, "[water]\nlevel = 0.3175\n", "");
+    text = replaced(text, "hydraulic_conductivity = 5.8e-5\n", "");
+    const AssembledCase column = assemble_case(SceneFolder().read(text), column_section());
+    const Particles& particles = column.state.particles;
+    EXPECT_FALSE(particles.has_fluid());
+    const double unit_weight = 0.595 * 2670.0 * 120 * 9.81;
+    EXPECT_NEAR(particles.stress.yy[7], -unit_weight * (0.3175 - particles.position.y[7]),
+                1e-10 * unit_weight);
+}
+
+TEST(Assembly, CoversTheSectionWithRoomAbove)
+{
+    const BackgroundGrid grid = assemble_column().problem.grid;
+    EXPECT_EQ(grid.origin, Vector2::Zero());
+    EXPECT_EQ(grid.cells_x, 9);
+    EXPECT_EQ(grid.cells_y, 43 + 7);
+    const std::string coarse = replaced(column_scene, "\"7.5 mm\"", "67.5e-3");
+    EXPECT_EQ(assemble_case(SceneFolder().read(coarse), column_section()).problem.grid.cells_y, 5 + 2);
+}
+
+TEST(Assembly, TiesTheSides)
+{
+    const AssembledCase column = assemble_column();
+    ASSERT_TRUE(column.problem.tied_sides);
+    EXPECT_EQ(column.problem.tied_sides->left, "left");
+    EXPECT_EQ(column.problem.tied_sides->right, "right");
+    EXPECT_EQ(column.problem.tied_sides->x_left, 0.0);
+    EXPECT_EQ(column.problem.tied_sides->x_right, 0.0675);
+    ASSERT_EQ(column.problem.boundaries.size(), 4U);
+    EXPECT_EQ(column.problem.boundaries[0].name, "base");
+    EXPECT_EQ(column.problem.boundaries[0].soil, SoilCondition::fixed);
+    EXPECT_EQ(column.problem.boundaries[0].segments.size(), 1U);
+}
+
+TEST(Assembly, AddsTheWeightOfTheLayersAbove)
+{
+    Section section = rectangular_section(0.0, 0.0, 0.0675, 0.15);
+    const Section upper = rectangular_section(0.0, 0.15, 0.0675, 0.3);
+    section.regions.push_back({"clay", upper.regions[0].polygons});
+    section.curves = {section.curves[0]};
+    section.upper = upper.upper;
+    std::string text = column_scene.substr(0, column_scene.find("[boundaries.left]"));
+    text += "[regions.clay]\nmaterial = \"clay\"\n[materials.clay]\nmodel = \"linear_elastic\"\n"
+            "shear_modulus = 1e6\npoisson_ratio = 0.3\nporosity = 0.6\nhydraulic_conductivity = 1e-8\n"
+            "grain_density = 2500\n[run]\nend_time = 1\n";
+    const AssembledCase layers = assemble_case(SceneFolder().read(text), section);
+    const Particles& particles = layers.state.particles;
+    const double gravity = 120 * 9.81, sand = 0.595 * 1670.0 * gravity, clay = 0.4 * 1500.0 * gravity;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double y = particles.position.y[p];
+        const double vertical = y > 0.15 ? clay * (0.3 - y) : clay * 0.15 + sand * (0.15 - y);
+        ASSERT_NEAR(particles.stress.yy[p], -vertical, 1e-9 * sand);
+        ASSERT_EQ(particles.material[p], y > 0.15 ? 1 : 0);
+        ASSERT_EQ(particles.region[p], y > 0.15 ? 1 : 0);
+    }
+}
+
+TEST(Assembly, PutsAProbeAtThePhysicalPointOfItsName)
+{
+    Section section = column_section();
+    section.points = {{"crest", {0.02, 0.3}}};
+    const std::string text = replaced(column_scene, "at = [0.03, 0.3]\n", "");
+    const AssembledCase column = assemble_case(SceneFolder().read(text), section);
+    EXPECT_EQ(column.scene.probes.at(0).at, Vector2(0.02, 0.3));
+}
+
+TEST(Assembly, ReadsTheColumnOfTheExamples)
+{
+    const std::filesystem::path file =
+        std::filesystem::path(QUICKSAND_SOURCE_DIR) / "examples/column/scene.toml";
+    const AssembledCase column = assemble_case(read_scene_file(file, {}));
+    EXPECT_EQ(column.state.particles.size(), 3429U);
+    EXPECT_TRUE(column.warnings.empty()) << column.warnings.render(column.scene.text);
+}
+
+} // namespace
+} // namespace quicksand
