@@ -99,7 +99,7 @@ TEST(ResultsFolder, AProbeNeedsResults)
     const Outcome outcome = run_program("probe " + folder.string() + " --at 0.1,0.2 --fields ru -o " +
                                         (folder / "a.csv").string());
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "fields.pvd");
+    expect_mention(outcome, "Is this the results folder of a run?");
 }
 
 TEST(NumericalFailure, IsToldKeptAndCoded)
