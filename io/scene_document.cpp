@@ -1,20 +1,27 @@
 #include "io/scene_document.hpp"
 
-#include <stdexcept>
+#include <exception>
 
 namespace {
 
-/// toml++ stops the program where its invariants fail, which some texts make them do; this throws instead.
+/// toml++ relies on invariants that some texts break.
+struct BrokenInvariant : std::exception {};
+
 constexpr void require_of_toml(bool holds)
 {
-    if (!holds) throw std::runtime_error("the text cannot be read as TOML");
+    if (!holds) throw BrokenInvariant();
 }
 
 } // namespace
 
+// The invariants are checked in every build, NDEBUG or not: without the checks such texts are read beyond
+// their end, and with toml++'s own checks they stop the program.
+#pragma push_macro("NDEBUG")
+#undef NDEBUG
 #define TOML_HEADER_ONLY 1
 #define TOML_ASSERT(expression) require_of_toml(static_cast<bool>(expression))
 #include <toml++/toml.h>
+#pragma pop_macro("NDEBUG")
 
 #include <algorithm>
 #include <tuple>
@@ -83,6 +90,8 @@ DocumentNode copy_node(const std::filesystem::path& file, const toml::node& sour
     return node;
 }
 
+constexpr const char* line_forms = "a line is `key = value`, `[table]` or `# comment`";
+
 /// Advice on the mistakes that people make most, from the parser's words.
 std::string syntax_hint(std::string_view message)
 {
@@ -95,7 +104,7 @@ std::string syntax_hint(std::string_view message)
     if (says("expected decimal digit")) return "write a digit on both sides of the point: 0.5";
     if (says("expected value, saw")) return "give the key a value, or put # before the line";
     if (says("control characters")) return "is a closing quote missing on this line?";
-    if (says("expected '='")) return "a line is `key = value`, `[table]` or `# comment`";
+    if (says("expected '='")) return line_forms;
     return "";
 }
 
@@ -114,6 +123,31 @@ Diagnostic syntax_error(const std::filesystem::path& file, const toml::parse_err
     return error_at(place_of(file, error.source()), duplicate ? "duplicate-key" : "syntax", what, "", hint);
 }
 
+bool breaks_invariant(std::string_view text)
+{
+    try {
+        static_cast<void>(toml::parse(text));
+    } catch (const toml::parse_error&) {
+        return false;
+    } catch (const BrokenInvariant&) {
+        return true;
+    }
+    return false;
+}
+
+/// The line at which an invariant of the parser breaks, by halving: it reads a text from front to end.
+int line_of_broken_invariant(std::string_view text)
+{
+    std::vector<std::size_t> line_ends;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        if (text[k] == '\n') line_ends.push_back(k + 1);
+    }
+    const auto bad = std::partition_point(line_ends.begin(), line_ends.end(), [&](std::size_t end) {
+        return !breaks_invariant(text.substr(0, end));
+    });
+    return static_cast<int>(bad - line_ends.begin()) + 1;
+}
+
 /// Parse one text; nothing, and a finding, when it is no TOML.
 std::optional<DocumentNode> parse(const std::filesystem::path& file, std::string_view text,
                                   Diagnostics& findings)
@@ -122,8 +156,9 @@ std::optional<DocumentNode> parse(const std::filesystem::path& file, std::string
         return copy_node(file, toml::parse(text));
     } catch (const toml::parse_error& error) {
         findings.add(syntax_error(file, error));
-    } catch (const std::runtime_error& error) {
-        findings.add(error_at({file, 0, 0}, "syntax", error.what()));
+    } catch (const BrokenInvariant&) {
+        findings.add(error_at({file, line_of_broken_invariant(text), 1}, "syntax",
+                              "this line is not complete", "", line_forms));
     }
     return std::nullopt;
 }

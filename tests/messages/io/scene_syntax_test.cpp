@@ -85,9 +85,10 @@ SceneMistake{"LoneBracket",
     "title = \"column\"",
     "[",
 R"_(
-scene.toml:2:2: error[syntax]: expected bare key starting character or string delimiter, saw '\n'
+scene.toml:2:1: error[syntax]: this line is not complete
     2 | [
-      |  ^
+      | ^
+hint: a line is `key = value`, `[table]` or `# comment`
 )_"},
 SceneMistake{"TypographicQuotes",
     "title = \"column\"",
