@@ -33,7 +33,7 @@ std::vector<SceneKey> geometry_keys()
          .doc = "Values that replace those of the drawing's DefineConstant, as { crest_width = 0.15 }."},
         {.pattern = "grid", .type = table, .required = true, .doc = "The background grid of square cells."},
         {.pattern = "grid.cell_size", .dimension = Dimension::length, .required = true, .allowed = positive,
-         .plausible = {1e-3, 10.0}, .doc = "Edge length of a cell."},
+         .plausible = {1e-4, 10.0}, .doc = "Edge length of a cell."},
         {.pattern = "grid.origin", .type = point, .dimension = Dimension::length,
          .default_note = "lower left corner of the section", .doc = "Lower left corner of the grid."},
         {.pattern = "grid.cells", .type = count_pair,

@@ -25,7 +25,7 @@ std::string shorten_exponent(std::string text)
 const std::vector<Unit>& units_of(Dimension dimension)
 {
     static const std::vector<Unit> none = {{"%", 1.0, 100.0}};
-    static const std::vector<Unit> length = {{"m"}, {"cm", 1.0, 1e2}, {"mm", 1.0, 1e3}, {"km", 1e3}};
+    static const std::vector<Unit> length = {{"m"}, {"cm", 1.0, 1e2}, {"mm", 1.0, 1e3}};
     static const std::vector<Unit> time = {
         {"s"}, {"ms", 1.0, 1e3}, {"us", 1.0, 1e6}, {"min", 60.0}, {"h", 3600.0}};
     static const std::vector<Unit> frequency = {{"Hz"}, {"kHz", 1e3}, {"1/s"}};

@@ -34,7 +34,7 @@ R"_(
 scene.toml:17:9: error[unit]: water.level stands in quotes but has no unit
    17 | level = "0.3175"
       |         ^~~~~~~~
-expected: one of m, cm, mm, km
+expected: one of m, cm, mm
 hint: without quotes, 0.3175 m is understood
 )_"},
 SceneMistake{"BooleanInsteadOfNumber",
