@@ -82,7 +82,7 @@ double noise_time(const Problem& problem)
 
 void gather_two_phase(const Problem& problem, double dt, double share, const CellLists& lists,
                       const Tile& tile, const PatchStore& store, const std::vector<TwoPhaseMotion>& motion,
-                      Particles& particles, Scalars& flux_divergence)
+                      Particles& particles, Vectors& grid_velocity, Scalars& flux_divergence)
 {
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
@@ -95,7 +95,7 @@ void gather_two_phase(const Problem& problem, double dt, double share, const Cel
                           fluid.add(w, node.fluid_x, node.fluid_y, node.fluid_change_x, node.fluid_change_y);
                           divergence += w.gradient_x * node.flux_x + w.gradient_y * node.flux_y;
                       });
-        particles.position.set(p, particles.position[p] + dt * Vector2(solid.x, solid.y));
+        grid_velocity.set(p, {solid.x, solid.y});
         particles.velocity_solid.set(p, updated_velocity(particles.velocity_solid[p], solid, share));
         particles.velocity_fluid.set(p, updated_velocity(particles.velocity_fluid[p], fluid, share));
         filter_relative_velocity(problem, dt, p, Vector2(fluid.x - solid.x, fluid.y - solid.y), particles);
@@ -105,9 +105,9 @@ void gather_two_phase(const Problem& problem, double dt, double share, const Cel
     }
 }
 
-void gather_single_phase(const Problem& problem, double dt, double share, const CellLists& lists,
-                         const Tile& tile, const PatchStore& store,
-                         const std::vector<SinglePhaseMotion>& motion, Particles& particles)
+void gather_single_phase(const Problem& problem, double share, const CellLists& lists, const Tile& tile,
+                         const PatchStore& store, const std::vector<SinglePhaseMotion>& motion,
+                         Particles& particles, Vectors& grid_velocity)
 {
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
@@ -117,7 +117,7 @@ void gather_single_phase(const Problem& problem, double dt, double share, const 
                       [&](const SinglePhaseMotion& node, const NodeWeight& w) {
                           solid.add(w, node.x, node.y, node.change_x, node.change_y);
                       });
-        particles.position.set(p, particles.position[p] + dt * Vector2(solid.x, solid.y));
+        grid_velocity.set(p, {solid.x, solid.y});
         particles.velocity_solid.set(p, updated_velocity(particles.velocity_solid[p], solid, share));
         store_gradient(solid, p, particles.velocity_gradient_solid);
     }

@@ -1,4 +1,4 @@
-// Nodes to particles: positions, velocities, velocity gradients and the divergence of the flux of grains and
+// Nodes to particles: velocities, velocity gradients and the divergence of the flux of grains and
 // water.
 //
 // Velocities. A particle keeps its own velocity and takes the change of the grid's (FLIP): taking the grid's
@@ -25,15 +25,16 @@ namespace quicksand {
 /// tau, the time over which velocity noise is taken out [s].
 double noise_time(const Problem& problem);
 
-/// x_p += dt sum phi v_i, v_p as above and L_p = sum v_i (x) grad phi for both phases of a tile's particles;
-/// flux_divergence = sum grad phi . [(1-n_i) v_s + n_i v_w] [1/s].
+/// v_p as above and L_p = sum v_i (x) grad phi for both phases of a tile's particles; grid_velocity = sum phi
+/// v_i of the grains, with which the particles move [m/s]; flux_divergence = sum grad phi . [(1-n_i) v_s +
+/// n_i v_w] [1/s].
 void gather_two_phase(const Problem& problem, double dt, double share, const CellLists& lists,
                       const Tile& tile, const PatchStore& store, const std::vector<TwoPhaseMotion>& motion,
-                      Particles& particles, Scalars& flux_divergence);
+                      Particles& particles, Vectors& grid_velocity, Scalars& flux_divergence);
 
 /// The same for a body that moves as one phase.
-void gather_single_phase(const Problem& problem, double dt, double share, const CellLists& lists,
-                         const Tile& tile, const PatchStore& store,
-                         const std::vector<SinglePhaseMotion>& motion, Particles& particles);
+void gather_single_phase(const Problem& problem, double share, const CellLists& lists, const Tile& tile,
+                         const PatchStore& store, const std::vector<SinglePhaseMotion>& motion,
+                         Particles& particles, Vectors& grid_velocity);
 
 } // namespace quicksand

@@ -66,11 +66,13 @@ void for_each_material_run(const Problem& problem, const Particles& particles, s
 
 } // namespace
 
-void advance_domains(double dt, Particles& particles)
+void advance_domains(double dt, const Vectors& grid_velocity, Particles& particles)
 {
     const Gradients& L = particles.velocity_gradient_solid;
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t p = first; p < last; ++p) {
+            particles.position.x[p] += dt * grid_velocity.x[p];
+            particles.position.y[p] += dt * grid_velocity.y[p];
             stretch(dt, L, p, particles.half_edge_1);
             stretch(dt, L, p, particles.half_edge_2);
             particles.volume[p] *= (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p];

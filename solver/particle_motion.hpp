@@ -10,8 +10,8 @@
 
 namespace quicksand {
 
-/// r_a <- (I + dt L) r_a, V <- det(I + dt L) V.
-void advance_domains(double dt, Particles& particles);
+/// x += dt v with the velocity of the grid, r_a <- (I + dt L) r_a, V <- det(I + dt L) V.
+void advance_domains(double dt, const Vectors& grid_velocity, Particles& particles);
 
 /// The corners of quadrilateral domains move with the grid: x_c += dt sum N_i(x_c) v_i; position, edges,
 /// twist and volume follow from them. `velocity(node)` is the velocity of the grains at a node [m/s].

@@ -11,14 +11,13 @@ namespace quicksand {
 
 namespace {
 
-void move_particles(const Problem& problem, double dt, const std::vector<SinglePhaseMotion>& motion,
-                    Particles& particles)
+void move_particles(const Problem& problem, double dt, const SinglePhaseWorkspace& work, Particles& particles)
 {
     if (problem.interpolation == Interpolation::cpdi2) {
-        const auto velocity = [&](std::size_t i) { return Vector2(motion[i].x, motion[i].y); };
+        const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
         advance_quadrilaterals(problem.grid, dt, velocity, particles);
     } else {
-        advance_domains(dt, particles);
+        advance_domains(dt, work.grid_velocity, particles);
     }
 }
 
@@ -57,6 +56,8 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
                                SinglePhaseWorkspace& work)
 {
     Particles& particles = state.particles;
+    work.grid_velocity.x.resize(particles.size());
+    work.grid_velocity.y.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { sort_particles(problem.grid, dt, state, work.lists); });
     timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, state.time, particles, work); });
     timed(work.timers, Phase::momentum, [&] {
@@ -70,12 +71,13 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
     timed(work.timers, Phase::gather, [&] {
         const double share = dt / (dt + work.noise_time);
         for_each_tile(work.lists, [&](const Tile& tile) {
-            gather_single_phase(problem, dt, share, work.lists, tile,
-                                work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles);
+            gather_single_phase(problem, share, work.lists, tile,
+                                work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles,
+                                work.grid_velocity);
         });
     });
     timed(work.timers, Phase::motion, [&] {
-        move_particles(problem, dt, work.motion, particles);
+        move_particles(problem, dt, work, particles);
         if (problem.water) update_porosity(problem, particles);
     });
     timed(work.timers, Phase::stress, [&] { update_effective_stress(problem, dt, particles); });

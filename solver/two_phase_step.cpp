@@ -33,14 +33,15 @@ void solve_momentum(const Problem& problem, double time, double dt, TwoPhaseWork
     spread_tied_motion(work.conditions, work.motion);
 }
 
-void move_particles(const Problem& problem, double dt, const std::vector<TwoPhaseMotion>& motion,
-                    Particles& particles)
+void move_particles(const Problem& problem, double dt, const TwoPhaseWorkspace& work, Particles& particles)
 {
     if (problem.interpolation == Interpolation::cpdi2) {
-        const auto velocity = [&](std::size_t i) { return Vector2(motion[i].solid_x, motion[i].solid_y); };
+        const auto velocity = [&](std::size_t i) {
+            return Vector2(work.motion[i].solid_x, work.motion[i].solid_y);
+        };
         advance_quadrilaterals(problem.grid, dt, velocity, particles);
     } else {
-        advance_domains(dt, particles);
+        advance_domains(dt, work.grid_velocity, particles);
     }
 }
 
@@ -62,6 +63,8 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
 {
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
+    work.grid_velocity.x.resize(particles.size());
+    work.grid_velocity.y.resize(particles.size());
 
     timed(work.timers, Phase::sort, [&] { sort_particles(problem.grid, dt, state, work.lists); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, particles, work); });
@@ -71,7 +74,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
         for_each_tile(work.lists, [&](const Tile& tile) {
             gather_two_phase(problem, dt, share, work.lists, tile,
                              work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles,
-                             work.flux_divergence);
+                             work.grid_velocity, work.flux_divergence);
         });
     });
     timed(work.timers, Phase::pore_pressure, [&] {
@@ -80,7 +83,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
         });
     });
     timed(work.timers, Phase::motion, [&] {
-        move_particles(problem, dt, work.motion, particles);
+        move_particles(problem, dt, work, particles);
         update_porosity(problem, particles);
     });
     timed(work.timers, Phase::stress, [&] { update_effective_stress(problem, dt, particles); });

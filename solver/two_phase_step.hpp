@@ -21,6 +21,7 @@ struct TwoPhaseWorkspace {
     std::vector<TwoPhaseSums> sums;
     std::vector<TwoPhaseMotion> motion;
     Scalars flux_divergence;          // [1/s]
+    Vectors grid_velocity;            // sum phi v_i of the grains [m/s]
     double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
     std::int64_t limited_domains = 0; // domains scaled down in the last step [-]
     PhaseTimers timers;

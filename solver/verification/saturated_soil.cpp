@@ -1,0 +1,32 @@
+#include "solver/verification/saturated_soil.hpp"
+
+namespace quicksand {
+
+double SaturatedSoil::drag() const
+{
+    return porosity * porosity * water_density * conductivity_gravity / hydraulic_conductivity;
+}
+
+double SaturatedSoil::consolidation_coefficient() const
+{
+    const double unit_weight = water_density * conductivity_gravity;
+    return hydraulic_conductivity /
+           (unit_weight * (1.0 / constrained_modulus + porosity / water_bulk_modulus));
+}
+
+Eigen::Matrix2d SaturatedSoil::longitudinal_stiffness() const
+{
+    const Eigen::Vector2d shares(1.0 - porosity, porosity);
+    Eigen::Matrix2d K = storage_modulus() * shares * shares.transpose();
+    K(0, 0) += constrained_modulus;
+    return K;
+}
+
+SaturatedSoil with_elasticity(SaturatedSoil soil, double youngs_modulus, double poisson_ratio)
+{
+    soil.shear_modulus = 0.5 * youngs_modulus / (1.0 + poisson_ratio);
+    soil.constrained_modulus = 2.0 * soil.shear_modulus * (1.0 - poisson_ratio) / (1.0 - 2.0 * poisson_ratio);
+    return soil;
+}
+
+} // namespace quicksand
