@@ -107,14 +107,15 @@ TEST(Cpdi, GradientIsTheMeanGradientOfTheInterpolantOverTheDomain)
         expected.y(), 1e-11);
 }
 
-TEST(Cpdi, EdgesLongerThanACellAreShortenedAndOthersKept)
+TEST(Cpdi, ADomainThatReachesTooFarIsScaledAndOthersAreKept)
 {
-    ParallelogramDomain domain{{0.0, 0.4}, {0.09, 0.03}, {0.0, 0.02}};
-    EXPECT_TRUE(limit_domain(grid.cell_size, domain));
-    EXPECT_DOUBLE_EQ(domain.half_edge_1.x(), 0.05);
-    EXPECT_NEAR(domain.half_edge_1.y(), 0.03 * 0.05 / 0.09, 1e-16);
-    EXPECT_EQ(domain.half_edge_2, Vector2(0.0, 0.02));
-    EXPECT_FALSE(limit_domain(grid.cell_size, domain));
+    ParallelogramDomain domain{{0.0, 0.4}, {0.25, 0.03}, {0.15, 0.02}};
+    EXPECT_TRUE(limit_domain(grid.cell_size, domain)); // 0.40 m where 0.25 m are allowed
+    EXPECT_LT((domain.half_edge_1 - 0.625 * Vector2(0.25, 0.03)).norm(), 1e-15);
+    EXPECT_LT((domain.half_edge_2 - 0.625 * Vector2(0.15, 0.02)).norm(), 1e-15);
+    ParallelogramDomain small{{0.0, 0.4}, {0.1, 0.03}, {0.1, 0.02}};
+    EXPECT_FALSE(limit_domain(grid.cell_size, small));
+    EXPECT_EQ(small.half_edge_1, Vector2(0.1, 0.03));
 }
 
 } // namespace
