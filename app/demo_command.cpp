@@ -9,7 +9,8 @@ namespace quicksand {
 
 namespace {
 
-constexpr double demo_end = 0.125; // a peak after six cycles of the shaking, about two minutes on two cores [s]
+constexpr double demo_end =
+    0.125; // a peak after six cycles of the shaking, about two minutes on two cores [s]
 
 /// The dike example with the demo's end and closer output.
 RunChoice shortened_dike(const DemoChoice& choice)
