@@ -15,7 +15,7 @@ namespace {
 
 using namespace testing_program;
 
-const std::string end_time = "run.end_time=1.2e-3";
+const std::string end_time = "run.end_time=4e-3";
 const std::string column_run = "run " + example("column") + " --set " + end_time + " -o ";
 
 State final_state(const std::filesystem::path& results)
@@ -82,11 +82,11 @@ TEST_F(SameBits, AfterAKillAndAResume)
     const std::string results = (folder / "killed").string();
     const Outcome killed = run_shell("\"$QUICKSAND\" " + column_run + results +
                                      " & pid=$!\n"
-                                     "for k in $(seq 600); do\n"
+                                     "for k in $(seq 3000); do\n"
                                      "  grep -q '^0.0005,' " +
                                      results +
                                      "/history.csv 2>/dev/null && break\n"
-                                     "  sleep 0.1\n"
+                                     "  sleep 0.02\n"
                                      "done\n"
                                      "kill -TERM $pid; wait $pid");
     ASSERT_EQ(killed.code, 0) << killed.output;
