@@ -43,6 +43,11 @@ CellLists make_cell_lists(const BackgroundGrid& grid)
                 {static_cast<std::int32_t>(lists.tile_count++), first, slot});
         }
     }
+    lists.cell_of_slot.resize(grid.cell_count());
+    for (std::size_t cell = 0; cell < grid.cell_count(); ++cell) {
+        lists.cell_of_slot[static_cast<std::size_t>(lists.slot_of_cell[cell])] =
+            static_cast<std::int32_t>(cell);
+    }
     lists.cell_start.assign(grid.cell_count() + 1, 0);
     return lists;
 }

@@ -27,6 +27,7 @@ struct CellLists {
     static constexpr int tile_cells = 8;
 
     std::vector<std::int32_t> slot_of_cell;     // grid cell -> place in the tile-by-tile order of cells [-]
+    std::vector<std::int32_t> cell_of_slot;     // and back [-]
     std::vector<std::int32_t> cell_of_particle; // slot of the cell of the particle's centre [-]
     std::vector<std::int32_t> cell_start;       // slot -> first entry of `order`; one more than slots [-]
     std::vector<std::int32_t> order;            // particles, cell by cell [-]

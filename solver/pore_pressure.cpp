@@ -1,25 +1,116 @@
 #include "solver/pore_pressure.hpp"
 
+#include <cmath>
+
 namespace quicksand {
 
+namespace {
+
+/// Sums over the particles of one cell.
+struct CellSums {
+    double volume = 0.0, pores = 0.0;     // [m3/m]
+    double pressure = 0.0, outflow = 0.0; // [Pa m3/m], [m3/s per metre]
+    double rise = 0.0;                    // volume times v_y [m4/s per metre]
+    Vector2 moment = Vector2::Zero();     // volume times position [m4/m]
+};
+
+CellSums sum_cell(const CellLists& lists, std::size_t first, std::size_t last, const Particles& particles,
+                  const Scalars& flux_divergence)
+{
+    CellSums sums;
+    for (std::size_t k = first; k < last; ++k) {
+        const auto p = static_cast<std::size_t>(lists.order[k]);
+        const double V = particles.volume[p];
+        sums.volume += V;
+        sums.pores += V * particles.porosity[p];
+        sums.pressure += V * particles.pore_pressure[p];
+        sums.outflow += V * flux_divergence[p];
+        sums.rise += V * particles.velocity_solid.y[p];
+        sums.moment += V * particles.position[p];
+    }
+    return sums;
+}
+
+/// Normal equations of the least-squares slope to the neighbours.
+struct SlopeFit {
+    double xx = 0.0, xy = 0.0, yy = 0.0; // [m2]
+    double x = 0.0, y = 0.0;             // [Pa m]
+
+    void add(const Vector2& apart, double difference)
+    {
+        xx += apart.x() * apart.x();
+        xy += apart.x() * apart.y();
+        yy += apart.y() * apart.y();
+        x += apart.x() * difference;
+        y += apart.y() * difference;
+    }
+
+    /// The slope; along the one line that the neighbours lie on when they do not span the plane [Pa/m].
+    Vector2 slope(double cell_size) const
+    {
+        constexpr double spans = 1e-2; // of a cell's size to the fourth
+        const double determinant = xx * yy - xy * xy;
+        if (determinant > spans * cell_size * cell_size * cell_size * cell_size) {
+            return Vector2(yy * x - xy * y, xx * y - xy * x) / determinant;
+        }
+        const double trace = xx + yy;
+        return trace > 0.0 ? Vector2(x / trace, y / trace) : Vector2(0.0, 0.0);
+    }
+};
+
+Vector2 pressure_slope(const BackgroundGrid& grid, const CellLists& lists, const CellMeans& means,
+                       std::size_t slot)
+{
+    const std::int32_t cell = lists.cell_of_slot[slot], columns = grid.all_cells_x();
+    const Vector2 centre = means.centre[slot];
+    SlopeFit fit;
+    for (std::int32_t b = -1; b <= 1; ++b) {
+        for (std::int32_t a = -1; a <= 1; ++a) {
+            // centres never lie in the outermost cells of the rim, so that the neighbours exist
+            const auto other = static_cast<std::size_t>(
+                lists.slot_of_cell[static_cast<std::size_t>(cell + b * columns + a)]);
+            if (means.volume[other] > 0.0 && other != slot) {
+                fit.add(means.centre[other] - centre, means.pore_pressure[other] - means.pore_pressure[slot]);
+            }
+        }
+    }
+    return fit.slope(grid.cell_size);
+}
+
+} // namespace
+
 void update_pore_pressure(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
-                          const Scalars& flux_divergence, Particles& particles)
+                          const Scalars& flux_divergence, Particles& particles, CellMeans& means)
 {
     const Water& water = *problem.water;
     const double weight_density = water.density * problem.gravity; // gamma_w [N/m3]
     for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
-        const auto first = static_cast<std::size_t>(lists.cell_start[static_cast<std::size_t>(c)]);
-        const auto last = static_cast<std::size_t>(lists.cell_start[static_cast<std::size_t>(c) + 1]);
-        double outflow = 0.0, pore_volume = 0.0;
+        const auto slot = static_cast<std::size_t>(c);
+        const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
+        const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
+        means.volume[slot] = 0.0;
+        if (first == last) continue;
+        const CellSums sums = sum_cell(lists, first, last, particles, flux_divergence);
+        means.volume[slot] = sums.volume;
+        means.centre.set(slot, sums.moment / sums.volume);
+        means.pore_pressure[slot] = (sums.pressure + dt * weight_density * sums.rise) / sums.volume -
+                                    dt * water.bulk_modulus * sums.outflow / sums.pores;
+    }
+}
+
+void reconstruct_pore_pressure(const BackgroundGrid& grid, const CellLists& lists, const Tile& tile,
+                               const CellMeans& means, Particles& particles)
+{
+    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
+        const auto slot = static_cast<std::size_t>(c);
+        const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
+        const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
+        if (first == last) continue;
+        const Vector2 slope = pressure_slope(grid, lists, means, slot), centre = means.centre[slot];
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
-            outflow += particles.volume[p] * flux_divergence[p];
-            pore_volume += particles.volume[p] * particles.porosity[p];
-        }
-        for (std::size_t k = first; k < last; ++k) {
-            const auto p = static_cast<std::size_t>(lists.order[k]);
-            particles.pore_pressure[p] += dt * (weight_density * particles.velocity_solid.y[p] -
-                                                water.bulk_modulus * outflow / pore_volume);
+            particles.pore_pressure[p] =
+                means.pore_pressure[slot] + slope.dot(particles.position[p] - centre);
         }
     }
 }

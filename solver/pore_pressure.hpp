@@ -1,17 +1,35 @@
-// The mass balance of the water.
+// The mass balance of the water, cell by cell.
+//
+// The pressure is as rich as the cells, not as the particles: that is the cure for volumetric locking and its
+// noise. A cell's mean grows by
+//   dp = - dt K_w  sum V_p div[(1-n) v_s + n v_w] / sum n_p V_p
+// and, since the excess is counted from a static pressure that falls with height, by dt rho_w g v_y. Within
+// the cell the pressure is the plane through the mean with the slope of the neighbours' means: second order
+// at the particles where the mean alone would be first, and without force on a filled cell's own volume mode,
+// so that the means keep the balance of energy with the velocities.
 #pragma once
 
+#include "solver/background_grid.hpp"
 #include "solver/cell_lists.hpp"
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
 
 namespace quicksand {
 
-/// Add the pressure of a step to the particles of a tile, one increment per cell (the cure for volumetric
-/// locking and its noise: the pressure is as rich as the cells, not as the particles):
-///   dp = - dt K_w  sum V_p div[(1-n) v_s + n v_w] / sum n_p V_p
-/// and, since the excess is counted from a static pressure that falls with height, dp += dt rho_w g v_y.
+/// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
+struct CellMeans {
+    Scalars volume;        // of soil [m3/m]
+    Scalars pore_pressure; // [Pa]
+    Vectors centre;        // of the soil in the cell [m]
+};
+
+/// Advance the pressure of a tile's cells and take the means.
 void update_pore_pressure(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
-                          const Scalars& flux_divergence, Particles& particles);
+                          const Scalars& flux_divergence, Particles& particles, CellMeans& means);
+
+/// Give the particles of a tile the plane through their cell's mean, by least squares to the up to eight
+/// neighbours that hold soil.
+void reconstruct_pore_pressure(const BackgroundGrid& grid, const CellLists& lists, const Tile& tile,
+                               const CellMeans& means, Particles& particles);
 
 } // namespace quicksand

@@ -5,7 +5,6 @@
 #include "solver/particle_motion.hpp"
 #include "solver/particle_order.hpp"
 #include "solver/particle_to_grid.hpp"
-#include "solver/pore_pressure.hpp"
 
 #include <atomic>
 
@@ -55,6 +54,10 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
     work.patches.resize(work.lists.tile_count);
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
+    work.cell_means.volume.resize(problem.grid.cell_count());
+    work.cell_means.pore_pressure.resize(problem.grid.cell_count());
+    work.cell_means.centre.x.resize(problem.grid.cell_count());
+    work.cell_means.centre.y.resize(problem.grid.cell_count());
     work.noise_time = noise_time(problem);
     return work;
 }
@@ -79,7 +82,11 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     });
     timed(work.timers, Phase::pore_pressure, [&] {
         for_each_tile(work.lists, [&](const Tile& tile) {
-            update_pore_pressure(problem, dt, work.lists, tile, work.flux_divergence, particles);
+            update_pore_pressure(problem, dt, work.lists, tile, work.flux_divergence, particles,
+                                 work.cell_means);
+        });
+        for_each_tile(work.lists, [&](const Tile& tile) {
+            reconstruct_pore_pressure(problem.grid, work.lists, tile, work.cell_means, particles);
         });
     });
     timed(work.timers, Phase::motion, [&] {

@@ -6,6 +6,7 @@
 #include "solver/node_weights.hpp"
 #include "solver/nodes.hpp"
 #include "solver/phase_timers.hpp"
+#include "solver/pore_pressure.hpp"
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
 
@@ -21,6 +22,7 @@ struct TwoPhaseWorkspace {
     std::vector<TwoPhaseSums> sums;
     std::vector<TwoPhaseMotion> motion;
     Scalars flux_divergence;          // [1/s]
+    CellMeans cell_means;             // of the pore pressure
     Vectors grid_velocity;            // sum phi v_i of the grains [m/s]
     double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
     std::int64_t limited_domains = 0; // domains scaled down in the last step [-]
@@ -36,7 +38,7 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
 ///  3  momentum balances of water and grains on the nodes, drag implicit at each node, with the velocity
 ///     conditions inside; the base's acceleration acts on both phases as a body force
 ///  4  nodes -> particles: velocities, velocity gradients, divergence of the flux
-///  5  water: excess pore pressure, one increment per cell
+///  5  water: excess pore pressure, one increment per cell, and its slope within the cell
 ///  6  particles: position, domain, volume, porosity
 ///  7  grains: effective stress from the new velocity gradient (stress last)
 ///
