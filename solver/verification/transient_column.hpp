@@ -1,0 +1,41 @@
+// Saturated columns loaded from rest at their drained top.
+#pragma once
+
+#include "solver/verification/column_response.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace quicksand {
+
+/// Settlement of a half space at a depth z [m], water and grains both incompressible (de Boer, Ehlers and Liu
+/// 1993); positive downward. `load` is the pressure on the skeleton's surface by time [Pa], smooth on the
+/// scale of t/100; the water bulk modulus of the soil is not used.
+double half_space_settlement(const SaturatedSoil& soil, const std::function<double(double)>& load,
+                             double depth, double time);
+
+/// Speed of the front in the half space [m/s].
+double half_space_front_speed(const SaturatedSoil& soil);
+
+/// A column of finite height with compressible water, at rest until its top is loaded by
+///   q(t) = q/2 [1 - cos(pi t / t_r)] until t_r, then q.
+struct TransientColumn {
+    SaturatedSoil soil;
+    double height = 1.0;        // H [m]
+    double load = 1.0;          // q [Pa]
+    double ramp_duration = 0.0; // t_r > 0 [s]
+};
+
+struct ColumnMotion {
+    double displacement_solid = 0.0; // positive upward [m]
+    double displacement_fluid = 0.0; // positive upward [m]
+    double pore_pressure = 0.0;      // [Pa]
+};
+
+/// Motion at a height x above the base at each of the times [s], by the inverse Laplace transform of the
+/// column's response (Fourier series of Durbin 1974). Accurate to about 1e-6 of the largest value; the cost
+/// grows with the largest time over the ramp.
+std::vector<ColumnMotion> column_motion(const TransientColumn& column, double x,
+                                        const std::vector<double>& times);
+
+} // namespace quicksand
