@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace quicksand {
 
 namespace {
 
-constexpr double depth_of_wall = 2.0; // cells beyond a wall whose nodes it holds [-]
-constexpr double on_line = 1e-6;      // a node this close to a wall lies on it [cells]
+constexpr double depth_of_wall =
+    3.5;                         // cells beyond a wall whose nodes it holds: farther than domains reach [-]
+constexpr double on_line = 1e-6; // a node this close to a wall lies on it [cells]
 
 Vector2 outward_normal(const Segment& segment)
 {
@@ -98,16 +100,40 @@ void for_each_node_held(const Problem& problem, const Segment& segment, Hold&& h
     }
 }
 
+/// Which node carries the sums of each node: itself, or the node at the wall for nodes beyond it.
+using Masters = std::vector<std::size_t>;
+
+/// Nodes beyond the first row of nodes that an aligned wall holds are tied to that row. A corner that sticks
+/// out through the wall then weighs on the wall's node; a node out there has no soil behind it to balance its
+/// stress, and would be shot away along the wall.
+void tie_beyond(const Problem& problem, const Segment& segment, int direction, Masters& masters)
+{
+    const BackgroundGrid& grid = problem.grid;
+    const double h = grid.cell_size, side = outward_normal(segment)[direction];
+    const double wall = (segment.start[direction] - grid.rim_origin()[direction]) / h;
+    const int first = static_cast<int>(side > 0.0 ? std::ceil(wall - on_line) : std::floor(wall + on_line));
+    const int step = direction == 0 ? 1 : grid.nodes_x();
+    for_each_node_held(problem, segment, [&](std::size_t node) {
+        const auto columns = static_cast<std::size_t>(grid.nodes_x());
+        const auto index = static_cast<int>(direction == 0 ? node % columns : node / columns);
+        if (index == first) return;
+        masters[node] = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + (first - index) * step);
+    });
+}
+
 void add_segment(const Problem& problem, const Segment& segment, std::uint8_t conditions,
-                 NodeConditions& result)
+                 NodeConditions& result, Masters& masters)
 {
     const Vector2 normal = outward_normal(segment);
     constexpr double aligned = 1e-9;
+    const bool is_wall = (conditions & (solid_x_fixed | solid_y_fixed)) != 0;
     if (std::abs(normal.y()) < aligned) {
         for_each_node_held(problem, segment, [&](std::size_t node) { result.of_node[node] |= conditions; });
+        if (is_wall) tie_beyond(problem, segment, 0, masters);
     } else if (std::abs(normal.x()) < aligned) {
         for_each_node_held(problem, segment,
                            [&](std::size_t node) { result.of_node[node] |= turned(conditions); });
+        if (is_wall) tie_beyond(problem, segment, 1, masters);
     } else {
         for_each_node_held(problem, segment, [&](std::size_t node) {
             result.slanted.push_back({node, normal, conditions});
@@ -116,7 +142,7 @@ void add_segment(const Problem& problem, const Segment& segment, std::uint8_t co
 }
 
 /// Columns a whole number of widths apart are the same column of the laminar box.
-void tie_sides(const Problem& problem, NodeConditions& result)
+void tie_sides(const Problem& problem, Masters& masters)
 {
     const BackgroundGrid& grid = problem.grid;
     const auto column = [&](double x) {
@@ -129,11 +155,23 @@ void tie_sides(const Problem& problem, NodeConditions& result)
         const std::size_t row = static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nodes_x());
         for (int i = 0; i < grid.nodes_x(); ++i) {
             const int master = left + ((i - left) % width + width) % width;
-            if (master != i)
-                result.tied.push_back(
-                    {row + static_cast<std::size_t>(i), row + static_cast<std::size_t>(master)});
+            const std::size_t node = row + static_cast<std::size_t>(i);
+            // a node below the base is tied to the base already, and its master there to the column
+            if (master != i && masters[node] == node) masters[node] = row + static_cast<std::size_t>(master);
         }
     }
+}
+
+/// The ties with every chain of masters followed to its end.
+std::vector<TiedNodes> resolve(const Masters& masters)
+{
+    std::vector<TiedNodes> tied;
+    for (std::size_t node = 0; node < masters.size(); ++node) {
+        std::size_t master = masters[node];
+        while (masters[master] != master) master = masters[master];
+        if (master != node) tied.push_back({node, master});
+    }
+    return tied;
 }
 
 } // namespace
@@ -142,12 +180,16 @@ NodeConditions node_conditions(const Problem& problem)
 {
     NodeConditions result;
     result.of_node.assign(problem.grid.node_count(), 0);
+    Masters masters(problem.grid.node_count());
+    std::iota(masters.begin(), masters.end(), std::size_t{0});
     for (const Boundary& boundary : problem.boundaries) {
         const std::uint8_t conditions = conditions_of(boundary);
         if (conditions == 0) continue;
-        for (const Segment& segment : boundary.segments) add_segment(problem, segment, conditions, result);
+        for (const Segment& segment : boundary.segments)
+            add_segment(problem, segment, conditions, result, masters);
     }
-    if (problem.tied_sides) tie_sides(problem, result);
+    if (problem.tied_sides) tie_sides(problem, masters);
+    result.tied = resolve(masters);
     return result;
 }
 

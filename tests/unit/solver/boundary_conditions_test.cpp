@@ -73,21 +73,47 @@ TEST(BoundaryConditions, ASlantedRollerHoldsItsNormalDirection)
     EXPECT_GT(conditions.slanted[0].normal.x(), 0.0); // out of the soil
 }
 
+/// The node that carries the sums of the node at (x, y).
+Vector2 master_of(const Problem& problem, const NodeConditions& conditions, double x, double y)
+{
+    for (const TiedNodes& tie : conditions.tied) {
+        if ((problem.grid.node_position(tie.node) - Vector2(x, y)).norm() < 1e-9)
+            return problem.grid.node_position(tie.master);
+    }
+    return {x, y};
+}
+
+TEST(BoundaryConditions, NodesBeyondAWallAreTiedToIt)
+{
+    const Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    const NodeConditions conditions = node_conditions(problem);
+    EXPECT_EQ(master_of(problem, conditions, 2.0, -2.0), Vector2(2.0, 0.0));
+    EXPECT_EQ(master_of(problem, conditions, -1.0, 2.0), Vector2(0.0, 2.0));
+    EXPECT_EQ(master_of(problem, conditions, 6.0, -3.0), Vector2(4.0, 0.0));
+    EXPECT_EQ(master_of(problem, conditions, 2.0, 3.0), Vector2(2.0, 3.0));
+}
+
+TEST(BoundaryConditions, AWallBetweenGridLinesActsAtTheFirstNodesBeyondIt)
+{
+    Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    problem.boundaries =
+        rectangle(0.0, 0.0, 3.6, 3.0, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
+    const NodeConditions conditions = node_conditions(problem);
+    EXPECT_FALSE(conditions_at(problem, conditions, 3.0, 2.0) & solid_x_fixed);
+    EXPECT_TRUE(conditions_at(problem, conditions, 4.0, 2.0) & solid_x_fixed);
+    EXPECT_EQ(master_of(problem, conditions, 5.0, 2.0), Vector2(4.0, 2.0));
+}
+
 TEST(BoundaryConditions, TiedSidesMakeColumnsPeriodic)
 {
     Problem problem = box(SoilCondition::fixed, SoilCondition::tied);
     problem.tied_sides = TiedSides{"left", "right", 0.0, 4.0};
     const NodeConditions conditions = node_conditions(problem);
-    const auto row = static_cast<std::size_t>(problem.grid.nodes_x());
-    for (const TiedNodes& tie : conditions.tied) {
-        EXPECT_EQ(tie.node / row, tie.master / row);
-        const double apart =
-            problem.grid.node_position(tie.node).x() - problem.grid.node_position(tie.master).x();
-        EXPECT_NEAR(std::remainder(apart, 4.0), 0.0, 1e-12);
-        const double x = problem.grid.node_position(tie.master).x();
-        EXPECT_TRUE(x > -1e-9 && x < 4.0 - 1e-9);
-    }
-    EXPECT_EQ(conditions.tied.size(), (row - 4) * static_cast<std::size_t>(problem.grid.nodes_y()));
+    EXPECT_EQ(master_of(problem, conditions, 4.0, 2.0), Vector2(0.0, 2.0));
+    EXPECT_EQ(master_of(problem, conditions, -1.0, 2.0), Vector2(3.0, 2.0));
+    EXPECT_EQ(master_of(problem, conditions, 5.0, 0.0), Vector2(1.0, 0.0));
+    EXPECT_EQ(master_of(problem, conditions, -1.0, -2.0), Vector2(3.0, 0.0)); // below the base as well
+    EXPECT_EQ(master_of(problem, conditions, 2.0, 2.0), Vector2(2.0, 2.0));
 }
 
 } // namespace
