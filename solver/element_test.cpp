@@ -1,0 +1,187 @@
+#include "solver/element_test.hpp"
+
+#include "solver/failure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace quicksand {
+
+namespace {
+
+/// Steps of monotonic tests: 1 % of the strain so far, at least this.
+constexpr double least_step = 1e-6; // [-]
+
+double next_step(double strain, double largest)
+{
+    const double step = std::clamp(0.01 * strain, least_step, largest / 1000.0 + least_step);
+    return std::min(step, largest - strain);
+}
+
+/// Apply the strain for which `stress` of the new state has its value: the secant method, begun with an
+/// elastic step. `apply(unknown, specimen)` strains.
+template <class Apply, class Stress>
+void hold(double value, double stiffness, Apply&& apply, Stress&& stress, Specimen& specimen)
+{
+    const Specimen before = specimen;
+    const double tolerance = 1e-9 * before.initial_vertical_stress;
+    double unknown = 0.0, slope = stiffness, last_unknown = 0.0, last_error = 0.0;
+    for (int iteration = 0; iteration < 100; ++iteration) {
+        specimen = before;
+        apply(unknown, specimen);
+        const double error = stress(specimen.state) - value;
+        if (std::abs(error) < tolerance) return;
+        if (iteration > 0 && unknown != last_unknown) {
+            // a slope of the wrong sign or out of all reason belongs to another branch of the law
+            slope = std::clamp((error - last_error) / (unknown - last_unknown), 0.02 * stiffness,
+                               2.0 * stiffness);
+        }
+        last_unknown = unknown;
+        last_error = error;
+        unknown -= error / slope;
+    }
+    std::ostringstream what;
+    what << "the held stress is " << stress(specimen.state) << " Pa instead of " << value << " Pa";
+    throw NumericalError({"element test", what.str(), "the specimen has lost its stiffness"});
+}
+
+double sigma_x(const UbcSandState& state)
+{
+    return state.sigma_x;
+}
+
+double sigma_y(const UbcSandState& state)
+{
+    return state.sigma_y;
+}
+
+double mean_stress(const UbcSandState& state)
+{
+    return 0.5 * (state.sigma_x + state.sigma_y);
+}
+
+void check(const Consolidation& start)
+{
+    if (!(start.vertical_stress > 0.0) || !(start.k0 > 0.0)) {
+        throw InputError("element test: vertical_stress and k0 must be positive");
+    }
+}
+
+/// Strain by `apply(step, specimen)` in steps of 1 % of the stress from target to target.
+template <class Apply, class Stress>
+ElementPath load_through(const UbcSand& law, const Consolidation& start, const std::vector<double>& targets,
+                         Apply&& apply, Stress&& stress)
+{
+    Specimen specimen = consolidate(law, start);
+    ElementPath path = {record(specimen, 0.0)};
+    for (const double target : targets) {
+        if (!(target > 0.0)) throw InputError("element test: a stress to compress to must be positive");
+        while (std::abs(stress(specimen.state) - target) > 1e-6 * target) {
+            const double now = stress(specimen.state);
+            const double next = now < target ? std::min(target, 1.01 * now) : std::max(target, now / 1.01);
+            hold(next, constrained_modulus(law, specimen.state), apply, stress, specimen);
+            path.push_back(record(specimen, 0.0));
+            path.back().ru = 0.0;
+        }
+    }
+    return path;
+}
+
+} // namespace
+
+Specimen consolidate(const UbcSand& law, const Consolidation& start)
+{
+    check(start);
+    const double vertical = start.vertical_stress, horizontal = start.k0 * start.vertical_stress;
+    Specimen specimen;
+    specimen.law = law;
+    specimen.initial_vertical_stress = vertical;
+    specimen.state.sigma_x = horizontal;
+    specimen.state.sigma_y = vertical;
+    specimen.state.sigma_z = horizontal;
+    specimen.state.tau_xy = start.static_shear;
+    begin_shaking(law, specimen.state);
+    if (specimen.state.eta_max > law.eta_f) {
+        throw InputError(
+            "element test: the specimen fails in consolidation; bring k0 nearer to 1 or reduce the "
+            "static shear");
+    }
+    return specimen;
+}
+
+void strain(double strain_x, double strain_y, double shear, Specimen& specimen)
+{
+    update(specimen.law, {strain_x, strain_y, shear, 0.0}, specimen.state);
+    specimen.strain_x += strain_x;
+    specimen.strain_y += strain_y;
+    specimen.gamma += shear;
+}
+
+ElementPoint record(const Specimen& specimen, double cycle)
+{
+    const UbcSandState& state = specimen.state;
+    return {cycle,
+            specimen.gamma,
+            specimen.strain_x,
+            specimen.strain_y,
+            state.tau_xy,
+            state.sigma_x,
+            state.sigma_y,
+            state.sigma_z,
+            1.0 - state.sigma_y / specimen.initial_vertical_stress};
+}
+
+ElementPath shear_monotonically(const UbcSand& law, const Consolidation& start, Drainage drainage,
+                                double largest_gamma)
+{
+    Specimen specimen = consolidate(law, start);
+    ElementPath path = {record(specimen, 0.0)};
+    while (specimen.gamma < largest_gamma - 1e-12) {
+        const double step = next_step(specimen.gamma, largest_gamma);
+        if (drainage == Drainage::undrained) {
+            strain(0.0, 0.0, step, specimen);
+        } else {
+            const auto apply = [&](double vertical, Specimen& s) { strain(0.0, vertical, step, s); };
+            hold(start.vertical_stress, constrained_modulus(law, specimen.state), apply, sigma_y, specimen);
+        }
+        path.push_back(record(specimen, 0.0));
+    }
+    return path;
+}
+
+ElementPath compress_biaxially(const UbcSand& law, const Consolidation& start, Drainage drainage,
+                               double largest_strain)
+{
+    Specimen specimen = consolidate(law, start);
+    ElementPath path = {record(specimen, 0.0)};
+    const double cell_pressure = specimen.state.sigma_x;
+    while (specimen.strain_y < largest_strain - 1e-12) {
+        const double step = next_step(specimen.strain_y, largest_strain);
+        if (drainage == Drainage::undrained) {
+            strain(-step, step, 0.0, specimen);
+        } else {
+            const auto apply = [&](double lateral, Specimen& s) { strain(lateral, step, 0.0, s); };
+            hold(cell_pressure, constrained_modulus(law, specimen.state), apply, sigma_x, specimen);
+        }
+        path.push_back(record(specimen, 0.0));
+        path.back().ru = (cell_pressure - specimen.state.sigma_x) / start.vertical_stress;
+    }
+    return path;
+}
+
+ElementPath compress_in_oedometer(const UbcSand& law, const Consolidation& start,
+                                  const std::vector<double>& vertical_stresses)
+{
+    return load_through(
+        law, start, vertical_stresses, [](double step, Specimen& s) { strain(0.0, step, 0.0, s); }, sigma_y);
+}
+
+ElementPath compress_isotropically(const UbcSand& law, const Consolidation& start,
+                                   const std::vector<double>& mean_stresses)
+{
+    return load_through(
+        law, start, mean_stresses, [](double step, Specimen& s) { strain(step, step, 0.0, s); }, mean_stress);
+}
+
+} // namespace quicksand

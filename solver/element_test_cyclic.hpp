@@ -1,0 +1,51 @@
+// Cyclic undrained simple shear in the element laboratory, and the cyclic strength that follows from it.
+// Signs and frame as in element_test.hpp.
+#pragma once
+
+#include "solver/element_test.hpp"
+
+#include <optional>
+#include <vector>
+
+namespace quicksand {
+
+/// Shear between tau_st - CSR sigma'_v0 and tau_st + CSR sigma'_v0, upward first.
+struct StressCycles {
+    double csr = 0.15;          // tau_a / sigma'_v0 [-]
+    double cycles = 100.0;      // the test ends after this many, or at [-]
+    double largest_gamma = 0.1; // this single-amplitude shear strain [-]
+    bool stop_at_ru = false;    // end at ru > 0.95 already
+};
+
+/// Shear between -gamma_a and gamma_a, upward first.
+struct StrainCycles {
+    double gamma = 0.001;         // gamma_a [-]
+    double cycles = 10.0;         // [-]
+    double steps_per_leg = 400.0; // steps from peak to peak [-]
+};
+
+/// Half cycles are counted at reversals: an event between the reversals 2N and 2N + 1 is at N cycles.
+struct CyclicTest {
+    ElementPath path;
+    std::optional<double> cycles_to_ru_95;       // N to ru > 0.95 [-]
+    std::optional<double> cycles_to_3_percent;   // N to |gamma| > 3 % [-]
+    std::optional<double> cycles_to_375_percent; // N to |gamma| > 3.75 % [-]
+};
+
+CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StressCycles& loading);
+CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StrainCycles& loading);
+
+/// A point of the cyclic strength curve.
+struct StrengthPoint {
+    double csr;    // [-]
+    double cycles; // N to the criterion [-]
+};
+
+/// CSR that reaches the criterion in N cycles, linear in log CSR and log N between the points, which are
+/// sorted by CSR; none outside their range.
+std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, double cycles);
+
+/// CSR that reaches ru > 0.95 in N cycles, from tests 2 % apart on either side.
+double csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles);
+
+} // namespace quicksand

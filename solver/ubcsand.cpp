@@ -1,0 +1,115 @@
+#include "solver/ubcsand.hpp"
+
+#include "solver/ubcsand_kernel.hpp"
+
+#include <numbers>
+
+namespace quicksand {
+
+namespace {
+
+double mean_stress(const UbcSand& law, const UbcSandState& state)
+{
+    return ubcsand::larger(0.5 * (state.sigma_x + state.sigma_y), law.s_min);
+}
+
+ubcsand::Moduli present_moduli(const UbcSand& law, const UbcSandState& state)
+{
+    const double s = mean_stress(law, state);
+    return law.square_roots ? ubcsand::elastic_moduli<true>(law, s) : ubcsand::elastic_moduli<false>(law, s);
+}
+
+template <bool square_roots>
+void advance(const UbcSand& law, ubcsand::Strain remaining, UbcSandState& state)
+{
+    for (double budget = ubcsand::most_substeps; budget > 0.0; budget -= 1.0) {
+        const ubcsand::Substep substep = ubcsand::next_substep<square_roots>(law, state, budget, remaining);
+        const ubcsand::Trial trial = ubcsand::elastic_trial(law, state, substep.moduli, substep.strain);
+        if (trial.plastic) {
+            ubcsand::finish_plastic(law, trial, state);
+        } else {
+            ubcsand::finish_elastic(law, trial, state);
+        }
+        if (substep.last) return;
+    }
+}
+
+} // namespace
+
+UbcSand make_ubcsand(const UbcSandParameters& parameters)
+{
+    check(parameters);
+    const UbcSandParameters& m = parameters;
+    const double degree = std::numbers::pi / 180.0;
+    UbcSand law;
+    law.G_atm = m.elastic_shear_number * atmospheric_pressure;
+    law.B_atm = m.elastic_bulk_number * atmospheric_pressure;
+    law.Gp_atm = m.plastic_shear_number * atmospheric_pressure;
+    law.ne = m.elastic_shear_exponent;
+    law.me = m.elastic_bulk_exponent;
+    law.np = m.plastic_shear_exponent;
+    law.sin_cv = std::sin(m.constant_volume_friction_deg * degree);
+    law.eta_f = std::sin(m.peak_friction_deg * degree);
+    law.R = m.failure_ratio / law.eta_f;
+    law.a = m.cohesion / std::tan(m.peak_friction_deg * degree);
+    law.h1 = m.virgin_factor;
+    law.h2 = m.secondary_factor;
+    law.s0 = m.secondary_start;
+    law.s1 = m.secondary_growth;
+    law.tolerance_squared = m.reversal_tolerance * m.reversal_tolerance;
+    law.a_dil_log2 = m.dilation_softening * std::numbers::log2e;
+    law.fac_post = m.softened_factor;
+    law.s_min = m.stress_floor;
+    law.square_roots = law.ne == 0.5 && law.me == 0.5;
+    return law;
+}
+
+void begin_shaking(const UbcSand& law, UbcSandState& state)
+{
+    const double sb = mean_stress(law, state) + law.a;
+    UbcSandState fresh;
+    fresh.sigma_x = state.sigma_x;
+    fresh.sigma_y = state.sigma_y;
+    fresh.sigma_z = state.sigma_z;
+    fresh.tau_xy = state.tau_xy;
+    fresh.peak_x = 0.5 * (state.sigma_x - state.sigma_y) / sb;
+    fresh.peak_y = state.tau_xy / sb;
+    fresh.eta_max = std::sqrt(fresh.peak_x * fresh.peak_x + fresh.peak_y * fresh.peak_y);
+    fresh.branch = ubcsand::loading;
+    state = fresh;
+}
+
+void turn(double spin, UbcSandState& state)
+{
+    const ubcsand::Rotation rotation = ubcsand::rotation_of(spin);
+    ubcsand::turn_stress(rotation, state);
+    ubcsand::turn_memory(rotation, state);
+}
+
+void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState& state)
+{
+    turn(increment.spin, state);
+    const ubcsand::Strain strain = {increment.strain_x, increment.strain_y, increment.shear};
+    if (law.square_roots) {
+        advance<true>(law, strain, state);
+    } else {
+        advance<false>(law, strain, state);
+    }
+}
+
+double shear_modulus(const UbcSand& law, const UbcSandState& state)
+{
+    return present_moduli(law, state).G;
+}
+
+double plane_bulk_modulus(const UbcSand& law, const UbcSandState& state)
+{
+    return present_moduli(law, state).K;
+}
+
+double constrained_modulus(const UbcSand& law, const UbcSandState& state)
+{
+    return present_moduli(law, state).E1;
+}
+
+} // namespace quicksand

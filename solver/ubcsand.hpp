@@ -1,0 +1,124 @@
+// UBCSAND for one point and for arrays of points: effective stress of sand that contracts and dilates under
+// cyclic shear, so that its pore water gains pressure and the sand liquefies.
+//
+// What       Radial yield loci in stress ratio that the stress drags along, a hyperbola of hardening, the
+// flow
+//            rule sin psi = eta - sin phi_cv, a Mohr-Coulomb limit, elastic unloading, stiff reloading,
+//            softening after dilation. Parameters and reference: ubcsand_parameters.hpp; equations:
+//            ubcsand_kernel.hpp.
+// Units/signs  UbcSandState and UbcSandIncrement are compression positive, as the model is published; the
+// arrays
+//            of points are tension positive, as everywhere else. Shear strain is engineering shear.
+// Limits     Start from a stress inside the failure limit (K_0 of 0.5; elastic gravity loading with these
+// moduli
+//            gives 0.016). Turning of the principal stresses at constant ratio causes no plastic strain.
+#pragma once
+
+#include "solver/ubcsand_parameters.hpp"
+
+#include <cstddef>
+
+namespace quicksand {
+
+/// The law made ready: parameters as the kernel uses them. Make it with `make_ubcsand` only.
+struct UbcSand {
+    double G_atm, B_atm, Gp_atm; // elastic shear, elastic bulk and plastic shear modulus at s = P_a [Pa]
+    double ne, me, np;           // their exponents [-]
+    double sin_cv, eta_f;        // sin phi_cv, sin phi_f [-]
+    double R;                    // R_f / eta_f [-]
+    double a;                    // c cot phi_f, shift of the mean stress [Pa]
+    double h1, h2, s0, s1;       // factors of the plastic modulus [-]
+    double tolerance_squared;    // reversal tolerance, squared [-]
+    double a_dil_log2;           // softening after dilation, as a power of 2 [-]
+    double fac_post;             // least factor after dilation [-]
+    double s_min;                // stress floor [Pa]
+    bool square_roots;           // ne = me = 1/2
+};
+
+/// Stress and memory of a point. A new point has the memory `begin_shaking` gives.
+struct UbcSandState {
+    double sigma_x = 0.0, sigma_y = 0.0, sigma_z = 0.0,
+           tau_xy = 0.0;          // effective stress, compression positive [Pa]
+    double eta_max = 0.0;         // largest stress ratio so far [-]
+    double branch = 2.0;          // 0 just reversed, 1 far from the reversal, 2 loading
+    double peak_x = 0.0;          // r at the last reversal: (sigma_x - sigma_y)/2 over s [-]
+    double peak_y = 0.0;          //                         tau_xy over s [-]
+    double half_cycles = 0.0;     // n, reversals that were followed by loading [-]
+    double dilation = 0.0;        // g_dil, plastic shear strain in dilation [-]
+    double active_dilation = 0.0; // its value at the last counted half cycle, which softens the branch [-]
+};
+
+/// A strain increment, compression positive, and the rotation that comes with it.
+struct UbcSandIncrement {
+    double strain_x = 0.0, strain_y = 0.0; // [-]
+    double shear = 0.0;                    // d gamma_xy, of the sign of tau_xy [-]
+    double spin = 0.0;                     // (L_yx - L_xy) dt / 2, counterclockwise [rad]
+};
+
+UbcSand make_ubcsand(const UbcSandParameters& parameters);
+
+/// Start of the dynamic stage: the present stress is the last peak, and nothing has dilated yet.
+void begin_shaking(const UbcSand& law, UbcSandState& state);
+
+/// Advance a point by a strain increment.
+///
+///  1  turn the stress and the remembered ratio by the spin
+///  2  divide the increment into substeps; for each of them
+///  3  elastic moduli at the present mean stress, not below the floor
+///  4  elastic trial
+///  5  ratio of the yield locus: dragged along, or at the last reversal for a tiny excursion from it
+///  6  the trial's mean stress is not below the floor
+///  7  inside the locus: elastic; the first such substep after loading is a reversal
+///  8  outside: a half cycle is counted, the plastic modulus follows from memory, the stress returns to the
+///     hardened locus, to the failure line, or flows at the stress floor
+///  9  out-of-plane stress; strain in dilation
+/// 10  stress in the direction of the trial, largest ratio
+void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState& state);
+
+/// Step 1 alone. Tangent of half the angle is half the spin (Hughes and Winget 1980).
+void turn(double spin, UbcSandState& state);
+
+/// G [Pa] of unloading at the present stress.
+double shear_modulus(const UbcSand& law, const UbcSandState& state);
+
+/// K' = B + G/3 [Pa] of unloading at the present stress: d s = K' d eps_v.
+double plane_bulk_modulus(const UbcSand& law, const UbcSandState& state);
+
+/// E1 = K' + G = B + 4G/3 [Pa], the stiffest response at the present stress: unloading in one dimension.
+double constrained_modulus(const UbcSand& law, const UbcSandState& state);
+
+/// Points as structure of arrays, tension positive. None of the arrays may overlap.
+struct UbcSandArrays {
+    const double *L_xx, *L_xy, *L_yx, *L_yy;               // velocity gradient [1/s]
+    double *stress_xx, *stress_yy, *stress_zz, *stress_xy; // effective stress [Pa]
+    double *eta_max, *branch, *peak_x, *peak_y;            // memory as in UbcSandState; peaks keep its signs
+    double *half_cycles, *dilation, *active_dilation;
+
+    UbcSandState state(std::size_t p) const
+    {
+        return {-stress_xx[p], -stress_yy[p], -stress_zz[p],  -stress_xy[p], eta_max[p],        branch[p],
+                peak_x[p],     peak_y[p],     half_cycles[p], dilation[p],   active_dilation[p]};
+    }
+
+    void set(std::size_t p, const UbcSandState& state) const
+    {
+        stress_xx[p] = -state.sigma_x, stress_yy[p] = -state.sigma_y, stress_zz[p] = -state.sigma_z;
+        stress_xy[p] = -state.tau_xy;
+        eta_max[p] = state.eta_max, branch[p] = state.branch;
+        peak_x[p] = state.peak_x, peak_y[p] = state.peak_y;
+        half_cycles[p] = state.half_cycles;
+        dilation[p] = state.dilation, active_dilation[p] = state.active_dilation;
+    }
+};
+
+/// What the spin turns: a caller that turns the stresses of all laws itself leaves the memory to us.
+enum class Turn { stress_and_memory, memory };
+
+/// Advance the points [first, last) by dt; the same bits as `update` one by one.
+void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+            const UbcSandArrays& points);
+
+/// Largest constrained modulus of the points [first, last), for the time step [Pa].
+double stiffest_modulus(const UbcSand& law, std::size_t first, std::size_t last, const UbcSandArrays& points);
+
+} // namespace quicksand

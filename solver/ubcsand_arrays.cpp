@@ -1,0 +1,202 @@
+// UBCSAND for arrays of points: blocks of lanes that go through the substeps together, so that the compiler
+// makes vectors of the kernel's arithmetic. A block without plastic lanes skips the return.
+#ifdef __GNUC__
+#pragma GCC optimize("no-trapping-math") // lets both sides of a choice be computed; changes no value
+#endif
+
+#include "solver/ubcsand.hpp"
+#include "solver/ubcsand_kernel.hpp"
+
+namespace quicksand {
+
+namespace {
+
+using namespace ubcsand;
+
+constexpr std::size_t width = 8; // lanes of a block [-]
+
+/// The points of a block, one array per quantity. Lanes beyond the last point are closed.
+struct Block {
+    double sigma_x[width], sigma_y[width], sigma_z[width], tau_xy[width];
+    double eta_max[width], branch[width], peak_x[width], peak_y[width];
+    double half_cycles[width], dilation[width], active_dilation[width];
+    double strain_x[width], strain_y[width], strain_xy[width]; // what remains
+    double open[width];                                        // 1 until the last substep is done
+
+    UbcSandState state(std::size_t k) const
+    {
+        return {sigma_x[k], sigma_y[k], sigma_z[k],     tau_xy[k],   eta_max[k],        branch[k],
+                peak_x[k],  peak_y[k],  half_cycles[k], dilation[k], active_dilation[k]};
+    }
+
+    void set(std::size_t k, bool condition, const UbcSandState& state)
+    {
+        sigma_x[k] = select(condition, state.sigma_x, sigma_x[k]);
+        sigma_y[k] = select(condition, state.sigma_y, sigma_y[k]);
+        sigma_z[k] = select(condition, state.sigma_z, sigma_z[k]);
+        tau_xy[k] = select(condition, state.tau_xy, tau_xy[k]);
+        eta_max[k] = select(condition, state.eta_max, eta_max[k]);
+        branch[k] = select(condition, state.branch, branch[k]);
+        peak_x[k] = select(condition, state.peak_x, peak_x[k]);
+        peak_y[k] = select(condition, state.peak_y, peak_y[k]);
+        half_cycles[k] = select(condition, state.half_cycles, half_cycles[k]);
+        dilation[k] = select(condition, state.dilation, dilation[k]);
+        active_dilation[k] = select(condition, state.active_dilation, active_dilation[k]);
+    }
+};
+
+/// The trials of a block between their making and the return.
+struct TrialBlock {
+    double G[width], E2[width], K[width], s[width], q_x[width], q_y[width], t[width], sigma_z[width];
+    double eta_y[width], branch[width], scale[width], plastic[width];
+
+    void set(std::size_t k, const Trial& trial, bool is_plastic)
+    {
+        G[k] = trial.moduli.G, E2[k] = trial.moduli.E2, K[k] = trial.moduli.K;
+        s[k] = trial.s, q_x[k] = trial.q_x, q_y[k] = trial.q_y, t[k] = trial.t, sigma_z[k] = trial.sigma_z;
+        eta_y[k] = trial.eta_y, branch[k] = trial.branch, scale[k] = trial.scale;
+        plastic[k] = select(is_plastic, 1.0, 0.0);
+    }
+
+    Trial trial(std::size_t k) const
+    {
+        Trial trial{};
+        trial.moduli = {G[k], 0.0, E2[k], K[k]};
+        trial.s = s[k], trial.q_x = q_x[k], trial.q_y = q_y[k], trial.t = t[k], trial.sigma_z = sigma_z[k];
+        trial.eta_y = eta_y[k], trial.branch = branch[k], trial.scale = scale[k];
+        return trial;
+    }
+};
+
+inline double sum(const double (&values)[width])
+{
+    double total = 0.0;
+    for (const double value : values) total += value;
+    return total;
+}
+
+/// [2] to [7] of one substep; elastic lanes are finished. Returns the number of plastic lanes.
+template <bool square_roots>
+inline double step_elastically(const UbcSand& law, double budget, Block& block, TrialBlock& trials)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < width; ++k) {
+        UbcSandState state = block.state(k);
+        Strain remaining = {block.strain_x[k], block.strain_y[k], block.strain_xy[k]};
+        const bool is_open = block.open[k] > 0.0;
+        const Substep substep = next_substep<square_roots>(law, state, budget, remaining);
+        const Trial trial = elastic_trial(law, state, substep.moduli, substep.strain);
+        const bool is_plastic = trial.plastic & is_open;
+        finish_elastic(law, trial, state);
+        block.set(k, is_open & !trial.plastic, state);
+        trials.set(k, trial, is_plastic);
+        block.strain_x[k] = remaining.x, block.strain_y[k] = remaining.y, block.strain_xy[k] = remaining.xy;
+        block.open[k] = select(substep.last, 0.0, block.open[k]);
+    }
+    return sum(trials.plastic);
+}
+
+/// [8] to [10] of the plastic lanes.
+inline void flow_plastically(const UbcSand& law, Block& block, const TrialBlock& trials)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < width; ++k) {
+        UbcSandState state = block.state(k);
+        finish_plastic(law, trials.trial(k), state);
+        block.set(k, trials.plastic[k] > 0.0, state);
+    }
+}
+
+template <bool square_roots>
+inline void advance_lanes(const UbcSand& law, Block& block)
+{
+    TrialBlock trials;
+    for (double budget = most_substeps; budget > 0.0; budget -= 1.0) {
+        if (step_elastically<square_roots>(law, budget, block, trials) > 0.0) {
+            flow_plastically(law, block, trials);
+        }
+        if (sum(block.open) == 0.0) return;
+    }
+}
+
+/// Put `count` points from p on into the lanes: compression-positive strains and turned states.
+inline void load(const UbcSandArrays& points, std::size_t p, std::size_t count, double dt, Turn turned,
+                 Block& block)
+{
+    const bool turns_stress = turned == Turn::stress_and_memory;
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) {
+        UbcSandState state = points.state(p + k);
+        const double L_xy = points.L_xy[p + k], L_yx = points.L_yx[p + k];
+        const Rotation rotation = rotation_of(0.5 * dt * (L_yx - L_xy));
+        turn_memory(rotation, state);
+        turn_stress({turns_stress ? rotation.cosine : 1.0, turns_stress ? rotation.sine : 0.0}, state);
+        block.set(k, true, state);
+        block.strain_x[k] = -dt * points.L_xx[p + k];
+        block.strain_y[k] = -dt * points.L_yy[p + k];
+        block.strain_xy[k] = -dt * (L_xy + L_yx);
+    }
+    for (std::size_t k = 0; k < width; ++k) block.open[k] = k < count ? 1.0 : 0.0;
+}
+
+inline void store(const Block& block, std::size_t p, std::size_t count, const UbcSandArrays& points)
+{
+#pragma GCC ivdep
+    for (std::size_t k = 0; k < count; ++k) points.set(p + k, block.state(k));
+}
+
+template <bool square_roots>
+inline void advance_points(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+                           const UbcSandArrays& points)
+{
+    Block block{};
+    for (std::size_t p = first; p < last; p += width) {
+        const std::size_t count = last - p < width ? last - p : width;
+        load(points, p, count, dt, turned, block);
+        advance_lanes<square_roots>(law, block);
+        store(block, p, count, points);
+    }
+}
+
+// one version for machines with vectors of four numbers, chosen when the program starts; the bits are the
+// same
+
+[[gnu::flatten, gnu::target_clones("avx2", "default")]] void advance_generic(const UbcSand& law, double dt,
+                                                                             std::size_t first,
+                                                                             std::size_t last, Turn turned,
+                                                                             const UbcSandArrays& points)
+{
+    advance_points<true>(law, dt, first, last, turned, points);
+}
+
+[[gnu::flatten, gnu::target_clones("avx2", "default")]] void advance_any(const UbcSand& law, double dt,
+                                                                         std::size_t first, std::size_t last,
+                                                                         Turn turned,
+                                                                         const UbcSandArrays& points)
+{
+    advance_points<false>(law, dt, first, last, turned, points);
+}
+
+} // namespace
+
+void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+            const UbcSandArrays& points)
+{
+    if (law.square_roots) {
+        advance_generic(law, dt, first, last, turned, points);
+    } else {
+        advance_any(law, dt, first, last, turned, points);
+    }
+}
+
+double stiffest_modulus(const UbcSand& law, std::size_t first, std::size_t last, const UbcSandArrays& points)
+{
+    // the moduli grow with the stress, so the largest mean stress has the largest
+    double s = law.s_min;
+    for (std::size_t p = first; p < last; ++p) {
+        s = larger(s, -0.5 * (points.stress_xx[p] + points.stress_yy[p]));
+    }
+    return law.square_roots ? elastic_moduli<true>(law, s).E1 : elastic_moduli<false>(law, s).E1;
+}
+
+} // namespace quicksand
