@@ -38,7 +38,8 @@ struct Arc {
 Arc arc_at(const HomogeneousSlope& slope, const Place& place)
 {
     const double H = slope.height, crest = H * slope.run;
-    const double exit = -2.0 * H + place[0] * (2.0 * H + 0.9 * crest);
+    const double reach = 2.0 * slope.depth_factor * H; // in front of the toe
+    const double exit = -reach + place[0] * (reach + 0.9 * crest);
     const double entry = crest + 1e-3 * H + place[1] * 4.0 * H;
     const double y0 = surface(slope, exit), y1 = H, base = (1.0 - slope.depth_factor) * H;
     const auto allowed = [&](double distance) {

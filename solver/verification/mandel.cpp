@@ -1,5 +1,7 @@
 #include "solver/verification/mandel.hpp"
 
+#include "solver/failure.hpp"
+
 #include <cmath>
 #include <numbers>
 
@@ -51,6 +53,7 @@ double MandelSlab::initial_pressure() const
 
 MandelState::MandelState(const MandelSlab& slab, double T) : slab_(slab)
 {
+    ENSURE(T > 0.0); // the series has no end at the start
     const double nu = slab.poisson_ratio(), nu_u = slab.undrained_poisson_ratio();
     const double slope = (1.0 - nu) / (nu_u - nu);
     for (int i = 0;; ++i) {

@@ -22,7 +22,7 @@ struct MandelSlab {
 /// The slab at one time; x from its middle plane, y from its middle height [m].
 class MandelState {
 public:
-    /// T > 0; the series takes a time longer in proportion to 1/sqrt(T).
+    /// T > 0; the number of terms grows as 1/sqrt(T).
     MandelState(const MandelSlab& slab, double time_factor);
 
     double pore_pressure(double x) const;   // [Pa]

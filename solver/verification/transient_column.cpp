@@ -1,5 +1,7 @@
 #include "solver/verification/transient_column.hpp"
 
+#include "solver/failure.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -107,6 +109,7 @@ std::vector<ColumnMotion> column_motion(const TransientColumn& column, double x,
     std::vector<ColumnMotion> motion(times.size());
     const double latest = times.empty() ? 0.0 : *std::max_element(times.begin(), times.end());
     if (latest <= 0.0) return motion;
+    ENSURE(column.ramp_duration > 0.0); // the series of a sudden load does not converge
     // f(t) = e^{ct}/T { F(c)/2 + sum_k Re[F(c + i k pi/T) e^{i k pi t/T}] }; the error is f(t + 2T) e^{-2cT}
     const double T = 2.0 * latest, c = 10.0 / T;
     constexpr double highest = 1000.0 * pi; // frequency times ramp where its transform has died out

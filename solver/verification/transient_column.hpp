@@ -33,8 +33,8 @@ struct ColumnMotion {
 };
 
 /// Motion at a height x above the base at each of the times [s], by the inverse Laplace transform of the
-/// column's response (Fourier series of Durbin 1974). Accurate to about 1e-6 of the largest value; the cost
-/// grows with the largest time over the ramp.
+/// column's response (Fourier series of Durbin 1974). Accurate to about 1e-8 of the load and of its drained
+/// settlement; the cost grows with the largest time over the ramp.
 std::vector<ColumnMotion> column_motion(const TransientColumn& column, double x,
                                         const std::vector<double>& times);
 
