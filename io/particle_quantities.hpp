@@ -19,7 +19,7 @@ Vector2 displacement(const Particles& particles, std::size_t p);
 double total_pore_pressure(const Problem& problem, const Particles& particles, std::size_t p);
 
 /// r_u = excess pore pressure / sigma'_v0; NaN where sigma'_v0 is below ru_stress_threshold [-].
-double excess_pressure_ratio(const Particles& particles, std::size_t p);
+double excess_pressure_ratio(const Problem& problem, const Particles& particles, std::size_t p);
 
 /// p' = -(xx + yy + zz) / 3, compression positive [Pa].
 double mean_effective_stress(const SymmetricTensors& stress, std::size_t p);

@@ -144,7 +144,7 @@ void draw_legend(const FieldPicture& picture, const PictureLayout& layout, Canva
 
 std::string time_text(double time)
 {
-    return fmt::format("t = {} s", tick_label(time, std::abs(time) < 10.0 ? 3 : 2));
+    return fmt::format("t = {:.4g} s", time);
 }
 
 /// The text, cut with an ellipsis where it is longer than `room` pixels.

@@ -40,7 +40,7 @@ std::string description(const SceneProbe& probe, std::int32_t identifier)
 }
 
 std::vector<std::string> probe_comments(const SceneProbe& probe, std::int32_t identifier,
-                                        const RunLabel& label, bool saturated)
+                                        const RunLabel& label, const Problem& problem)
 {
     std::vector<std::string> comments = run_comments(label);
     comments.push_back("probe: " + description(probe, identifier));
@@ -52,14 +52,15 @@ std::vector<std::string> probe_comments(const SceneProbe& probe, std::int32_t id
          "mean and vertical effective stress: compression positive; shear_stress_xy: of the tensor that is "
          "positive in tension",
          "shear_strain_xy: engineering shear strain du_x/dy + du_y/dx"});
-    if (saturated)
+    if (problem.water)
         comments.insert(
             comments.end(),
             {"pore_pressure: static plus excess, compression positive",
-             fmt::format("ru: excess pore pressure / initial vertical effective stress, which is {}",
-                         probe.kind == ProbeKind::material || probe.kind == ProbeKind::surface
-                             ? fmt::format("empty where the latter is below {} Pa", ru_stress_threshold)
-                             : fmt::format("taken as {} Pa at least", ru_stress_threshold))});
+             fmt::format(
+                 "ru: excess pore pressure / initial vertical effective stress, which is {}",
+                 probe.kind == ProbeKind::material || probe.kind == ProbeKind::surface
+                     ? fmt::format("empty where the latter is below {:.4g} Pa", ru_stress_threshold(problem))
+                     : fmt::format("taken as {:.4g} Pa at least", ru_stress_threshold(problem)))});
     comments.push_back("an empty cell: no soil or no value");
     return comments;
 }
@@ -139,7 +140,7 @@ ProbeWriter::Probe ProbeWriter::open_probe(const SceneProbe& scene_probe, const 
     if (scene_probe.kind == ProbeKind::material)
         identifier = find_rider(scene_probe, problem, state.particles);
     const auto path = ResultsFolder{results}.probe(scene_probe.name);
-    const auto comments = probe_comments(scene_probe, identifier, label, saturated_);
+    const auto comments = probe_comments(scene_probe, identifier, label, problem);
     const auto columns = probe_columns(scene_probe, saturated_);
     Probe probe{scene_probe,
                 identifier,

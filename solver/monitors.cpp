@@ -23,7 +23,8 @@ void add_fluid(const Problem& problem, const Particles& particles, std::size_t p
     const double pressure = particles.pore_pressure[p];
     monitors.max_excess_pore_pressure = std::max(monitors.max_excess_pore_pressure, pressure);
     const double initial = particles.initial_vertical_effective_stress[p];
-    if (initial >= ru_stress_threshold) monitors.max_ru = std::max(monitors.max_ru, pressure / initial);
+    if (initial >= ru_stress_threshold(problem))
+        monitors.max_ru = std::max(monitors.max_ru, pressure / initial);
 }
 
 double crest_settlement(const Particles& particles, const std::vector<std::int32_t>& crest)
@@ -38,6 +39,13 @@ double crest_settlement(const Particles& particles, const std::vector<std::int32
 }
 
 } // namespace
+
+double ru_stress_threshold(const Problem& problem)
+{
+    constexpr double least = 1.0; // without gravity [Pa]
+    if (!problem.water) return least;
+    return std::max(least, 0.5 * problem.grid.cell_size * problem.water->density * problem.gravity);
+}
 
 std::vector<std::int32_t> crest_particles(const Particles& particles)
 {

@@ -26,8 +26,9 @@ struct Monitors {
 /// Lasting numbers of the particles of the highest layer of the soil as sampled: the crest.
 std::vector<std::int32_t> crest_particles(const Particles& particles);
 
-/// r_u is left out below this initial vertical effective stress [Pa].
-inline constexpr double ru_stress_threshold = 1.0;
+/// r_u is left out below this initial vertical effective stress, the weight of half a cell of water: so close
+/// to the surface the ratio says more about the cells than about the soil [Pa].
+double ru_stress_threshold(const Problem& problem);
 
 Monitors monitor(const Problem& problem, const State& state, const std::vector<std::int32_t>& crest);
 

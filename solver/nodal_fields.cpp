@@ -50,7 +50,7 @@ void particle_values(const Problem& problem, const Particles& particles, std::si
     *values++ = particles.velocity_fluid.y[p];
     *values++ = static_water_pressure(problem, particles.position.y[p]) + excess;
     *values++ = excess;
-    *values++ = excess / std::max(initial, ru_stress_threshold);
+    *values++ = excess / std::max(initial, ru_stress_threshold(problem));
     *values++ = particles.porosity[p];
 }
 

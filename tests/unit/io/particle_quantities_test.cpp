@@ -56,8 +56,8 @@ TEST(ParticleQuantities, RuIsUndefinedUnderHardlyAnyStress)
     resize(particles, 2, true);
     particles.pore_pressure = {50.0, 50.0};
     particles.initial_vertical_effective_stress = {100.0, 0.5};
-    EXPECT_EQ(excess_pressure_ratio(particles, 0), 0.5);
-    EXPECT_TRUE(std::isnan(excess_pressure_ratio(particles, 1)));
+    EXPECT_EQ(excess_pressure_ratio(Problem{}, particles, 0), 0.5);
+    EXPECT_TRUE(std::isnan(excess_pressure_ratio(Problem{}, particles, 1)));
 }
 
 } // namespace quicksand
