@@ -10,13 +10,14 @@ namespace quicksand {
 
 namespace {
 
-/// Steps of monotonic tests: 1 % of the strain so far, at least this.
-constexpr double least_step = 1e-6; // [-]
-
-double next_step(double strain, double largest)
+/// Points of monotonic tests are 1 % of the strain apart, at least 1e-6. Between them the strain is divided
+/// finely: the law is integrated to first order, and first loading is then right to 1e-4.
+template <class Apply>
+void strain_monotonically(double largest, double strain, Apply&& apply)
 {
-    const double step = std::clamp(0.01 * strain, least_step, largest / 1000.0 + least_step);
-    return std::min(step, largest - strain);
+    const double interval = std::min(std::max(0.01 * strain, 1e-6), largest - strain);
+    const double count = std::ceil(interval / std::max(1e-4 * strain, 1e-7));
+    for (double k = 0.0; k < count; k += 1.0) apply(interval / count);
 }
 
 /// Apply the strain for which `stress` of the new state has its value: the secant method, begun with an
@@ -138,13 +139,11 @@ ElementPath shear_monotonically(const UbcSand& law, const Consolidation& start, 
     Specimen specimen = consolidate(law, start);
     ElementPath path = {record(specimen, 0.0)};
     while (specimen.gamma < largest_gamma - 1e-12) {
-        const double step = next_step(specimen.gamma, largest_gamma);
-        if (drainage == Drainage::undrained) {
-            strain(0.0, 0.0, step, specimen);
-        } else {
+        strain_monotonically(largest_gamma, specimen.gamma, [&](double step) {
+            if (drainage == Drainage::undrained) return strain(0.0, 0.0, step, specimen);
             const auto apply = [&](double vertical, Specimen& s) { strain(0.0, vertical, step, s); };
             hold(start.vertical_stress, constrained_modulus(law, specimen.state), apply, sigma_y, specimen);
-        }
+        });
         path.push_back(record(specimen, 0.0));
     }
     return path;
@@ -157,13 +156,11 @@ ElementPath compress_biaxially(const UbcSand& law, const Consolidation& start, D
     ElementPath path = {record(specimen, 0.0)};
     const double cell_pressure = specimen.state.sigma_x;
     while (specimen.strain_y < largest_strain - 1e-12) {
-        const double step = next_step(specimen.strain_y, largest_strain);
-        if (drainage == Drainage::undrained) {
-            strain(-step, step, 0.0, specimen);
-        } else {
+        strain_monotonically(largest_strain, specimen.strain_y, [&](double step) {
+            if (drainage == Drainage::undrained) return strain(-step, step, 0.0, specimen);
             const auto apply = [&](double lateral, Specimen& s) { strain(lateral, step, 0.0, s); };
             hold(cell_pressure, constrained_modulus(law, specimen.state), apply, sigma_x, specimen);
-        }
+        });
         path.push_back(record(specimen, 0.0));
         path.back().ru = (cell_pressure - specimen.state.sigma_x) / start.vertical_stress;
     }

@@ -9,7 +9,13 @@ namespace quicksand {
 
 namespace {
 
-constexpr double largest_step = 5e-5; // of gamma on the plateau of a liquefied specimen [-]
+// The law is integrated to first order: with this step the mean stress at the peaks is right to 0.2 %.
+constexpr double stress_step = 0.004;  // elastic stress of a step over tau_a [-]
+constexpr double leg_tolerance = 1e-3; // of a stress step, within which a leg has ended [-]
+
+// Distances between points of the path.
+constexpr double tau_resolution = 0.01;   // over tau_a [-]
+constexpr double gamma_resolution = 2e-4; // [-]
 
 /// A leg runs from one reversal to the next; leg 0 is the first quarter cycle.
 struct Leg {
@@ -25,9 +31,8 @@ double cycle_of(const Leg& leg, double value)
     return leg.number == 0 ? 0.25 * share : 0.5 * leg.number - 0.25 + 0.5 * share;
 }
 
-void note_events(const Leg& leg, CyclicTest& test)
+void note_events(const Leg& leg, const ElementPoint& point, CyclicTest& test)
 {
-    const ElementPoint& point = test.path.back();
     const double cycles = 0.5 * leg.number;
     const auto note = [&](bool happens, std::optional<double>& event) {
         if (happens && !event) event = cycles;
@@ -37,43 +42,60 @@ void note_events(const Leg& leg, CyclicTest& test)
     note(std::abs(point.gamma) > 0.0375, test.cycles_to_375_percent);
 }
 
-/// One step of a stress-controlled leg: |d tau| is about `tau_step` and the leg's end is not passed. Returns
-/// the shear strain of the step.
-double step_stress(const Leg& leg, double tau_step, double guess, Specimen& specimen)
+/// One step of a stress-controlled leg: the elastic stress of its strain is `tau_step`, so that the steps are
+/// fine where the specimen is soft; the last step ends the leg.
+void step_stress(const Leg& leg, double tau_step, Specimen& specimen)
 {
     const Specimen before = specimen;
-    const double direction = leg.direction();
-    double step = guess;
+    double step = leg.direction() * tau_step / shear_modulus(specimen.law, specimen.state);
     for (int attempt = 0; attempt < 60; ++attempt) {
         specimen = before;
-        strain(0.0, 0.0, direction * step, specimen);
-        const double change = direction * (specimen.state.tau_xy - before.state.tau_xy);
-        const double room =
-            std::min(1.2 * tau_step, direction * (leg.to - before.state.tau_xy) + 1e-4 * tau_step);
-        if (std::abs(change) <= 1.2 * tau_step && change <= room) return step;
-        step *=
-            std::clamp((change > 0.0 ? std::min(tau_step, room) : tau_step) / std::abs(change), 0.1, 0.98);
+        strain(0.0, 0.0, step, specimen);
+        const double beyond = leg.direction() * (specimen.state.tau_xy - leg.to);
+        if (beyond <= leg_tolerance * tau_step) return;
+        step *= (leg.to - before.state.tau_xy) / (specimen.state.tau_xy - before.state.tau_xy);
     }
-    return step;
+}
+
+bool worth_recording(const ElementPoint& point, const ElementPoint& last, double amplitude)
+{
+    return std::abs(point.tau - last.tau) >= tau_resolution * amplitude ||
+           std::abs(point.gamma - last.gamma) >= gamma_resolution;
 }
 
 /// Follow a leg to its end; false when the test ends before.
-bool follow(const Leg& leg, const StressCycles& loading, double tau_step, Specimen& specimen,
+bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Specimen& specimen,
             CyclicTest& test)
 {
-    double step = tau_step / shear_modulus(specimen.law, specimen.state);
-    while (leg.direction() * (leg.to - specimen.state.tau_xy) > 1e-3 * tau_step) {
-        const double before = specimen.state.tau_xy;
-        const double taken = step_stress(leg, tau_step, step, specimen);
-        const double change = std::abs(specimen.state.tau_xy - before);
-        const double wanted = change > 0.0 ? taken * tau_step / change : largest_step;
-        step = std::min({wanted, 1.5 * taken, largest_step});
-        test.path.push_back(record(specimen, cycle_of(leg, specimen.state.tau_xy)));
-        note_events(leg, test);
-        if (std::abs(specimen.gamma) > loading.largest_gamma) return false;
-        if (loading.stop_at_ru && test.cycles_to_ru_95) return false;
+    const double tau_step = stress_step * amplitude;
+    bool ends = false, stops = false;
+    while (!ends && !stops) {
+        step_stress(leg, tau_step, specimen);
+        const ElementPoint point = record(specimen, cycle_of(leg, specimen.state.tau_xy));
+        note_events(leg, point, test);
+        ends = leg.direction() * (leg.to - point.tau) <= leg_tolerance * tau_step;
+        stops = std::abs(point.gamma) > loading.largest_gamma || (loading.stop_at_ru && test.cycles_to_ru_95);
+        if (ends || stops || worth_recording(point, test.path.back(), amplitude)) test.path.push_back(point);
     }
-    return true;
+    return !stops;
+}
+
+/// Least CSR that reaches ru > 0.95 within N cycles, by halves of the range in log CSR.
+double least_csr(const UbcSand& law, const Consolidation& start, double cycles)
+{
+    double below = 0.01, above = 2.0;
+    while (above / below > 1.002) {
+        const StressCycles loading = {std::sqrt(below * above), cycles, 0.5, true};
+        const bool reached = shear_cyclically(law, start, loading).cycles_to_ru_95.value_or(1e9) <= cycles;
+        (reached ? above : below) = loading.csr;
+    }
+    return above;
+}
+
+/// Middle of the range of CSR that reaches ru > 0.95 at N cycles, a whole number of halves.
+double middle_csr(const UbcSand& law, const Consolidation& start, double cycles)
+{
+    return std::sqrt(least_csr(law, start, cycles) * least_csr(law, start, cycles - 0.5));
 }
 
 } // namespace
@@ -87,7 +109,7 @@ CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, cons
     const double amplitude = loading.csr * start.vertical_stress;
     const int legs = static_cast<int>(std::lround(2.0 * loading.cycles)) + 1;
     Leg leg = {0, start.static_shear, start.static_shear + amplitude};
-    while (leg.number < legs && follow(leg, loading, 0.01 * amplitude, specimen, test)) {
+    while (leg.number < legs && follow(leg, loading, amplitude, specimen, test)) {
         leg = {leg.number + 1, leg.to, start.static_shear - leg.direction() * amplitude};
     }
     return test;
@@ -109,7 +131,7 @@ CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, cons
         for (double k = 0.0; k < steps; k += 1.0) {
             strain(0.0, 0.0, (to - leg.from) / steps, specimen);
             test.path.push_back(record(specimen, cycle_of(leg, specimen.gamma)));
-            note_events(leg, test);
+            note_events(leg, test.path.back(), test);
         }
     }
     return test;
@@ -128,18 +150,11 @@ std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, 
 
 double csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles)
 {
-    const auto cycles_at = [&](double csr) {
-        const StressCycles loading = {csr, 2.0 * cycles + 5.0, 0.5, true};
-        return shear_cyclically(law, start, loading).cycles_to_ru_95.value_or(2.0 * cycles + 5.0);
-    };
-    // bracket by halves of the range in log CSR; fewer cycles at a higher CSR
-    StrengthPoint weak = {0.01, 1e9}, strong = {1.0, 0.0};
-    while (strong.csr / weak.csr > 1.04) {
-        const double csr = std::sqrt(weak.csr * strong.csr);
-        const double reached = cycles_at(csr);
-        (reached > cycles ? weak : strong) = {csr, reached};
-    }
-    return interpolate_csr({weak, strong}, cycles).value_or(std::sqrt(weak.csr * strong.csr));
+    const double fewer = std::max(0.5, std::floor(2.0 * cycles) / 2.0), more = fewer + 0.5;
+    const double strong = middle_csr(law, start, fewer);
+    if (cycles <= fewer) return strong;
+    const double weak = middle_csr(law, start, more);
+    return interpolate_csr({{weak, more}, {strong, fewer}}, cycles).value_or(strong);
 }
 
 } // namespace quicksand

@@ -45,7 +45,8 @@ struct StrengthPoint {
 /// sorted by CSR; none outside their range.
 std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, double cycles);
 
-/// CSR that reaches ru > 0.95 in N cycles, from tests 2 % apart on either side.
+/// CSR that reaches ru > 0.95 in N cycles, to 0.2 %. Cycles are counted in halves, so that a range of CSR has
+/// the same count: its middle is taken, and log-log interpolation between the halves.
 double csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles);
 
 } // namespace quicksand

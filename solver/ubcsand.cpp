@@ -60,6 +60,8 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.a_dil_log2 = m.dilation_softening * std::numbers::log2e;
     law.fac_post = m.softened_factor;
     law.s_min = m.stress_floor;
+    law.per_ratio_step = 1.0 / m.largest_ratio_step;
+    law.per_stress_step = 1.0 / m.largest_stress_step;
     law.square_roots = law.ne == 0.5 && law.me == 0.5;
     return law;
 }

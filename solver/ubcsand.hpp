@@ -32,6 +32,8 @@ struct UbcSand {
     double a_dil_log2;           // softening after dilation, as a power of 2 [-]
     double fac_post;             // least factor after dilation [-]
     double s_min;                // stress floor [Pa]
+    double per_ratio_step;       // 1 / largest elastic change of the stress ratio in a substep [-]
+    double per_stress_step;      // 1 / largest relative elastic change of s in a substep [-]
     bool square_roots;           // ne = me = 1/2
 };
 

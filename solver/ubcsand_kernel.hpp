@@ -91,15 +91,15 @@ struct Strain {
 /// Most substeps of one update: an absurd strain is then taken in larger ones, stable but coarse. [-]
 inline constexpr double most_substeps = 100000.0;
 
-/// [2] Number of substeps for the strain that remains: the stress ratio moves by at most 0.004 and the mean
-/// stress by 2 % in each.
+/// [2] Number of substeps for the strain that remains: each moves the stress ratio by at most 0.004 and the
+/// mean stress by 2 %, were it elastic.
 inline double substep_count(const UbcSand& m, const Moduli& moduli, double s, const Strain& strain,
                             double budget)
 {
     const double difference = strain.x - strain.y;
     const double shear = std::sqrt(difference * difference + strain.xy * strain.xy);
-    const double by_ratio = moduli.G * shear * 250.0 * s;
-    const double by_volume = moduli.K * std::abs(strain.x + strain.y) * 50.0 * (s + m.a);
+    const double by_ratio = moduli.G * shear * m.per_ratio_step * s;
+    const double by_volume = moduli.K * std::abs(strain.x + strain.y) * m.per_stress_step * (s + m.a);
     const double demand = smaller(larger(by_ratio, by_volume) / (s * (s + m.a)), budget);
     // round up: adding 1.5 x 2^52 rounds to the nearest
     constexpr double shift = 0x1.8p52;

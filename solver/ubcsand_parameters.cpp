@@ -99,6 +99,8 @@ void check(const UbcSandParameters& m)
     require_not_negative("reversal_tolerance", m.reversal_tolerance);
     require_not_negative("dilation_softening", m.dilation_softening);
     require_positive("softened_factor", m.softened_factor);
+    require_positive("largest_ratio_step", m.largest_ratio_step);
+    require_positive("largest_stress_step", m.largest_stress_step);
     require_positive("stress_floor", m.stress_floor);
     require_stable_flow(m);
 }

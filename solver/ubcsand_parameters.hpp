@@ -39,6 +39,10 @@ struct UbcSandParameters {
     double softened_factor = 0.05; // least F after dilation [-]
 
     // numerics
+    double largest_ratio_step =
+        0.004; // elastic change of the stress ratio in a substep, at most about this [-]
+    double largest_stress_step =
+        0.02;                    // relative elastic change of the mean stress in a substep, likewise [-]
     double stress_floor = 500.0; // s_min, least mean stress [Pa]; dilation can lift a point off it
 };
 

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace quicksand {
+namespace quicksand::ubcsand {
 
 /// log2(x) for a normal x > 0, to 2e-15 of its magnitude or absolutely.
 inline double logarithm_2(double x)
@@ -51,4 +51,4 @@ inline double power(double x, double exponent)
     return exponential_2(exponent * logarithm_2(x));
 }
 
-} // namespace quicksand
+} // namespace quicksand::ubcsand

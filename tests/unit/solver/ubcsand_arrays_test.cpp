@@ -1,0 +1,181 @@
+#include "solver/ubcsand.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <random>
+#include <vector>
+
+namespace quicksand {
+namespace {
+
+/// Points in arrays with random stress, memory and motion.
+class RandomPoints {
+public:
+    RandomPoints(const UbcSand& law, std::size_t count, unsigned seed) : random_(seed)
+    {
+        for (std::vector<double>& array : arrays_) array.resize(count);
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        for (std::size_t p = 0; p < count; ++p) {
+            UbcSandState state;
+            state.sigma_x = 80e3 * unit(random_);
+            state.sigma_y = 100e3 * unit(random_);
+            state.sigma_z = 50e3 * unit(random_);
+            state.tau_xy = 10e3 * (unit(random_) - 0.5);
+            begin_shaking(law, state);
+            points().set(p, state);
+        }
+    }
+
+    /// A velocity gradient for every point, over a wide range of sizes, some of them zero.
+    void move(double scale)
+    {
+        std::normal_distribution<double> normal;
+        std::uniform_real_distribution<double> unit(0.0, 1.0);
+        for (std::size_t p = 0; p < arrays_[0].size(); ++p) {
+            const double size = unit(random_) < 0.1 ? 0.0 : scale * std::pow(10.0, -4.0 * unit(random_));
+            for (std::size_t component = 0; component < 4; ++component) {
+                arrays_[component][p] = size * normal(random_);
+            }
+        }
+    }
+
+    UbcSandArrays points()
+    {
+        std::array<double*, 15> a{};
+        for (std::size_t k = 0; k < a.size(); ++k) a[k] = arrays_[k].data();
+        return {a[0], a[1], a[2],  a[3],  a[4],  a[5],  a[6], a[7],
+                a[8], a[9], a[10], a[11], a[12], a[13], a[14]};
+    }
+
+    UbcSandIncrement increment(std::size_t p, double dt) const
+    {
+        const double xx = arrays_[0][p], xy = arrays_[1][p], yx = arrays_[2][p], yy = arrays_[3][p];
+        return {-dt * xx, -dt * yy, -dt * (xy + yx), 0.5 * dt * (yx - xy)};
+    }
+
+private:
+    std::mt19937 random_;
+    std::array<std::vector<double>, 15> arrays_;
+};
+
+std::vector<UbcSandState> states(RandomPoints& points, std::size_t count)
+{
+    std::vector<UbcSandState> states(count);
+    for (std::size_t p = 0; p < count; ++p) states[p] = points.points().state(p);
+    return states;
+}
+
+bool same_bits(const UbcSandState& a, const UbcSandState& b)
+{
+    return std::memcmp(&a, &b, sizeof(UbcSandState)) == 0;
+}
+
+/// Run arrays and single points side by side; the number of points that ever differ.
+int differences(const UbcSandParameters& parameters, std::size_t count, unsigned seed, int steps)
+{
+    const UbcSand law = make_ubcsand(parameters);
+    RandomPoints points(law, count, seed);
+    std::vector<UbcSandState> single = states(points, count);
+    int different = 0;
+    for (int step = 0; step < steps; ++step) {
+        points.move(1.0);
+        const double dt = 1e-4;
+        update(law, dt, 0, count, Turn::stress_and_memory, points.points());
+        for (std::size_t p = 0; p < count; ++p) {
+            update(law, points.increment(p, dt), single[p]);
+            if (!same_bits(single[p], points.points().state(p))) ++different;
+        }
+    }
+    return different;
+}
+
+TEST(UbcSandArrays, HaveTheBitsOfSinglePoints)
+{
+    EXPECT_EQ(differences(nevada_sand_55(), 203, 1, 2000), 0);
+    EXPECT_EQ(differences(ubcsand_from_blow_count(5.0), 64, 2, 2000), 0);
+}
+
+TEST(UbcSandArrays, HaveTheBitsOfSinglePointsForAnyNumberOfPoints)
+{
+    for (std::size_t count = 1; count < 20; ++count) {
+        EXPECT_EQ(differences(nevada_sand_55(), count, static_cast<unsigned>(count), 100), 0);
+    }
+}
+
+TEST(UbcSandArrays, HaveTheBitsOfSinglePointsForAnyExponentAndCohesion)
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.elastic_shear_exponent = 0.45;
+    parameters.elastic_bulk_exponent = 0.6;
+    parameters.plastic_shear_exponent = 0.3;
+    parameters.cohesion = 2e3;
+    EXPECT_EQ(differences(parameters, 50, 3, 1000), 0);
+}
+
+TEST(UbcSandArrays, PowersOfOneHalfAreSquareRootsToRounding)
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    const UbcSand roots = make_ubcsand(parameters);
+    UbcSand powers = roots;
+    powers.square_roots = false;
+    RandomPoints points(roots, 1, 4);
+    UbcSandState a = points.points().state(0), b = a;
+    for (int step = 0; step < 200; ++step) {
+        points.move(1.0);
+        update(roots, points.increment(0, 1e-5), a);
+        update(powers, points.increment(0, 1e-5), b);
+    }
+    EXPECT_NEAR(a.sigma_y, b.sigma_y, 1e-6);
+    EXPECT_NEAR(a.tau_xy, b.tau_xy, 1e-6);
+}
+
+TEST(UbcSandArrays, LeaveTheTurningOfTheStressToTheCaller)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    RandomPoints points(law, 9, 5);
+    const std::vector<UbcSandState> before = states(points, 9);
+    points.move(1.0);
+    update(law, 1e-4, 0, 9, Turn::memory, points.points());
+    for (std::size_t p = 0; p < 9; ++p) {
+        UbcSandState expected = before[p], turned = before[p];
+        UbcSandIncrement increment = points.increment(p, 1e-4);
+        turn(increment.spin, turned);
+        expected.peak_x = turned.peak_x;
+        expected.peak_y = turned.peak_y;
+        increment.spin = 0.0;
+        update(law, increment, expected);
+        EXPECT_TRUE(same_bits(expected, points.points().state(p))) << p;
+    }
+}
+
+TEST(UbcSandArrays, TouchOnlyTheirRange)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    RandomPoints points(law, 30, 6);
+    const std::vector<UbcSandState> before = states(points, 30);
+    points.move(1.0);
+    update(law, 1e-4, 3, 14, Turn::stress_and_memory, points.points());
+    const std::vector<UbcSandState> after = states(points, 30);
+    for (std::size_t p = 0; p < 30; ++p) {
+        if (p < 3 || p >= 14) {
+            EXPECT_TRUE(same_bits(before[p], after[p])) << p;
+        }
+    }
+    EXPECT_FALSE(same_bits(before[13], after[13]));
+}
+
+TEST(UbcSandArrays, TheStiffestPointHasTheLargestMeanStress)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    RandomPoints points(law, 40, 7);
+    double stiffest = 0.0;
+    for (const UbcSandState& state : states(points, 40)) {
+        stiffest = std::max(stiffest, constrained_modulus(law, state));
+    }
+    EXPECT_DOUBLE_EQ(stiffest_modulus(law, 0, 40, points.points()), stiffest);
+}
+
+} // namespace
+} // namespace quicksand

@@ -1,0 +1,182 @@
+#include "solver/ubcsand.hpp"
+#include "solver/ubcsand_kernel.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace quicksand {
+namespace {
+
+double mean(const UbcSandState& state)
+{
+    return 0.5 * (state.sigma_x + state.sigma_y);
+}
+
+double ratio(const UbcSand& law, const UbcSandState& state)
+{
+    return std::hypot(0.5 * (state.sigma_x - state.sigma_y), state.tau_xy) / (mean(state) + law.a);
+}
+
+UbcSandState consolidated(const UbcSand& law, double k0)
+{
+    UbcSandState state;
+    state.sigma_x = state.sigma_z = k0 * 100e3;
+    state.sigma_y = 100e3;
+    begin_shaking(law, state);
+    return state;
+}
+
+UbcSandIncrement shear(double gamma)
+{
+    return {0.0, 0.0, gamma, 0.0};
+}
+
+TEST(UbcSand, BeginsShakingOnTheLocusOfItsPresentStress)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    const UbcSandState state = consolidated(law, 0.5);
+    EXPECT_NEAR(state.eta_max, 1.0 / 3.0, 1e-15); // 25/75
+    EXPECT_NEAR(state.peak_x, -1.0 / 3.0, 1e-15);
+    EXPECT_EQ(state.peak_y, 0.0);
+    EXPECT_EQ(state.branch, ubcsand::loading);
+    EXPECT_EQ(state.half_cycles, 0.0);
+}
+
+TEST(UbcSand, ElasticModuliAreThoseOfTheGenericSetAtOneAtmosphere)
+{
+    const UbcSand law = make_ubcsand(ubcsand_from_blow_count(15.0));
+    const UbcSandState state = consolidated(law, 1.0);
+    EXPECT_NEAR(shear_modulus(law, state), 107.03e6, 0.01e6);       // 1070.3 P_a
+    EXPECT_NEAR(plane_bulk_modulus(law, state), 110.60e6, 0.01e6);  // (749.2 + 1070.3/3) P_a
+    EXPECT_NEAR(constrained_modulus(law, state), 217.63e6, 0.02e6); // (749.2 + 4/3 1070.3) P_a
+    EXPECT_NEAR(shear_modulus(law, consolidated(law, 0.5)), 107.03e6 * std::sqrt(0.75), 0.01e6);
+}
+
+TEST(UbcSand, ThePlasticModulusIsTheHyperbolaTimesTheFactor)
+{
+    const UbcSand law = make_ubcsand(ubcsand_from_blow_count(15.0));
+    ubcsand::Trial trial{};
+    trial.scale = 0.5; // s = 50 kPa
+    trial.eta_y = 0.3;
+    // 2 x 822.4 x 100 kPa x 0.5^0.4 x (1 - 0.7328 x 0.3/sin 34.5 deg)^2
+    EXPECT_NEAR(ubcsand::plastic_modulus(law, trial, 2.0), 46.65e6, 0.05e6);
+}
+
+TEST(UbcSand, TheFactorStiffensReloadingAndSoftensAfterDilation)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    UbcSandState state;
+    state.eta_max = 0.4;
+    state.half_cycles = 6.0;
+    state.peak_x = 0.3;
+    ubcsand::Trial trial{};
+    trial.eta_y = 0.4;
+    trial.q_x = -1.0;
+    EXPECT_DOUBLE_EQ(ubcsand::hardening_factor(law, trial, state), 1.0);
+    trial.eta_y = 0.2;
+    EXPECT_DOUBLE_EQ(ubcsand::hardening_factor(law, trial, state), 0.6 * (4.0 + 0.5 * 6.0));
+    state.active_dilation = 1e-3;
+    EXPECT_NEAR(ubcsand::hardening_factor(law, trial, state), 4.2 * std::exp(-1.0), 1e-14);
+    state.active_dilation = 0.1;
+    EXPECT_DOUBLE_EQ(ubcsand::hardening_factor(law, trial, state), 0.05);
+    trial.q_x = 1.0; // the branch has not crossed the isotropic axis
+    EXPECT_DOUBLE_EQ(ubcsand::hardening_factor(law, trial, state), 4.2);
+}
+
+TEST(UbcSand, UnloadingIsElasticAndKeepsTheMeanStress)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    UbcSandState state = consolidated(law, 1.0);
+    update(law, shear(5e-4), state);
+    const UbcSandState peak = state;
+    ASSERT_LT(mean(peak), 99e3); // loading contracts
+    update(law, shear(-1e-6), state);
+    EXPECT_NEAR(mean(state), mean(peak), 1e-9);
+    EXPECT_NEAR(state.tau_xy, peak.tau_xy - 1e-6 * shear_modulus(law, peak), 1e-9);
+    EXPECT_EQ(state.branch, ubcsand::just_reversed);
+    EXPECT_NEAR(state.peak_y, peak.tau_xy / mean(peak), 1e-15);
+}
+
+TEST(UbcSand, OnlyARealReversalCountsAHalfCycle)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    UbcSandState state = consolidated(law, 1.0);
+    update(law, shear(5e-4), state);
+    const UbcSandState peak = state;
+    // an excursion of 0.01 in ratio is reloaded elastically ...
+    const double tiny = 0.01 * mean(peak) / shear_modulus(law, peak);
+    update(law, shear(-tiny), state);
+    update(law, shear(0.99 * tiny), state);
+    EXPECT_EQ(state.half_cycles, 0.0);
+    EXPECT_EQ(state.branch, ubcsand::just_reversed);
+    update(law, shear(0.1 * tiny), state);
+    EXPECT_EQ(state.branch, ubcsand::loading);
+    EXPECT_EQ(state.half_cycles, 0.0);
+    // ... one of 0.05 drags the locus back and counts
+    state = peak;
+    update(law, shear(-5.0 * tiny), state);
+    EXPECT_EQ(state.branch, ubcsand::far_from_reversal);
+    update(law, shear(tiny), state);
+    EXPECT_EQ(state.branch, ubcsand::loading);
+    EXPECT_EQ(state.half_cycles, 1.0);
+    EXPECT_LT(mean(state), mean(peak));
+}
+
+TEST(UbcSand, FailureCarriesTheCohesionOfMohrAndCoulomb)
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.cohesion = 10e3;
+    const UbcSand law = make_ubcsand(parameters);
+    UbcSandState state = consolidated(law, 0.5);
+    for (int k = 0; k < 2000; ++k) update(law, {-2e-5, 2e-5, 0.0, 0.0}, state);
+    const double phi = parameters.peak_friction_deg * std::numbers::pi / 180.0;
+    const double radius = 0.5 * (state.sigma_y - state.sigma_x);
+    EXPECT_NEAR(radius, mean(state) * std::sin(phi) + 10e3 * std::cos(phi), 1e-6 * radius);
+}
+
+TEST(UbcSand, DilationLiftsAPointOffTheStressFloor)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    UbcSandState state = consolidated(law, 1.0);
+    update(law, {-1e-2, -1e-2, 0.0, 0.0}, state); // pulled apart
+    ASSERT_EQ(mean(state), law.s_min);
+    for (int k = 0; k < 500; ++k) update(law, shear(1e-4), state);
+    EXPECT_GT(mean(state), 10.0 * law.s_min);
+    EXPECT_NEAR(ratio(law, state), law.eta_f, 1e-12);
+}
+
+TEST(UbcSand, ASpinTurnsStressAndMemoryByTwiceItsAngle)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    UbcSandState state = consolidated(law, 0.5);
+    const UbcSandState before = state;
+    // tan(angle/2) = spin/2: an angle of 45 deg turns x into the diagonal
+    const double spin = 2.0 * std::tan(std::numbers::pi / 8.0);
+    turn(spin, state);
+    EXPECT_NEAR(state.sigma_x, 75e3, 1e-9);
+    EXPECT_NEAR(state.sigma_y, 75e3, 1e-9);
+    EXPECT_NEAR(state.tau_xy, -25e3, 1e-9);
+    EXPECT_NEAR(state.peak_x, 0.0, 1e-15);
+    EXPECT_NEAR(state.peak_y, -1.0 / 3.0, 1e-15);
+    turn(-spin, state);
+    EXPECT_NEAR(state.sigma_x, before.sigma_x, 1e-9);
+    EXPECT_NEAR(state.peak_x, before.peak_x, 1e-15);
+}
+
+TEST(UbcSand, AnAbsurdStrainEndsInBoundedTimeInsideTheLimit)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    for (const UbcSandIncrement& huge :
+         {shear(100.0), UbcSandIncrement{-50.0, 50.0, 0.0, 0.0}, UbcSandIncrement{10.0, 10.0, 1.0, 3.0},
+          UbcSandIncrement{-10.0, -10.0, 1.0, -3.0}}) {
+        UbcSandState state = consolidated(law, 0.5);
+        update(law, huge, state);
+        EXPECT_TRUE(std::isfinite(state.sigma_x + state.sigma_y + state.sigma_z + state.tau_xy));
+        EXPECT_LE(ratio(law, state), law.eta_f * (1.0 + 1e-9));
+    }
+}
+
+} // namespace
+} // namespace quicksand

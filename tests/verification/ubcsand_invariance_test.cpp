@@ -1,0 +1,107 @@
+// What must not change the answer: the frame, the size of the substeps, the size of the steps.
+#include "solver/element_test_cyclic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace quicksand {
+namespace {
+
+/// The state and the strain seen in axes turned by an angle.
+UbcSandState turned(const UbcSandState& state, double angle)
+{
+    UbcSandState result = state;
+    turn(2.0 * std::tan(0.5 * angle), result);
+    return result;
+}
+
+UbcSandIncrement turned(const UbcSandIncrement& strain, double angle)
+{
+    const double c = std::cos(2.0 * angle), s = std::sin(2.0 * angle);
+    const double mean = 0.5 * (strain.strain_x + strain.strain_y);
+    const double difference = 0.5 * (strain.strain_x - strain.strain_y), half_shear = 0.5 * strain.shear;
+    const double deviator = c * difference - s * half_shear;
+    return {mean + deviator, mean - deviator, 2.0 * (s * difference + c * half_shear), strain.spin};
+}
+
+double distance(const UbcSandState& a, const UbcSandState& b)
+{
+    return std::abs(a.sigma_x - b.sigma_x) + std::abs(a.sigma_y - b.sigma_y) +
+           std::abs(a.sigma_z - b.sigma_z) + std::abs(a.tau_xy - b.tau_xy);
+}
+
+TEST(UbcSandFrame, AnyAxesGiveTheSameStress)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    UbcSandState fixed = consolidate(law, {}).state;
+    UbcSandState rotated = turned(fixed, 0.7);
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    double worst = 0.0;
+    for (int step = 0; step < 3000; ++step) {
+        const double drift = 4e-5 * std::sin(0.02 * step);
+        const UbcSandIncrement strain = {1e-5 * normal(random), 1e-5 * normal(random),
+                                         drift + 2e-5 * normal(random), 0.0};
+        update(law, strain, fixed);
+        update(law, turned(strain, 0.7), rotated);
+        worst = std::max(worst, distance(turned(fixed, 0.7), rotated));
+    }
+    EXPECT_GT(fixed.half_cycles, 100.0); // the path is not a simple one
+    EXPECT_LT(worst, 1e-10 * 100e3);
+}
+
+TEST(UbcSandFrame, ABodyThatTurnsWhileItStrainsKeepsItsStressInItsOwnAxes)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    UbcSandState fixed = consolidate(law, {}).state, turning = fixed;
+    const double per_step = 0.01; // the angle
+    double angle = 0.0, worst = 0.0;
+    for (int step = 0; step < 2000; ++step) {
+        const UbcSandIncrement strain = {1e-6 * std::cos(0.3 * step), -1e-6 * std::cos(0.3 * step),
+                                         3e-5 * std::cos(0.02 * step), 0.0};
+        angle += per_step;
+        UbcSandIncrement seen = turned(strain, angle);
+        seen.spin = 2.0 * std::tan(0.5 * per_step);
+        update(law, strain, fixed);
+        update(law, seen, turning);
+        // turned back in the same small steps' sum
+        UbcSandState back = turning;
+        turn(2.0 * std::tan(-0.5 * std::remainder(angle, 6.283185307179586)), back);
+        worst = std::max(worst, distance(fixed, back));
+    }
+    EXPECT_LT(worst, 1e-10 * 100e3);
+}
+
+double ru_after(const UbcSandParameters& parameters, double cycles)
+{
+    const CyclicTest test = shear_cyclically(make_ubcsand(parameters), {}, StressCycles{0.15, cycles, 0.1});
+    double ru = 0.0;
+    for (const ElementPoint& point : test.path) {
+        if (point.cycle <= cycles) ru = point.ru;
+    }
+    return ru;
+}
+
+TEST(UbcSandSubsteps, AreFineEnough)
+{
+    for (const double n1_60 : {10.0, 13.9, 20.0}) {
+        UbcSandParameters parameters = ubcsand_from_blow_count(n1_60);
+        const double usual = ru_after(parameters, 5.0);
+        parameters.largest_ratio_step /= 8.0;
+        parameters.largest_stress_step /= 8.0;
+        EXPECT_NEAR(usual, ru_after(parameters, 5.0), 0.002) << "(N1)60 = " << n1_60;
+    }
+}
+
+TEST(UbcSandSubsteps, MakeLongStepsAsGoodAsShortOnes)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    const double few = shear_cyclically(law, {}, StrainCycles{3e-4, 5.0, 20.0}).path.back().ru;
+    const double many = shear_cyclically(law, {}, StrainCycles{3e-4, 5.0, 2000.0}).path.back().ru;
+    EXPECT_NEAR(few, many, 0.005);
+}
+
+} // namespace
+} // namespace quicksand
