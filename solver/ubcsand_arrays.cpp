@@ -1,7 +1,11 @@
 // UBCSAND for arrays of points: blocks of lanes that go through the substeps together, so that the compiler
 // makes vectors of the kernel's arithmetic. A block without plastic lanes skips the return.
-#ifdef __GNUC__
+#if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-trapping-math") // lets both sides of a choice be computed; changes no value
+// inline all calls; a second version for vectors of four, chosen when the program starts, of the same bits
+#define VECTOR_KERNEL [[gnu::flatten, gnu::target_clones("avx2", "default")]]
+#else
+#define VECTOR_KERNEL
 #endif
 
 #include "solver/ubcsand.hpp"
@@ -79,7 +83,6 @@ inline double sum(const double (&values)[width])
 template <bool square_roots>
 inline double step_elastically(const UbcSand& law, double budget, Block& block, TrialBlock& trials)
 {
-#pragma GCC ivdep
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
         Strain remaining = {block.strain_x[k], block.strain_y[k], block.strain_xy[k]};
@@ -99,7 +102,6 @@ inline double step_elastically(const UbcSand& law, double budget, Block& block, 
 /// [8] to [10] of the plastic lanes.
 inline void flow_plastically(const UbcSand& law, Block& block, const TrialBlock& trials)
 {
-#pragma GCC ivdep
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
         finish_plastic(law, trials.trial(k), state);
@@ -124,7 +126,6 @@ inline void load(const UbcSandArrays& points, std::size_t p, std::size_t count, 
                  Block& block)
 {
     const bool turns_stress = turned == Turn::stress_and_memory;
-#pragma GCC ivdep
     for (std::size_t k = 0; k < count; ++k) {
         UbcSandState state = points.state(p + k);
         const double L_xy = points.L_xy[p + k], L_yx = points.L_yx[p + k];
@@ -141,7 +142,7 @@ inline void load(const UbcSandArrays& points, std::size_t p, std::size_t count, 
 
 inline void store(const Block& block, std::size_t p, std::size_t count, const UbcSandArrays& points)
 {
-#pragma GCC ivdep
+#pragma GCC ivdep // the arrays do not overlap
     for (std::size_t k = 0; k < count; ++k) points.set(p + k, block.state(k));
 }
 
@@ -158,21 +159,16 @@ inline void advance_points(const UbcSand& law, double dt, std::size_t first, std
     }
 }
 
-// one version for machines with vectors of four numbers, chosen when the program starts; the bits are the
-// same
-
-[[gnu::flatten, gnu::target_clones("avx2", "default")]] void advance_generic(const UbcSand& law, double dt,
-                                                                             std::size_t first,
-                                                                             std::size_t last, Turn turned,
-                                                                             const UbcSandArrays& points)
+VECTOR_KERNEL
+void advance_generic(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+                     const UbcSandArrays& points)
 {
     advance_points<true>(law, dt, first, last, turned, points);
 }
 
-[[gnu::flatten, gnu::target_clones("avx2", "default")]] void advance_any(const UbcSand& law, double dt,
-                                                                         std::size_t first, std::size_t last,
-                                                                         Turn turned,
-                                                                         const UbcSandArrays& points)
+VECTOR_KERNEL
+void advance_any(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+                 const UbcSandArrays& points)
 {
     advance_points<false>(law, dt, first, last, turned, points);
 }

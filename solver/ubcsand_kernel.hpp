@@ -132,13 +132,13 @@ Substep next_substep(const UbcSand& m, const UbcSandState& state, double budget,
 /// What an elastic substep would give, and whether the locus stands in its way.
 struct Trial {
     Moduli moduli;
-    double s;             // not below the floor [Pa]
-    double q_x, q_y, t;   // [Pa]
-    double sigma_z;       // [Pa]
-    double eta_y;         // ratio of the locus [-]
-    double eta, r_x, r_y; // before the substep [-]
-    double branch;        // before the substep, with the departure from the reversal noticed
-    double scale;         // s_min or s before the substep, over P_a [-]
+    double s;           // not below the floor [Pa]
+    double q_x, q_y, t; // [Pa]
+    double sigma_z;     // [Pa]
+    double eta_y;       // ratio of the locus [-]
+    double r_x, r_y;    // before the substep [-]
+    double branch;      // before the substep, with the departure from the reversal noticed
+    double scale;       // s_min or s before the substep, over P_a [-]
     bool plastic;
 };
 
@@ -149,9 +149,10 @@ inline void place_locus(const UbcSand& m, const UbcSandState& state, Trial& tria
     const double away_x = trial.r_x - state.peak_x, away_y = trial.r_y - state.peak_y;
     const bool departed = away_x * away_x + away_y * away_y >= m.tolerance_squared;
     trial.branch = select((state.branch == just_reversed) & departed, far_from_reversal, state.branch);
-    const double eta_peak = std::sqrt(state.peak_x * state.peak_x + state.peak_y * state.peak_y);
-    const double dragged = select(trial.branch == just_reversed, larger(trial.eta, eta_peak), trial.eta);
-    trial.eta_y = smaller(dragged, m.eta_f);
+    const double eta_squared = trial.r_x * trial.r_x + trial.r_y * trial.r_y;
+    const double peak_squared = state.peak_x * state.peak_x + state.peak_y * state.peak_y;
+    const double held = select(trial.branch == just_reversed, larger(eta_squared, peak_squared), eta_squared);
+    trial.eta_y = smaller(std::sqrt(held), m.eta_f);
 }
 
 /// [3] to [7] up to the decision.
@@ -165,7 +166,6 @@ inline Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Mo
     const double per_stress = 1.0 / (s + m.a);
     trial.r_x = q_x * per_stress;
     trial.r_y = q_y * per_stress;
-    trial.eta = std::sqrt(q_x * q_x + q_y * q_y) * per_stress;
     trial.scale = s * (1.0 / atmospheric_pressure);
 
     // [4] d s = K' d eps_v, d q = G (d eps_x - d eps_y, d gamma_xy); s as it is, be it below the floor
