@@ -10,8 +10,8 @@ namespace quicksand {
 
 namespace {
 
-// Largest stable step of the cycle with affine velocities is 0.8 h / c for the two-phase step and 0.9 h / c
-// for one phase (growth tests of the filtered CPDI weights); the rest is margin for partly filled cells.
+// Random motion of partly filled patches grows from 0.8 h / c on, in the two-phase step (k from 1e-3 to
+// 1e-7 m/s) and in that of one phase alike; the rest is margin.
 constexpr double wave_safety = 0.65;
 // Local damping adds up to 70 % to a braking force, which raises frequencies by a third; 0.65 grows, 0.45
 // settles.

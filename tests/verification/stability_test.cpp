@@ -1,0 +1,74 @@
+// The largest stable step: random motion of a partly filled patch decays below it and grows above it.
+#include "solver/failure.hpp"
+#include "solver/single_phase_step.hpp"
+#include "solver/two_phase_step.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "tests/fixtures/soil_block.hpp"
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+Problem patch(double conductivity, bool saturated)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.0075, 9, 10};
+    Material sand = stiff_sand();
+    sand.hydraulic_conductivity = conductivity;
+    problem.materials = {sand};
+    if (saturated) problem.water = water_to(1.0);
+    problem.gravity = 0.0;
+    problem.boundaries =
+        rectangle(0.0, 0.0, 0.0675, 0.0625, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
+    return problem;
+}
+
+State restless(const Problem& problem)
+{
+    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < 0.0625; }); // a third of the top row
+    std::mt19937 generator(1);
+    std::normal_distribution<double> speed(0.0, 1e-6);
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        state.particles.velocity_solid.set(p, {speed(generator), speed(generator)});
+        if (problem.water) state.particles.velocity_fluid.set(p, {speed(generator), speed(generator)});
+    }
+    return state;
+}
+
+/// Kinetic energy after 2000 steps of `share` times the stable step, over that at the start.
+double energy_growth(const Problem& problem, double share)
+{
+    State state = restless(problem);
+    const double dt = share * stable_time_step(problem, state.particles).dt;
+    const double before = monitor(problem, state, {}).kinetic_energy;
+    if (problem.water) {
+        TwoPhaseWorkspace work = make_two_phase_workspace(problem);
+        for (int k = 0; k < 2000; ++k) advance_two_phase_step(problem, dt, state, work);
+    } else {
+        SinglePhaseWorkspace work = make_single_phase_workspace(problem);
+        for (int k = 0; k < 2000; ++k) advance_single_phase_step(problem, dt, 0.0, state, work);
+    }
+    return monitor(problem, state, {}).kinetic_energy / before;
+}
+
+TEST(StableTimeStep, RandomMotionDecaysForEveryPermeability)
+{
+    for (const double conductivity : {1e-2, 1e-3, 1e-5, 1e-7}) {
+        EXPECT_LT(energy_growth(patch(conductivity, true), 1.0), 0.1) << "k = " << conductivity;
+        EXPECT_LT(energy_growth(patch(conductivity, true), 1.1), 0.1) << "k = " << conductivity;
+    }
+    EXPECT_LT(energy_growth(patch(1.0, false), 1.0), 0.1);
+}
+
+TEST(StableTimeStep, MotionIsLostAboveTheLimit)
+{
+    EXPECT_THROW(energy_growth(patch(1e-3, true), 1.4), NumericalError) << "the test can fail";
+}
+
+} // namespace
+} // namespace quicksand
