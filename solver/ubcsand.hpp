@@ -12,6 +12,8 @@
 // Limits     Start from a stress inside the failure limit (K_0 of 0.5; elastic gravity loading with these
 // moduli
 //            gives 0.016). Turning of the principal stresses at constant ratio causes no plastic strain.
+//            A ripple during unloading, however small, counts as a half cycle, stiffens the next loadings and
+//            clears the softening of its branch: strain increments must be free of noise.
 #pragma once
 
 #include "solver/ubcsand_parameters.hpp"
