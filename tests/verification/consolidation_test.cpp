@@ -1,10 +1,10 @@
 // Terzaghi's one-dimensional consolidation.
+#include "tests/fixtures/soil_block.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand {
 namespace {

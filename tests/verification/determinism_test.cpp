@@ -1,7 +1,7 @@
 // The same bits for any number of threads, and from a copy of the state taken in mid-run.
-#include <gtest/gtest.h>
-
 #include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
 
 namespace quicksand {
 namespace {

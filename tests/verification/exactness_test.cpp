@@ -2,13 +2,12 @@
 #include "solver/particle_motion.hpp"
 #include "solver/single_phase_step.hpp"
 #include "solver/two_phase_step.hpp"
+#include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand {
 namespace {

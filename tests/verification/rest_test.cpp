@@ -1,10 +1,10 @@
 // Soil in equilibrium stays at rest.
+#include "tests/fixtures/soil_block.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand {
 namespace {

@@ -2,12 +2,11 @@
 #include "solver/failure.hpp"
 #include "solver/single_phase_step.hpp"
 #include "solver/two_phase_step.hpp"
+#include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand {
 namespace {

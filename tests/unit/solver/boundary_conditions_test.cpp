@@ -1,8 +1,7 @@
 #include "solver/boundary_conditions.hpp"
+#include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand {
 namespace {

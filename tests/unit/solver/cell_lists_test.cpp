@@ -1,12 +1,11 @@
 #include "solver/cell_lists.hpp"
+#include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <limits>
 #include <set>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand {
 namespace {

@@ -1,11 +1,10 @@
 #include "solver/failure.hpp"
 #include "solver/particle_order.hpp"
+#include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand {
 namespace {

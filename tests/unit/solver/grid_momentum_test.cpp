@@ -1,8 +1,7 @@
 #include "solver/grid_momentum.hpp"
+#include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand {
 namespace {

@@ -1,10 +1,9 @@
 #include "solver/time_step_control.hpp"
+#include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand {
 namespace {
