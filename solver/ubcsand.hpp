@@ -2,18 +2,15 @@
 // cyclic shear, so that its pore water gains pressure and the sand liquefies.
 //
 // What       Radial yield loci in stress ratio that the stress drags along, a hyperbola of hardening, the
-// flow
-//            rule sin psi = eta - sin phi_cv, a Mohr-Coulomb limit, elastic unloading, stiff reloading,
+//            flow rule sin psi = eta - sin phi_cv, a Mohr-Coulomb limit, elastic unloading, stiff reloading,
 //            softening after dilation. Parameters and reference: ubcsand_parameters.hpp; equations:
 //            ubcsand_kernel.hpp.
 // Units/signs  UbcSandState and UbcSandIncrement are compression positive, as the model is published; the
-// arrays
-//            of points are tension positive, as everywhere else. Shear strain is engineering shear.
+//            arrays of points are tension positive, as everywhere else. Shear strain is engineering shear.
 // Limits     Start from a stress inside the failure limit (K_0 of 0.5; elastic gravity loading with these
-// moduli
-//            gives 0.016). Turning of the principal stresses at constant ratio causes no plastic strain.
-//            A ripple during unloading, however small, counts as a half cycle, stiffens the next loadings and
-//            clears the softening of its branch: strain increments must be free of noise.
+//            moduli gives 0.016). Turning of the principal stresses at constant ratio causes no plastic
+//            strain. A ripple during unloading, however small, counts as a half cycle, stiffens the next
+//            loadings and clears the softening of its branch: strain increments must be free of noise.
 #pragma once
 
 #include "solver/ubcsand_parameters.hpp"
@@ -41,8 +38,10 @@ struct UbcSand {
 
 /// Stress and memory of a point. A new point has the memory `begin_shaking` gives.
 struct UbcSandState {
-    double sigma_x = 0.0, sigma_y = 0.0, sigma_z = 0.0,
-           tau_xy = 0.0;          // effective stress, compression positive [Pa]
+    double sigma_x = 0.0;         // effective stress, compression positive [Pa]
+    double sigma_y = 0.0;         // [Pa]
+    double sigma_z = 0.0;         // [Pa]
+    double tau_xy = 0.0;          // [Pa]
     double eta_max = 0.0;         // largest stress ratio so far [-]
     double branch = 2.0;          // 0 just reversed, 1 far from the reversal, 2 loading
     double peak_x = 0.0;          // r at the last reversal: (sigma_x - sigma_y)/2 over s [-]

@@ -1,9 +1,8 @@
 // Parameters of UBCSAND and the generic set that the blow count gives.
 //
-// Reference  M. Beaty and P. M. Byrne (2011), "UBCSAND constitutive model version 904aR": elastic and plastic
-//            power laws, hyperbola, flow rule and generic set. The cyclic memory (secondary factors,
-//            softening after dilation) is calibrated to the triggering curve of Idriss and Boulanger (2008)
-//            at 15 cycles.
+// Sources    [BB11] the generic set of Beaty and Byrne (2011), report 904aR, as the literature repeats it
+//            [IB08] Idriss and Boulanger (2008): relative density; triggering curve at 15 cycles
+//            [own]  the memory of cycles, a reconstruction: h2 calibrated to [IB08], the others chosen
 // Limits     Plane strain. The set is tied to a density: a soil that densifies keeps its parameters.
 #pragma once
 
@@ -11,45 +10,41 @@ namespace quicksand {
 
 /// Defaults are the generic set for (N1)60 = 13.9, to which `ubcsand_from_blow_count` gives all digits.
 struct UbcSandParameters {
-    // elasticity: G = K_G P_a (s/P_a)^ne, B = K_B P_a (s/P_a)^me, s the in-plane mean effective stress
+    // elasticity: G = K_G P_a (s/P_a)^ne, B = K_B P_a (s/P_a)^me, s the in-plane mean [BB11]
     double elastic_shear_number = 1043.7; // K_G^e [-], 434 N^(1/3)
     double elastic_bulk_number = 730.6;   // K_B^e [-], 0.7 K_G^e, drained (never the pore water's)
     double elastic_shear_exponent = 0.5;  // ne [-]
     double elastic_bulk_exponent = 0.5;   // me [-]
 
-    // hardening: d eta = (G^p/s) d gamma^p,  G^p = F K_G^p P_a (s/P_a)^np (1 - R_f eta/eta_f)^2
+    // hardening: d eta = (G^p/s) d gamma^p,  G^p = F K_G^p P_a (s/P_a)^np (1 - R_f eta/eta_f)^2 [BB11]
     double plastic_shear_number = 704.9; // K_G^p [-], 0.003 K_G^e N^2 + 100
     double plastic_shear_exponent = 0.4; // np [-]
     double failure_ratio = 0.7412;       // R_f [-], 1.1 N^-0.15, at most 0.99
 
-    // flow and failure
-    double constant_volume_friction_deg =
-        33.0;                         // phi_cv [deg], eta = sin(phi_cv) divides contraction and dilation
-    double peak_friction_deg = 34.39; // phi_f [deg], phi_cv + N/10 + max(0, (N - 15)/5)
-    double cohesion = 0.0;            // c [Pa]
+    // flow and failure: eta = sin(phi_cv) divides contraction from dilation
+    double constant_volume_friction_deg = 33.0; // phi_cv [deg] [BB11]
+    double peak_friction_deg = 34.39;           // phi_f [deg], phi_cv + N/10 + max(0, (N - 15)/5) [BB11]
+    double cohesion = 0.0;                      // c [Pa]
 
-    // memory of cycles: F = h1 on virgin loading, h1 h2 (s0 + s1 n) below the largest ratio reached
-    double virgin_factor = 1.0;       // h1 [-]
-    double secondary_factor = 0.6;    // h2 [-], calibrated: 0.6 meets the triggering curve for N = 5 to 20
-    double secondary_start = 4.0;     // s0 [-]
-    double secondary_growth = 0.5;    // s1 [-] per half cycle
-    double reversal_tolerance = 0.02; // smallest change of the stress ratio that counts as a reversal [-]
-    double dilation_softening =
-        1000.0;                    // a_dil [-], F falls by exp(-a_dil x plastic shear strain in dilation)
-    double softened_factor = 0.05; // least F after dilation [-]
+    // memory of cycles: F = h1 on virgin loading, h1 h2 (s0 + s1 n) below the largest ratio [own]
+    double virgin_factor = 1.0;         // h1 [-]
+    double secondary_factor = 0.6;      // h2 [-], calibrated: 0.6 meets the triggering curve for N = 5 to 20
+    double secondary_start = 4.0;       // s0 [-]
+    double secondary_growth = 0.5;      // s1 [-] per half cycle
+    double reversal_tolerance = 0.02;   // smallest change of the stress ratio that counts as a reversal [-]
+    double dilation_softening = 1000.0; // a_dil [-]; F falls by exp(-a_dil x shear strain in dilation)
+    double softened_factor = 0.05;      // least F after dilation [-]
 
-    // numerics
-    double largest_ratio_step =
-        0.004; // elastic change of the stress ratio in a substep, at most about this [-]
-    double largest_stress_step =
-        0.02;                    // relative elastic change of the mean stress in a substep, likewise [-]
-    double stress_floor = 500.0; // s_min, least mean stress [Pa]; dilation can lift a point off it
+    // numerics: the elastic changes of a substep [own]
+    double largest_ratio_step = 0.004; // of the stress ratio [-]
+    double largest_stress_step = 0.02; // of the mean stress, relative [-]
+    double stress_floor = 500.0;       // s_min, least mean stress [Pa]; dilation can lift a point off it
 };
 
 /// The generic set for a clean-sand blow count (N1)60 [-].
 UbcSandParameters ubcsand_from_blow_count(double n1_60);
 
-/// The generic set for a relative density [-], by (N1)60 = 46 Dr^2 (Idriss and Boulanger 2008).
+/// The generic set for a relative density [-], by (N1)60 = 46 Dr^2 [IB08].
 UbcSandParameters ubcsand_from_relative_density(double relative_density);
 
 /// Nevada sand at a relative density of 55 %, (N1)60 = 13.915: the generic set, not a fit to its tests.
