@@ -1,9 +1,9 @@
 // The examples and what users are shown: fixed file names, headers, counts, scenes made by `new`.
+#include "tests/examples/program.hpp"
+
 #include <gtest/gtest.h>
 
 #include <regex>
-
-#include "tests/examples/program.hpp"
 
 namespace quicksand {
 

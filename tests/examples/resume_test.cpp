@@ -1,13 +1,12 @@
 // A run gives the same bits whatever the number of threads, and however often it was stopped.
 #include "io/checkpoint.hpp"
 #include "io/run_manifest.hpp"
+#include "tests/examples/program.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 #include <vector>
-
-#include "tests/examples/program.hpp"
 
 namespace quicksand {
 

@@ -1,7 +1,7 @@
 // Mistakes on the command line: exit code 2, what is allowed, and the word that was meant.
-#include <gtest/gtest.h>
-
 #include "tests/examples/program.hpp"
+
+#include <gtest/gtest.h>
 
 namespace quicksand {
 

@@ -1,7 +1,7 @@
 // Scenes and results folders that cannot be used, and runs that go bad.
-#include <gtest/gtest.h>
-
 #include "tests/examples/program.hpp"
+
+#include <gtest/gtest.h>
 
 namespace quicksand {
 

@@ -1,9 +1,8 @@
 // What a user reads when a .geo or .msh file is wrong.
 #include "solver/failure.hpp"
+#include "tests/unit/geometry/scratch_files.hpp"
 
 #include <algorithm>
-
-#include "tests/unit/geometry/scratch_files.hpp"
 
 namespace quicksand {
 namespace {

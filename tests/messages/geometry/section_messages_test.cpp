@@ -2,11 +2,10 @@
 #include "geometry/particle_sampler.hpp"
 #include "geometry/section_check.hpp"
 #include "solver/failure.hpp"
+#include "tests/unit/geometry/scratch_files.hpp"
 
 #include <algorithm>
 #include <cstdlib>
-
-#include "tests/unit/geometry/scratch_files.hpp"
 
 namespace quicksand {
 namespace {

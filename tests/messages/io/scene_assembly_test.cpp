@@ -1,7 +1,7 @@
 // Scenes that do not fit their drawings.
-#include <gtest/gtest.h>
-
 #include "tests/unit/io/scene_example.hpp"
+
+#include <gtest/gtest.h>
 
 namespace quicksand {
 namespace {

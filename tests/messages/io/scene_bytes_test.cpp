@@ -1,7 +1,7 @@
 // Files that are not there or hold no text, long batches, and values of the command line.
-#include <gtest/gtest.h>
-
 #include "tests/unit/io/scene_example.hpp"
+
+#include <gtest/gtest.h>
 
 namespace quicksand {
 namespace {

@@ -1,11 +1,11 @@
 // One deliberate mistake in a sound scene, and all that is said of it.
 #pragma once
 
+#include "tests/unit/io/scene_example.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "tests/unit/io/scene_example.hpp"
 
 namespace quicksand::fixtures {
 

@@ -1,11 +1,10 @@
 #include "geometry/gmsh_file.hpp"
 #include "geometry/particle_sampler.hpp"
 #include "geometry/region_locator.hpp"
+#include "tests/unit/geometry/scratch_files.hpp"
 
 #include <cmath>
 #include <numbers>
-
-#include "tests/unit/geometry/scratch_files.hpp"
 
 namespace quicksand {
 namespace {

@@ -1,9 +1,8 @@
 #include "geometry/particle_sampler.hpp"
+#include "tests/unit/geometry/scratch_files.hpp"
 
 #include <cmath>
 #include <map>
-
-#include "tests/unit/geometry/scratch_files.hpp"
 
 namespace quicksand {
 namespace {

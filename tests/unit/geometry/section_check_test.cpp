@@ -1,9 +1,8 @@
 #include "geometry/region_overlay.hpp"
 #include "geometry/section_check.hpp"
+#include "tests/unit/geometry/scratch_files.hpp"
 
 #include <cmath>
-
-#include "tests/unit/geometry/scratch_files.hpp"
 
 namespace quicksand {
 namespace {

@@ -1,9 +1,8 @@
 #include "geometry/region_locator.hpp"
 #include "geometry/section.hpp"
+#include "tests/unit/geometry/scratch_files.hpp"
 
 #include <cmath>
-
-#include "tests/unit/geometry/scratch_files.hpp"
 
 namespace quicksand {
 namespace {

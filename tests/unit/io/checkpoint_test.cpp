@@ -1,12 +1,11 @@
 #include "io/checkpoint.hpp"
 #include "io/file_error.hpp"
 #include "solver/failure.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

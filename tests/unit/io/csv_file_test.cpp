@@ -1,11 +1,10 @@
 #include "io/csv_file.hpp"
 #include "io/file_error.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

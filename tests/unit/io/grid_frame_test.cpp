@@ -1,8 +1,7 @@
 #include "io/grid_frame.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

@@ -3,14 +3,13 @@
 #include "io/output_observers.hpp"
 #include "io/probe_sample.hpp"
 #include "io/result_reader.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <map>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

@@ -1,11 +1,10 @@
 #include "io/particle_frame.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

@@ -2,14 +2,13 @@
 #include "io/line_plot.hpp"
 #include "io/picture_isochrones.hpp"
 #include "io/picture_probes.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
 
 #include <cmath>
 #include <string>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

@@ -2,12 +2,11 @@
 #include "io/picture_field.hpp"
 #include "io/picture_set.hpp"
 #include "solver/failure.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

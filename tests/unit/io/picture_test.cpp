@@ -1,5 +1,6 @@
 #include "io/file_error.hpp"
 #include "io/picture.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <cairo/cairo.h>
 #include <gtest/gtest.h>
@@ -7,8 +8,6 @@
 #include <cmath>
 #include <cstdint>
 #include <memory>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

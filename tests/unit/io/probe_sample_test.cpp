@@ -1,10 +1,9 @@
 #include "io/probe_sample.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

@@ -1,13 +1,12 @@
 #include "io/probe_writer.hpp"
 #include "io/run_manifest.hpp"
 #include "solver/failure.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <sstream>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

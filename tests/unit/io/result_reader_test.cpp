@@ -2,12 +2,11 @@
 #include "io/particle_frame.hpp"
 #include "io/result_reader.hpp"
 #include "solver/failure.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

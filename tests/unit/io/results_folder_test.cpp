@@ -1,9 +1,8 @@
 #include "io/results_folder.hpp"
 #include "solver/failure.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

@@ -1,9 +1,8 @@
 #include "io/run_manifest.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

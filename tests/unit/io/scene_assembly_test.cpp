@@ -1,8 +1,8 @@
+#include "tests/unit/io/scene_example.hpp"
+
 #include <gtest/gtest.h>
 
 #include <numeric>
-
-#include "tests/unit/io/scene_example.hpp"
 
 namespace quicksand {
 namespace {

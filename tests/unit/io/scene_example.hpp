@@ -4,12 +4,11 @@
 #include "io/case_assembly.hpp"
 #include "io/scene_file.hpp"
 #include "solver/failure.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <fstream>
 #include <string>
 #include <vector>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand::fixtures {
 

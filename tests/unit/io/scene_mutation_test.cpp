@@ -1,9 +1,9 @@
 // Damaged scenes: whatever the bytes, a scene is read or refused.
+#include "tests/unit/io/scene_example.hpp"
+
 #include <gtest/gtest.h>
 
 #include <random>
-
-#include "tests/unit/io/scene_example.hpp"
 
 namespace quicksand {
 namespace {

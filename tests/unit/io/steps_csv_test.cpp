@@ -1,8 +1,7 @@
 #include "io/steps_csv.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/scene.hpp"
+#include "tests/fixtures/soil_block.hpp"
 
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -11,8 +12,6 @@
 #include <fstream>
 #include <iterator>
 #include <string>
-
-#include "tests/fixtures/soil_block.hpp"
 
 namespace quicksand::fixtures {
 

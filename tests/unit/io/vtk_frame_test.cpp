@@ -1,9 +1,8 @@
 #include "io/file_error.hpp"
 #include "io/vtk_frame.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 

@@ -1,10 +1,9 @@
 #include "io/file_error.hpp"
 #include "io/vtk_series.hpp"
 #include "solver/failure.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-
-#include "tests/unit/io/temporary_folder.hpp"
 
 namespace quicksand {
 
