@@ -1,6 +1,7 @@
 #include "io/particle_frame.hpp"
 
 #include "io/particle_quantities.hpp"
+#include "solver/cpdi2.hpp"
 
 #include <Eigen/LU>
 #include <utility>
@@ -99,7 +100,7 @@ Frame particle_frame(const Problem& problem, const State& state)
     frame.quads.reserve(particles.size());
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const auto first = static_cast<std::int64_t>(frame.points.size());
-        for (const Vector2& corner : corners(particles, p)) frame.points.push_back(corner);
+        for (const Vector2& corner : quadrilateral_corners(particles, p)) frame.points.push_back(corner);
         frame.quads.push_back({first, first + 1, first + 2, first + 3});
     }
     add_solid(particles, frame.cell_data);

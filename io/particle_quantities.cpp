@@ -9,12 +9,6 @@
 
 namespace quicksand {
 
-std::array<Vector2, 4> corners(const Particles& particles, std::size_t p)
-{
-    const Vector2 x = particles.position[p], r1 = particles.half_edge_1[p], r2 = particles.half_edge_2[p];
-    return {x - r1 - r2, x + r1 - r2, x + r1 + r2, x - r1 + r2};
-}
-
 Vector2 displacement(const Particles& particles, std::size_t p)
 {
     return particles.position[p] - particles.reference_position[p];

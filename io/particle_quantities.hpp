@@ -4,13 +4,9 @@
 #include "solver/particles.hpp"
 #include "solver/problem.hpp"
 
-#include <array>
 #include <cstddef>
 
 namespace quicksand {
-
-/// Corners of the parallelogram domain, counter-clockwise from x - r_1 - r_2 [m].
-std::array<Vector2, 4> corners(const Particles& particles, std::size_t p);
 
 /// Displacement since the reference [m].
 Vector2 displacement(const Particles& particles, std::size_t p);

@@ -1,6 +1,7 @@
 #include "io/probe_sample.hpp"
 
 #include "io/particle_quantities.hpp"
+#include "solver/cpdi2.hpp"
 
 #include <algorithm>
 #include <array>
@@ -112,7 +113,7 @@ SurfacePoint surface_point(const Particles& particles, double x)
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double reach = std::abs(particles.half_edge_1.x[p]) + std::abs(particles.half_edge_2.x[p]);
         if (std::abs(particles.position.x[p] - x) > reach) continue;
-        for_each_crossing(corners(particles, p), x, [&](double y) {
+        for_each_crossing(quadrilateral_corners(particles, p), x, [&](double y) {
             const bool tie = surface.found && y == surface.height &&
                              particles.identifier[p] < particles.identifier[surface.particle];
             if (!surface.found || y > surface.height || tie) surface = {true, p, y};

@@ -1,43 +1,20 @@
 // Terzaghi's one-dimensional consolidation.
+#include "solver/verification/terzaghi.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 namespace quicksand {
 namespace {
 
 using namespace fixtures;
 
-/// p / p0 at depth z below the drained top of a layer of thickness H.
-double terzaghi(double depth_ratio, double time_factor)
-{
-    double sum = 0.0;
-    for (int m = 1; m < 400; m += 2) {
-        const double lambda = 0.5 * m * std::numbers::pi;
-        sum += 2.0 / lambda * std::sin(lambda * depth_ratio) * std::exp(-lambda * lambda * time_factor);
-    }
-    return sum;
-}
-
 struct Consolidation {
     double pressure_error = 0.0;   // L2 over the particles, relative to p0 [-]
     double settlement_error = 0.0; // of the topmost particle, relative to the final settlement [-]
 };
-
-/// Degree of settlement of a point at a depth: 1 - integral of p/p0 below it, over H.
-double settlement_degree(double depth_ratio, double time_factor)
-{
-    double degree = 1.0 - depth_ratio;
-    for (int m = 1; m < 400; m += 2) {
-        const double lambda = 0.5 * m * std::numbers::pi;
-        degree -= 2.0 / (lambda * lambda) * std::cos(lambda * depth_ratio) *
-                  std::exp(-lambda * lambda * time_factor);
-    }
-    return degree;
-}
 
 /// A layer of 1 m with excess pressure p0 everywhere that its total stress of zero leaves to the skeleton.
 Consolidation consolidate(int cells, double time_factor)
@@ -66,13 +43,15 @@ Consolidation consolidate(int cells, double time_factor)
     Consolidation result;
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
         const double y = state.particles.reference_position.y[p], V = state.particles.volume[p];
-        const double difference = state.particles.pore_pressure[p] / p0 - terzaghi(1.0 - y, time_factor);
+        const double difference =
+            state.particles.pore_pressure[p] / p0 - terzaghi_pressure_ratio(1.0 - y, time_factor);
         result.pressure_error += V * difference * difference;
         volume += V;
         if (y > highest) highest = y, top = y - state.particles.position.y[p];
     }
     result.pressure_error = std::sqrt(result.pressure_error / volume);
-    result.settlement_error = std::abs(top / (p0 / M) - settlement_degree(1.0 - highest, time_factor));
+    result.settlement_error =
+        std::abs(top / (p0 / M) - terzaghi_settlement_degree(1.0 - highest, time_factor));
     return result;
 }
 

@@ -1,4 +1,5 @@
 #include "io/particle_quantities.hpp"
+#include "solver/cpdi2.hpp"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,7 @@ TEST(ParticleQuantities, CornersGoCounterClockwiseFromTheLowerLeft)
     particles.position.set(0, {1.0, 2.0});
     particles.half_edge_1.set(0, {0.5, 0.0});
     particles.half_edge_2.set(0, {0.1, 0.25});
-    const auto outline = corners(particles, 0);
+    const auto outline = quadrilateral_corners(particles, 0);
     EXPECT_EQ(outline[0], Vector2(0.4, 1.75));
     EXPECT_EQ(outline[1], Vector2(1.4, 1.75));
     EXPECT_EQ(outline[2], Vector2(1.6, 2.25));
