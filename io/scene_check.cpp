@@ -19,8 +19,8 @@ struct Entry {
 
 class DocumentCheck {
 public:
-    DocumentCheck(const DocumentNode& document, Diagnostics& findings)
-        : document_(document), findings_(findings)
+    DocumentCheck(const KeyTable& table, const DocumentNode& document, Diagnostics& findings)
+        : table_(table), document_(document), findings_(findings)
     {
     }
 
@@ -38,6 +38,7 @@ private:
     void put_default(const SceneKey& key, const KeyPath& table, const std::string& path);
     void put(const SceneKey& key, const std::string& path, SceneValue value, const DocumentNode* node);
 
+    const KeyTable& table_;
     const DocumentNode& document_;
     Diagnostics& findings_;
     std::map<std::string, Entry> entries_; // what the document holds
@@ -63,9 +64,9 @@ KeyPath operator+(KeyPath path, std::string_view part)
 }
 
 /// The table, with NAME for *, in which a key of this name is known; "" when there is none.
-std::string home_of(std::string_view name)
+std::string home_of(const KeyTable& keys, std::string_view name)
 {
-    for (const SceneKey& key : scene_keys()) {
+    for (const SceneKey& key : keys.keys) {
         if (last_part(key.pattern) != name || is_table(key)) continue;
         std::string table(table_part(key.pattern));
         if (const auto star = table.find('*'); star != std::string::npos) table.replace(star, 1, "NAME");
@@ -78,7 +79,7 @@ void DocumentCheck::refuse_unknown(const DocumentNode& child, const KeyPath& tab
 {
     const bool child_is_table = child.kind == Kind::table;
     std::vector<std::string> known;
-    for (const SceneKey* key : keys_of_table(pattern)) {
+    for (const SceneKey* key : keys_of_table(table_, pattern)) {
         if (!table.empty() || is_table(*key) == child_is_table) known.emplace_back(last_part(key->pattern));
     }
     const std::string nearest = nearest_name(child.name, known);
@@ -86,7 +87,7 @@ void DocumentCheck::refuse_unknown(const DocumentNode& child, const KeyPath& tab
     if (!nearest.empty()) {
         suspected_.insert(join_path(table + nearest));
         hint = "did you mean " + nearest + "?";
-    } else if (const std::string home = home_of(child.name); !home.empty()) {
+    } else if (const std::string home = home_of(table_, child.name); !home.empty()) {
         hint = child.name + " belongs in [" + home + "]";
     }
     const std::string where = table.empty() ? "" : " in " + header(table);
@@ -99,7 +100,7 @@ void DocumentCheck::refuse_unknown(const DocumentNode& child, const KeyPath& tab
 
 void DocumentCheck::collect_child(const DocumentNode& child, const KeyPath& path)
 {
-    const SceneKey* key = find_key(path);
+    const SceneKey* key = find_key(table_, path);
     if (!is_table(*key)) {
         entries_[join_path(path)] = {path, key, &child};
     } else if (child.kind == Kind::table) {
@@ -118,11 +119,11 @@ void DocumentCheck::collect(const DocumentNode& table, const KeyPath& path, std:
 {
     for (const DocumentNode& child : table.children) {
         const KeyPath child_path = path + child.name;
-        if (find_key(child_path) == nullptr) {
+        if (find_key(table_, child_path) == nullptr) {
             refuse_unknown(child, path, pattern);
             continue;
         }
-        const bool named = pattern != "" && find_key(path)->type == ValueType::named_tables;
+        const bool named = pattern != "" && find_key(table_, path)->type == ValueType::named_tables;
         if (named && child.kind == Kind::table) {
             values_.named[std::string(pattern)].push_back({child.name, join_path(child_path), child.place});
         }
@@ -161,7 +162,7 @@ void DocumentCheck::refuse_missing(const SceneKey& key, const Entry& table)
     const SourcePlace place = table.node != nullptr && !table.path.empty() ? table.node->place : file;
     if (is_table(key)) {
         std::string keys;
-        for (const SceneKey* child : keys_of_table(key.pattern)) {
+        for (const SceneKey* child : keys_of_table(table_, key.pattern)) {
             if (child->required)
                 keys += (keys.empty() ? " with " : ", ") + std::string(last_part(child->pattern));
         }
@@ -171,10 +172,12 @@ void DocumentCheck::refuse_missing(const SceneKey& key, const Entry& table)
     }
     const std::string unit(si_symbol(key.dimension));
     const std::string hint =
-        key.pattern == "scene_version" ? "begin the scene with the line scene_version = 1" : "";
+        key.pattern == table_.version_key
+            ? "begin the " + std::string(table_.file) + " with the line " + std::string(key.pattern) + " = 1"
+            : "";
     findings_.add(error_at(place, "missing-key",
-                           (table.path.empty() ? "the scene" : header(table.path)) + " has no " +
-                               std::string(last_part(key.pattern)),
+                           (table.path.empty() ? "the " + std::string(table_.file) : header(table.path)) +
+                               " has no " + std::string(last_part(key.pattern)),
                            std::string(last_part(key.pattern)) + (unit.empty() ? "" : " [" + unit + "]") +
                                ": " + std::string(key.doc),
                            hint));
@@ -225,7 +228,7 @@ void DocumentCheck::resolve_key(const SceneKey& key, const Entry& table)
 void DocumentCheck::resolve_table(const Entry& table)
 {
     const std::string_view pattern = table.key != nullptr ? table.key->pattern : "";
-    const auto children = keys_of_table(pattern);
+    const auto children = keys_of_table(table_, pattern);
     for (const SceneKey* key : children) {
         if (!is_table(*key)) resolve_key(*key, table);
     }
@@ -259,9 +262,9 @@ SceneValues DocumentCheck::check()
 
 } // namespace
 
-SceneValues check_document(const DocumentNode& document, Diagnostics& findings)
+SceneValues check_document(const KeyTable& table, const DocumentNode& document, Diagnostics& findings)
 {
-    return DocumentCheck(document, findings).check();
+    return DocumentCheck(table, document, findings).check();
 }
 
 } // namespace quicksand

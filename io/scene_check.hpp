@@ -1,4 +1,4 @@
-// The whole scene against the key table: unknown and missing keys, conditions, defaults.
+// A whole file against its key table: unknown and missing keys, conditions, defaults.
 #pragma once
 
 #include "io/diagnostics.hpp"
@@ -26,7 +26,7 @@ struct NamedTable {
     SourcePlace place; // of its header
 };
 
-/// The values of a scene by their paths. Where the scene has errors, some are missing.
+/// The values of a file by their paths. Where the file has errors, some are missing.
 struct SceneValues {
     std::map<std::string, FoundValue> by_path;
     std::map<std::string, SourcePlace> tables;            // given tables and the places of their headers
@@ -55,6 +55,6 @@ struct SceneValues {
 };
 
 /// Check the document against the key table and resolve every key. Everything wrong is added to `findings`.
-SceneValues check_document(const DocumentNode& document, Diagnostics& findings);
+SceneValues check_document(const KeyTable& table, const DocumentNode& document, Diagnostics& findings);
 
 } // namespace quicksand

@@ -189,7 +189,7 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     const auto document = read_document(file, *text, overrides, findings);
     if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
 
-    SceneValues values = check_document(*document, findings);
+    SceneValues values = check_document(scene_key_table(), *document, findings);
     check_references(values, findings);
     SceneReading reading;
     Scene& scene = reading.scene;

@@ -220,10 +220,10 @@ std::vector<SceneKey> all_keys()
 
 } // namespace
 
-const std::vector<SceneKey>& scene_keys()
+const KeyTable& scene_key_table()
 {
-    static const std::vector<SceneKey> keys = all_keys();
-    return keys;
+    static const KeyTable table = {"scene", "scene_version", "Scene keys", all_keys()};
+    return table;
 }
 
 } // namespace quicksand

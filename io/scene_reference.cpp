@@ -28,6 +28,9 @@ std::string type_text(const SceneKey& key)
         return "table of numbers";
     case ValueType::text_list:
         return "list of texts";
+    case ValueType::number_list:
+    case ValueType::quantity_list:
+        return "list of numbers";
     case ValueType::word:
         break;
     }
@@ -148,14 +151,20 @@ std::string value_text(const SceneValue& value)
             for (const std::string& text : texts) list += (list.empty() ? "\"" : ", \"") + text + '"';
             return "[" + list + "]";
         }
+        std::string operator()(const std::vector<double>& numbers) const
+        {
+            std::string list;
+            for (const double number : numbers) list += (list.empty() ? "" : ", ") + number_text(number);
+            return "[" + list + "]";
+        }
     };
     return std::visit(Writer(), value);
 }
 
-std::string describe_keys(std::string_view pattern)
+std::string describe_keys(const KeyTable& table, std::string_view pattern)
 {
     std::string text;
-    for (const SceneKey& key : scene_keys()) {
+    for (const SceneKey& key : table.keys) {
         const std::string path = shown_path(key.pattern);
         if (path.find(pattern) == std::string::npos) continue;
         if (is_table(key)) {
@@ -172,12 +181,12 @@ std::string describe_keys(std::string_view pattern)
     return text;
 }
 
-std::string keys_markdown()
+std::string keys_markdown(const KeyTable& table)
 {
     constexpr std::string_view columns =
         "\n| key | is | default | range | usual | meaning |\n|---|---|---|---|---|---|\n";
-    std::string text = "# Scene keys\n" + std::string(columns);
-    for (const SceneKey& key : scene_keys()) {
+    std::string text = "# " + std::string(table.title) + "\n" + std::string(columns);
+    for (const SceneKey& key : table.keys) {
         if (is_table(key)) {
             const bool holds_keys = key.type == ValueType::table;
             text += "\n## [" + shown_path(key.pattern) + "]\n\n" + std::string(key.doc) + "\n" +

@@ -149,7 +149,7 @@ void check_accepted(const SceneValues& values, Diagnostics& findings)
     for (const ResolvedKey& key : values.keys) known.push_back(key.path);
     for (const std::string& accepted :
          values.find<std::vector<std::string>>("accept").value_or(std::vector<std::string>())) {
-        if (find_key(split_path(accepted)) != nullptr) continue;
+        if (find_key(scene_key_table(), split_path(accepted)) != nullptr) continue;
         const std::string nearest = nearest_name(accepted, known);
         findings.add(error_at(values.place("accept"), "unknown-key",
                               "accept names \"" + accepted + "\", which is no key",

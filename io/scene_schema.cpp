@@ -35,18 +35,18 @@ std::string join_path(const KeyPath& path)
     return text;
 }
 
-const SceneKey* find_key(const KeyPath& path)
+const SceneKey* find_key(const KeyTable& table, const KeyPath& path)
 {
-    for (const SceneKey& key : scene_keys()) {
+    for (const SceneKey& key : table.keys) {
         if (matches(key.pattern, path)) return &key;
     }
     return nullptr;
 }
 
-std::vector<const SceneKey*> keys_of_table(std::string_view table_pattern)
+std::vector<const SceneKey*> keys_of_table(const KeyTable& table, std::string_view table_pattern)
 {
     std::vector<const SceneKey*> keys;
-    for (const SceneKey& key : scene_keys()) {
+    for (const SceneKey& key : table.keys) {
         if (table_part(key.pattern) == table_pattern) keys.push_back(&key);
     }
     return keys;

@@ -1,5 +1,5 @@
-// The one table of scene keys. It drives reading, defaults, ranges, plausibility warnings, the list of
-// resolved keys and the reference of `quicksand keys`.
+// A table of keys: one for scenes, one for element tests. It drives reading, defaults, ranges, plausibility
+// warnings, the list of resolved keys and the reference of `quicksand keys`.
 #pragma once
 
 #include "io/scene_units.hpp"
@@ -20,7 +20,7 @@ namespace quicksand {
 
 /// A value of a scene key, in SI units.
 using SceneValue = std::variant<double, std::int64_t, std::string, Vector2, std::pair<int, int>,
-                                std::map<std::string, double>, std::vector<std::string>>;
+                                std::map<std::string, double>, std::vector<std::string>, std::vector<double>>;
 
 enum class ValueType {
     table,        // [grid]
@@ -34,6 +34,8 @@ enum class ValueType {
     count_pair,   // two integers
     number_table, // NAME = number
     text_list,
+    number_list,   // numbers or quantities of the key's dimension
+    quantity_list, // numbers or quantities of any dimension, as written
 };
 
 struct Interval {
@@ -81,8 +83,15 @@ struct SceneKey {
     std::string_view doc = {}; // one line
 };
 
-/// All keys, tables before their keys, in the order of the reference.
-const std::vector<SceneKey>& scene_keys();
+/// All keys of a kind of file, tables before their keys, in the order of the reference.
+struct KeyTable {
+    std::string_view file;        // what such a file is called: "scene"
+    std::string_view version_key; // "scene_version"
+    std::string_view title;       // of the reference page
+    std::vector<SceneKey> keys;
+};
+
+const KeyTable& scene_key_table();
 
 using KeyPath = std::vector<std::string>;
 
@@ -90,10 +99,10 @@ using KeyPath = std::vector<std::string>;
 std::string join_path(const KeyPath& path);
 
 /// The row that describes the path; null when there is none.
-const SceneKey* find_key(const KeyPath& path);
+const SceneKey* find_key(const KeyTable& table, const KeyPath& path);
 
 /// Patterns directly below the table pattern ("" for the top level).
-std::vector<const SceneKey*> keys_of_table(std::string_view table_pattern);
+std::vector<const SceneKey*> keys_of_table(const KeyTable& table, std::string_view table_pattern);
 
 /// The last part of a pattern: "porosity".
 std::string_view last_part(std::string_view pattern);
@@ -108,9 +117,9 @@ std::string describe(const Interval& interval, Dimension dimension);
 std::string value_text(const SceneValue& value);
 
 /// The reference as aligned text, of the keys whose pattern contains `pattern` ("" for all).
-std::string describe_keys(std::string_view pattern);
+std::string describe_keys(const KeyTable& table, std::string_view pattern);
 
-/// The reference as Markdown tables, one for every table of the scene.
-std::string keys_markdown();
+/// The reference as Markdown tables, one for every table of the file.
+std::string keys_markdown(const KeyTable& table);
 
 } // namespace quicksand

@@ -34,6 +34,8 @@ private:
     std::optional<SceneValue> read_pair(const DocumentNode& node);
     std::optional<SceneValue> read_number_table(const DocumentNode& node);
     std::optional<SceneValue> read_text_list(const DocumentNode& node);
+    std::optional<SceneValue> read_number_list(const DocumentNode& node);
+    std::optional<SceneValue> read_quantity_list(const DocumentNode& node);
 
     bool check_range(double value, const DocumentNode& node, const ReadNumber* read);
     void check_plausibility(const ReadNumber& number, const DocumentNode& node);
@@ -268,6 +270,41 @@ std::optional<SceneValue> ValueReader::read_text_list(const DocumentNode& node)
     return std::nullopt;
 }
 
+std::optional<SceneValue> ValueReader::read_number_list(const DocumentNode& node)
+{
+    if (node.kind != Kind::array || node.children.empty()) {
+        const std::string form = "a list, each " + number_form(key_.dimension);
+        if (node.kind != Kind::array) {
+            refuse_type(node, form);
+        } else {
+            refuse(node, "type", path_ + " is an empty list", form);
+        }
+        return std::nullopt;
+    }
+    std::vector<double> numbers;
+    for (const DocumentNode& child : node.children) {
+        if (const auto number = read_number(child)) numbers.push_back(*number);
+    }
+    if (numbers.size() < node.children.size()) return std::nullopt;
+    return numbers;
+}
+
+std::optional<SceneValue> ValueReader::read_quantity_list(const DocumentNode& node)
+{
+    std::vector<std::string> texts;
+    bool good = node.kind == Kind::array && !node.children.empty();
+    for (const DocumentNode& child : node.children) {
+        const bool plain = child.kind == Kind::integer || child.kind == Kind::number;
+        good = good && (plain || child.kind == Kind::text);
+        texts.push_back(plain ? number_text(child.number) : child.text);
+    }
+    if (good) return texts;
+    refuse(node, "type",
+           path_ + " is " + (node.kind == Kind::array ? "not a list of numbers" : describe_kind(node.kind)),
+           "a list of numbers, or of quantities in quotes");
+    return std::nullopt;
+}
+
 std::optional<SceneValue> ValueReader::read(const DocumentNode& node)
 {
     switch (key_.type) {
@@ -287,6 +324,10 @@ std::optional<SceneValue> ValueReader::read(const DocumentNode& node)
         return read_number_table(node);
     case ValueType::text_list:
         return read_text_list(node);
+    case ValueType::number_list:
+        return read_number_list(node);
+    case ValueType::quantity_list:
+        return read_quantity_list(node);
     case ValueType::table:
     case ValueType::named_tables:
         break;

@@ -50,15 +50,18 @@ double blow_count(double relative_density)
     return 46.0 * relative_density * relative_density;
 }
 
-UbcSandParameters ubcsand_from_blow_count(double n1_60)
+UbcSandParameters ubcsand_from_blow_count(double n1_60, std::optional<double> elastic_shear_number,
+                                          std::optional<double> constant_volume_friction_deg)
 {
     require_positive("n1_60", n1_60);
     const double N = n1_60;
     UbcSandParameters parameters;
-    parameters.elastic_shear_number = 21.7 * 20.0 * std::cbrt(N);
+    parameters.elastic_shear_number = elastic_shear_number.value_or(21.7 * 20.0 * std::cbrt(N));
     parameters.elastic_bulk_number = 0.7 * parameters.elastic_shear_number;
     parameters.plastic_shear_number = 0.003 * parameters.elastic_shear_number * N * N + 100.0;
     parameters.failure_ratio = std::min(0.99, 1.1 * std::pow(N, -0.15));
+    parameters.constant_volume_friction_deg =
+        constant_volume_friction_deg.value_or(parameters.constant_volume_friction_deg);
     parameters.peak_friction_deg =
         parameters.constant_volume_friction_deg + N / 10.0 + std::max(0.0, (N - 15.0) / 5.0);
     return parameters;
@@ -73,7 +76,7 @@ UbcSandParameters ubcsand_from_relative_density(double relative_density)
 
 UbcSandParameters nevada_sand_55()
 {
-    return ubcsand_from_relative_density(0.55);
+    return ubcsand_from_relative_density(nevada_relative_density);
 }
 
 void check(const UbcSandParameters& m)

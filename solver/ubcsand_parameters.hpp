@@ -6,6 +6,8 @@
 // Limits     Plane strain. The set is tied to a density: a soil that densifies keeps its parameters.
 #pragma once
 
+#include <optional>
+
 namespace quicksand {
 
 /// Defaults are the generic set for (N1)60 = 13.9, to which `ubcsand_from_blow_count` gives all digits.
@@ -41,11 +43,15 @@ struct UbcSandParameters {
     double stress_floor = 500.0;       // s_min, least mean stress [Pa]; dilation can lift a point off it
 };
 
-/// The generic set for a clean-sand blow count (N1)60 [-].
-UbcSandParameters ubcsand_from_blow_count(double n1_60);
+/// The generic set for a clean-sand blow count (N1)60 [-]. What the set derives from K_G^e [-] and phi_cv
+/// [deg] follows those given.
+UbcSandParameters ubcsand_from_blow_count(double n1_60, std::optional<double> elastic_shear_number = {},
+                                          std::optional<double> constant_volume_friction_deg = {});
 
 /// The generic set for a relative density [-], by (N1)60 = 46 Dr^2 [IB08].
 UbcSandParameters ubcsand_from_relative_density(double relative_density);
+
+inline constexpr double nevada_relative_density = 0.55; // [-]
 
 /// Nevada sand at a relative density of 55 %, (N1)60 = 13.915: the generic set, not a fit to its tests.
 UbcSandParameters nevada_sand_55();
