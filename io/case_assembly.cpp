@@ -193,6 +193,8 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     Particles& particles = assembled.state.particles;
     particles = make_particles(assembled.problem, assembled.sampling, materials);
     set_initial_stress(assembled.problem, assembled.section, materials, assembled.scene.k0, particles);
+    std::fill(particles.pore_pressure.begin(), particles.pore_pressure.end(),
+              assembled.scene.excess_pore_pressure);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
     return assembled;
 }

@@ -96,6 +96,7 @@ struct Scene {
     std::vector<SceneRegion> regions;
     std::vector<SceneBoundary> boundaries;
     double k0 = 0.5;                              // sigma'_h / sigma'_v of the initial state [-]
+    double excess_pore_pressure = 0.0;            // everywhere at the start of the run [Pa]
     std::optional<RelaxationControls> relaxation; // none: start from the K0 state as it is
     BaseMotion base_motion;
     std::vector<SceneProbe> probes;

@@ -104,6 +104,7 @@ void fill_ground(const SceneValues& values, Scene& scene)
                                     values.text(table.path + ".tied_to"), table.place});
     }
     scene.k0 = values.number("initial.k0");
+    scene.excess_pore_pressure = values.number("initial.excess_pore_pressure");
     if (values.has_table("relaxation")) {
         scene.relaxation =
             RelaxationControls{values.number("relaxation.damping"), values.number("relaxation.tolerance"),

@@ -56,6 +56,15 @@ TEST(Assembly, SetsAStressLinearInDepth)
     }
 }
 
+TEST(Assembly, SetsTheExcessPorePressureAndLeavesTheEffectiveStress)
+{
+    const AssembledCase plain = assemble_column();
+    const AssembledCase loaded = assemble_case(
+        SceneFolder().read(column_scene + "[initial]\nexcess_pore_pressure = \"3 kPa\"\n"), column_section());
+    for (const double pressure : loaded.state.particles.pore_pressure) ASSERT_EQ(pressure, 3000.0);
+    EXPECT_EQ(loaded.state.particles.stress.yy, plain.state.particles.stress.yy);
+}
+
 TEST(Assembly, GivesADrySceneItsFullWeightAndNoWater)
 {
     std::string text = replaced(column_scene, "[water]\nlevel = 0.3175\n", "");
