@@ -7,7 +7,10 @@
 //                     + [N_i(x_2) - N_i(x_4)] (r_1y + r_2y, -r_1x - r_2x) }
 #pragma once
 
+#include "solver/cell_lists.hpp"
 #include "solver/interpolation.hpp"
+
+#include <cstdint>
 
 namespace quicksand {
 
@@ -29,6 +32,11 @@ bool limit_domain(double cell_size, ParallelogramDomain& domain);
 
 /// Weights of a domain whose centre lies in the grid and whose edges are limited.
 void evaluate_cpdi(const BackgroundGrid& grid, const ParallelogramDomain& domain, NodePatch& patch);
+
+/// Weights of all particles of a tile, in the order of the lists: what evaluate gives, to rounding. Returns
+/// how many domains were scaled down.
+std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& particles,
+                                  const CellLists& lists, const Tile& tile, PatchStore& store);
 
 /// One corner of a domain: its share in the value and in the gradient.
 struct CornerWeights {

@@ -1,5 +1,6 @@
 #include "solver/grid_to_particle.hpp"
 
+#include "solver/lanes.hpp"
 #include "solver/time_step_control.hpp"
 
 #include <algorithm>
@@ -42,29 +43,79 @@ Vector2 updated_velocity(const Vector2& own, const LocalMotion& local, double sh
     return carried + share * (Vector2(local.x, local.y) - carried);
 }
 
-template <class Motion, class Add>
-void for_each_node(const StoredPatch& patch, const NodeWeight* weights, std::int32_t nodes_x,
-                   const Motion* motion, Add&& add)
+/// The motion of both phases at a particle: lanes v_s and v_w, as TwoPhaseMotion.
+struct LocalTwoPhaseMotion {
+    Lanes velocity = all_lanes(0.0), change = all_lanes(0.0); // [m/s]
+    Lanes slope_x = all_lanes(0.0), slope_y = all_lanes(0.0); // d/dx and d/dy of the velocity [1/s]
+    double divergence = 0.0;                                  // of the flux [1/s]
+};
+
+inline LocalTwoPhaseMotion motion_at(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
+                                     const TwoPhaseMotion* motion)
 {
-    for (std::int32_t b = 0; b < patch.height; ++b) {
-        const Motion* row = motion + patch.base + b * nodes_x;
-        for (std::int32_t a = 0; a < patch.width; ++a, ++weights) add(row[a], *weights);
+    LocalTwoPhaseMotion local;
+    const auto first = static_cast<std::size_t>(patch.first);
+    const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
+                 *grad_y = store.gradient_y.data() + first;
+    const std::int32_t width = patch.width, height = patch.height;
+    const TwoPhaseMotion* row = motion + patch.base;
+    for (std::int32_t b = 0; b < height; ++b, row += nodes_x) {
+        for (const TwoPhaseMotion* node = row; node != row + width; ++node) {
+            const Lanes velocity = load_lanes(&node->solid_x);
+            local.velocity += *phi * velocity;
+            local.change += *phi * load_lanes(&node->solid_change_x);
+            local.slope_x += *grad_x * velocity;
+            local.slope_y += *grad_y * velocity;
+            local.divergence += *grad_x * node->flux_x + *grad_y * node->flux_y;
+            ++phi, ++grad_x, ++grad_y;
+        }
     }
+    return local;
 }
 
-/// Draw the relative velocity towards the grid's, keeping the momentum of both phases together.
-void filter_relative_velocity(const Problem& problem, double dt, std::size_t p,
-                              const Vector2& relative_of_grid, Particles& particles)
+/// What draws the relative velocity of a particle towards the grid's: the correction of the water is
+/// fluid times the difference, that of the grains minus solid times it; the momentum of both stays.
+struct RelativeFilter {
+    double solid, fluid; // [-]
+};
+
+/// a dt / (1 + a dt), a = C (1/r_s + 1/r_w), shared out by the masses of the other phase.
+inline RelativeFilter relative_filter(const Problem& problem, double dt, const Particles& particles,
+                                      std::size_t p)
 {
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
     const double n = particles.porosity[p];
     const double r_s = particles.mass_solid[p] / particles.volume[p], r_w = n * problem.water->density;
-    const double rate = drag_coefficient(material, *problem.water, n) * (1.0 / r_s + 1.0 / r_w);
-    const double share = rate * dt / (1.0 + rate * dt);
-    const Vector2 relative = particles.velocity_fluid[p] - particles.velocity_solid[p];
-    const Vector2 correction = share * (relative_of_grid - relative);
-    particles.velocity_fluid.set(p, particles.velocity_fluid[p] + r_s / (r_s + r_w) * correction);
-    particles.velocity_solid.set(p, particles.velocity_solid[p] - r_w / (r_s + r_w) * correction);
+    const double dt_drag = dt * drag_coefficient(material, *problem.water, n);
+    const double share = dt_drag / (r_s * r_w + dt_drag * (r_s + r_w));
+    return {share * r_w, share * r_s};
+}
+
+/// The particle's own velocities with the grid's change, their noise less the share.
+inline Lanes updated_velocities(const Particles& particles, std::size_t p, const LocalTwoPhaseMotion& local,
+                                double share, const RelativeFilter& filter)
+{
+    const Lanes own = {particles.velocity_solid.x[p], particles.velocity_solid.y[p],
+                       particles.velocity_fluid.x[p], particles.velocity_fluid.y[p]};
+    const Lanes carried = own + local.change;
+    const Lanes v = carried + share * (local.velocity - carried);
+    const double x = (local.velocity[2] - local.velocity[0]) - (v[2] - v[0]);
+    const double y = (local.velocity[3] - local.velocity[1]) - (v[3] - v[1]);
+    return v + Lanes{-filter.solid * x, -filter.solid * y, filter.fluid * x, filter.fluid * y};
+}
+
+inline void store_motion(const LocalTwoPhaseMotion& local, const Lanes& velocity, std::size_t p,
+                         Particles& particles)
+{
+    particles.velocity_solid.x[p] = velocity[0];
+    particles.velocity_solid.y[p] = velocity[1];
+    particles.velocity_fluid.x[p] = velocity[2];
+    particles.velocity_fluid.y[p] = velocity[3];
+    Gradients &Ls = particles.velocity_gradient_solid, &Lw = particles.velocity_gradient_fluid;
+    Ls.xx[p] = local.slope_x[0], Ls.xy[p] = local.slope_y[0];
+    Ls.yx[p] = local.slope_x[1], Ls.yy[p] = local.slope_y[1];
+    Lw.xx[p] = local.slope_x[2], Lw.xy[p] = local.slope_y[2];
+    Lw.yx[p] = local.slope_x[3], Lw.yy[p] = local.slope_y[3];
 }
 
 } // namespace
@@ -80,28 +131,21 @@ double noise_time(const Problem& problem)
     return cells_of_memory * problem.grid.cell_size / fastest;
 }
 
+VECTOR_KERNEL
 void gather_two_phase(const Problem& problem, double dt, double share, const CellLists& lists,
                       const Tile& tile, const PatchStore& store, const std::vector<TwoPhaseMotion>& motion,
                       Particles& particles, Vectors& grid_velocity, Scalars& flux_divergence)
 {
+    const std::int32_t nodes_x = problem.grid.nodes_x();
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
-        LocalMotion solid, fluid;
-        double divergence = 0.0;
-        for_each_node(*patch, store.weights.data() + patch->first, problem.grid.nodes_x(), motion.data(),
-                      [&](const TwoPhaseMotion& node, const NodeWeight& w) {
-                          solid.add(w, node.solid_x, node.solid_y, node.solid_change_x, node.solid_change_y);
-                          fluid.add(w, node.fluid_x, node.fluid_y, node.fluid_change_x, node.fluid_change_y);
-                          divergence += w.gradient_x * node.flux_x + w.gradient_y * node.flux_y;
-                      });
-        grid_velocity.set(p, {solid.x, solid.y});
-        particles.velocity_solid.set(p, updated_velocity(particles.velocity_solid[p], solid, share));
-        particles.velocity_fluid.set(p, updated_velocity(particles.velocity_fluid[p], fluid, share));
-        filter_relative_velocity(problem, dt, p, Vector2(fluid.x - solid.x, fluid.y - solid.y), particles);
-        store_gradient(solid, p, particles.velocity_gradient_solid);
-        store_gradient(fluid, p, particles.velocity_gradient_fluid);
-        flux_divergence[p] = divergence;
+        const LocalTwoPhaseMotion local = motion_at(*patch, store, nodes_x, motion.data());
+        const RelativeFilter filter = relative_filter(problem, dt, particles, p);
+        store_motion(local, updated_velocities(particles, p, local, share, filter), p, particles);
+        grid_velocity.x[p] = local.velocity[0];
+        grid_velocity.y[p] = local.velocity[1];
+        flux_divergence[p] = local.divergence;
     }
 }
 
@@ -113,10 +157,14 @@ void gather_single_phase(const Problem& problem, double share, const CellLists& 
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
         LocalMotion solid;
-        for_each_node(*patch, store.weights.data() + patch->first, problem.grid.nodes_x(), motion.data(),
-                      [&](const SinglePhaseMotion& node, const NodeWeight& w) {
-                          solid.add(w, node.x, node.y, node.change_x, node.change_y);
-                      });
+        auto weight = static_cast<std::size_t>(patch->first);
+        for (std::int32_t b = 0; b < patch->height; ++b) {
+            const SinglePhaseMotion* node = motion.data() + patch->base + b * problem.grid.nodes_x();
+            for (std::int32_t a = 0; a < patch->width; ++a, ++weight, ++node) {
+                solid.add({store.value[weight], store.gradient_x[weight], store.gradient_y[weight]}, node->x,
+                          node->y, node->change_x, node->change_y);
+            }
+        }
         grid_velocity.set(p, {solid.x, solid.y});
         particles.velocity_solid.set(p, updated_velocity(particles.velocity_solid[p], solid, share));
         store_gradient(solid, p, particles.velocity_gradient_solid);

@@ -1,5 +1,7 @@
 #include "solver/linear_elastic.hpp"
 
+#include "solver/lanes.hpp"
+
 namespace quicksand {
 
 double lame_modulus(const LinearElastic& law)
@@ -22,6 +24,7 @@ double stiffest_modulus(const LinearElastic& law, std::size_t, std::size_t, cons
     return constrained_modulus(law);
 }
 
+VECTOR_KERNEL
 void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles)
 {
@@ -30,6 +33,7 @@ void update_stress(const LinearElastic& law, double dt, std::size_t first, std::
     const double G = law.shear_modulus;
     const Gradients& L = particles.velocity_gradient_solid;
     SymmetricTensors& stress = particles.stress;
+#pragma GCC ivdep // the arrays do not overlap
     for (std::size_t p = first; p < last; ++p) {
         const double volumetric = lambda * dt * (L.xx[p] + L.yy[p]);
         stress.xx[p] += volumetric + 2.0 * G * dt * L.xx[p];

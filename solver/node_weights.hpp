@@ -33,26 +33,50 @@ struct NodePatch {
 
 /// A patch in a PatchStore.
 struct StoredPatch {
-    std::int32_t base, width, height;
-    std::int32_t first; // into PatchStore::weights
+    std::int32_t base;
+    std::int16_t width, height;
+    std::int32_t first; // of its weights in the store
     double offset_x, offset_y;
 };
 
-/// The patches of one tile's particles, in the order of the cell lists.
+/// The patches of one tile's particles, in the order of the cell lists. The three parts of the weights stand
+/// in arrays of their own, so that rows of a patch are written four nodes at a time.
 struct PatchStore {
+    static constexpr std::size_t lanes = 4; // a row may be written this far beyond its end
+
     std::vector<StoredPatch> patches;
-    std::vector<NodeWeight> weights;
+    std::vector<double> value, gradient_x, gradient_y; // as NodeWeight; longer than what is in use
+    std::size_t used = 0;                              // weights of the patches so far
 
     void clear()
     {
         patches.clear();
-        weights.clear();
+        used = 0;
     }
+
+    /// Make room for a patch of `count` nodes.
+    void make_room(std::size_t count)
+    {
+        const std::size_t needed = used + count + lanes;
+        if (needed <= value.size()) return;
+        const std::size_t size = needed + needed / 2;
+        value.resize(size);
+        gradient_x.resize(size);
+        gradient_y.resize(size);
+    }
+
     void push_back(const NodePatch& patch)
     {
-        patches.push_back({patch.base, patch.width, patch.height, static_cast<std::int32_t>(weights.size()),
+        const int count = patch.width * patch.height;
+        make_room(static_cast<std::size_t>(count));
+        patches.push_back({patch.base, static_cast<std::int16_t>(patch.width),
+                           static_cast<std::int16_t>(patch.height), static_cast<std::int32_t>(used),
                            patch.offset_x, patch.offset_y});
-        weights.insert(weights.end(), patch.weights, patch.weights + patch.width * patch.height);
+        for (int k = 0; k < count; ++k, ++used) {
+            value[used] = patch.weights[k].value;
+            gradient_x[used] = patch.weights[k].gradient_x;
+            gradient_y[used] = patch.weights[k].gradient_y;
+        }
     }
 };
 

@@ -5,7 +5,7 @@
 
 namespace quicksand {
 
-/// Sums scattered from the particles of a saturated body.
+/// Sums scattered from the particles of a saturated body: three groups of four, each added to as one.
 struct alignas(64) TwoPhaseSums {
     double mass_solid;                         // m_s [kg/m]
     double mass_fluid;                         // m_w [kg/m]
@@ -19,13 +19,13 @@ struct alignas(64) TwoPhaseSums {
     bool active() const { return mass_solid > 0.0; }
 };
 
-/// Velocities at the end of the step and their change in it.
+/// Velocities at the end of the step and their change in it; two groups of four, each read as one.
 struct TwoPhaseMotion {
     double solid_x, solid_y;               // v_s [m/s]
     double fluid_x, fluid_y;               // v_w [m/s]
-    double flux_x, flux_y;                 // (1-n) v_s + n v_w [m/s]
     double solid_change_x, solid_change_y; // v_s - momentum_solid / m_s [m/s]
     double fluid_change_x, fluid_change_y; // v_w - momentum_fluid / m_w [m/s]
+    double flux_x, flux_y;                 // (1-n) v_s + n v_w [m/s]
 };
 
 /// Sums scattered from the particles of a body that moves as one phase.

@@ -1,5 +1,6 @@
 #include "solver/particle_motion.hpp"
 
+#include "solver/lanes.hpp"
 #include "solver/threads.hpp"
 
 #include <algorithm>
@@ -29,10 +30,27 @@ void stretch(double dt, const Gradients& L, std::size_t p, Vectors& edge)
     edge.y[p] = y + dt * (L.yx[p] * x + L.yy[p] * y);
 }
 
+VECTOR_KERNEL
+void advance_chunk(double dt, const Vectors& grid_velocity, std::size_t first, std::size_t last,
+                   Particles& particles)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+#pragma GCC ivdep // the arrays do not overlap
+    for (std::size_t p = first; p < last; ++p) {
+        particles.position.x[p] += dt * grid_velocity.x[p];
+        particles.position.y[p] += dt * grid_velocity.y[p];
+        stretch(dt, L, p, particles.half_edge_1);
+        stretch(dt, L, p, particles.half_edge_2);
+        particles.volume[p] *= (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p];
+    }
+}
+
+VECTOR_KERNEL
 void turn_stress(double dt, std::size_t first, std::size_t last, Particles& particles)
 {
     const Gradients& L = particles.velocity_gradient_solid;
     SymmetricTensors& stress = particles.stress;
+#pragma GCC ivdep
     for (std::size_t p = first; p < last; ++p) {
         const double t = 0.25 * dt * (L.yx[p] - L.xy[p]); // tangent of half the angle
         const double scale = 1.0 / (1.0 + t * t);
@@ -68,15 +86,8 @@ void for_each_material_run(const Problem& problem, const Particles& particles, s
 
 void advance_domains(double dt, const Vectors& grid_velocity, Particles& particles)
 {
-    const Gradients& L = particles.velocity_gradient_solid;
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t p = first; p < last; ++p) {
-            particles.position.x[p] += dt * grid_velocity.x[p];
-            particles.position.y[p] += dt * grid_velocity.y[p];
-            stretch(dt, L, p, particles.half_edge_1);
-            stretch(dt, L, p, particles.half_edge_2);
-            particles.volume[p] *= (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p];
-        }
+        advance_chunk(dt, grid_velocity, first, last, particles);
     });
 }
 

@@ -4,24 +4,64 @@
 #include "solver/cpdi2.hpp"
 #include "solver/failure.hpp"
 #include "solver/gimp.hpp"
+#include "solver/lanes.hpp"
 #include "solver/linear_interpolation.hpp"
 
 namespace quicksand {
 
 namespace {
 
-/// Call add(node, phi, grad_x, grad_y, dx, dy) for every node of a patch; dx, dy = x_i - x_p.
+/// Call add(node, weights, dx, dy) for every node of a patch; dx, dy = x_i - x_p.
 template <class Add>
-void for_each_node(const StoredPatch& patch, const NodeWeight* weights, std::int32_t nodes_x,
-                   double cell_size, Add&& add)
+void for_each_node(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x, double cell_size,
+                   Add&& add)
 {
+    auto k = static_cast<std::size_t>(patch.first);
     for (std::int32_t b = 0; b < patch.height; ++b) {
         const double dy = patch.offset_y + b * cell_size;
         const auto row = static_cast<std::size_t>(patch.base + b * nodes_x);
-        for (std::int32_t a = 0; a < patch.width; ++a, ++weights) {
-            add(row + static_cast<std::size_t>(a), *weights, patch.offset_x + a * cell_size, dy);
+        for (std::int32_t a = 0; a < patch.width; ++a, ++k) {
+            add(row + static_cast<std::size_t>(a),
+                NodeWeight{store.value[k], store.gradient_x[k], store.gradient_y[k]},
+                patch.offset_x + a * cell_size, dy);
         }
     }
+}
+
+/// What a particle gives to its nodes: with weight phi and offset d from the particle, node sums grow by
+///   phi amounts,  phi (momentum + slope_x d_x + slope_y d_y),  grad_x flow_x + grad_y flow_y
+/// for the masses, momenta and forces in the order of TwoPhaseSums.
+struct TwoPhaseShare {
+    Lanes amounts;                    // m_s, m_w, V, C V
+    Lanes momentum, slope_x, slope_y; // m_s v_s and m_w v_w, and their gradients
+    Lanes flow_x, flow_y;             // -V sigma' of the grains and V p, columns x and y
+};
+
+inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+    const Gradients &Ls = particles.velocity_gradient_solid, &Lw = particles.velocity_gradient_fluid;
+    const double V = particles.volume[p], n = particles.porosity[p];
+    const double m_s = particles.mass_solid[p], m_w = n * problem.water->density * V;
+    const double C = V * drag_coefficient(material, *problem.water, n);
+    const double sxx = V * particles.stress.xx[p], syy = V * particles.stress.yy[p],
+                 sxy = V * particles.stress.xy[p];
+    const double pressure = V * particles.pore_pressure[p];
+    const Lanes masses = {m_s, m_s, m_w, m_w};
+    TwoPhaseShare share;
+    share.amounts = Lanes{m_s, m_w, V, C};
+    share.momentum = masses * Lanes{particles.velocity_solid.x[p], particles.velocity_solid.y[p],
+                                    particles.velocity_fluid.x[p], particles.velocity_fluid.y[p]};
+    share.slope_x = masses * Lanes{Ls.xx[p], Ls.yx[p], Lw.xx[p], Lw.yx[p]};
+    share.slope_y = masses * Lanes{Ls.xy[p], Ls.yy[p], Lw.xy[p], Lw.yy[p]};
+    share.flow_x = Lanes{-sxx, -sxy, pressure, 0.0};
+    share.flow_y = Lanes{-sxy, -syy, 0.0, pressure};
+    return share;
+}
+
+inline void add_to(double* target, const Lanes& increment)
+{
+    store_lanes(load_lanes(target) + increment, target);
 }
 
 template <NodeInterpolation Member>
@@ -63,46 +103,39 @@ std::int64_t evaluate_weights(const Problem& problem, const Particles& particles
     case Interpolation::cpgimp:
         return evaluate_tile<ContiguousGimp>(grid, particles, lists, tile, store);
     case Interpolation::cpdi:
-        return evaluate_tile<Cpdi>(grid, particles, lists, tile, store);
+        return weigh_parallelograms(grid, particles, lists, tile, store);
     case Interpolation::cpdi2:
         return evaluate_tile<Cpdi2>(grid, particles, lists, tile, store);
     }
     ENSURE(false);
 }
 
+VECTOR_KERNEL
 void scatter_two_phase(const Problem& problem, const Particles& particles, const CellLists& lists,
                        const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums)
 {
-    const Water& water = *problem.water;
-    const Gradients &Ls = particles.velocity_gradient_solid, &Lw = particles.velocity_gradient_fluid;
+    const double h = problem.grid.cell_size;
+    const std::int32_t nodes_x = problem.grid.nodes_x();
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
-        const auto p = static_cast<std::size_t>(lists.order[k]);
-        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-        const double V = particles.volume[p], n = particles.porosity[p];
-        const double m_s = particles.mass_solid[p], m_w = n * water.density * V;
-        const double C = V * drag_coefficient(material, water, n);
-        const double sxx = V * particles.stress.xx[p], syy = V * particles.stress.yy[p],
-                     sxy = V * particles.stress.xy[p];
-        const double pressure = V * particles.pore_pressure[p];
-        const Vector2 v_s = particles.velocity_solid[p], v_w = particles.velocity_fluid[p];
-
-        for_each_node(*patch, store.weights.data() + patch->first, problem.grid.nodes_x(),
-                      problem.grid.cell_size, [&](std::size_t i, const NodeWeight& w, double dx, double dy) {
-                          TwoPhaseSums& node = sums[i];
-                          node.mass_solid += w.value * m_s;
-                          node.mass_fluid += w.value * m_w;
-                          node.volume += w.value * V;
-                          node.drag += w.value * C;
-                          node.momentum_solid_x += w.value * m_s * (v_s.x() + Ls.xx[p] * dx + Ls.xy[p] * dy);
-                          node.momentum_solid_y += w.value * m_s * (v_s.y() + Ls.yx[p] * dx + Ls.yy[p] * dy);
-                          node.momentum_fluid_x += w.value * m_w * (v_w.x() + Lw.xx[p] * dx + Lw.xy[p] * dy);
-                          node.momentum_fluid_y += w.value * m_w * (v_w.y() + Lw.yx[p] * dx + Lw.yy[p] * dy);
-                          node.stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
-                          node.stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
-                          node.pressure_force_x += pressure * w.gradient_x;
-                          node.pressure_force_y += pressure * w.gradient_y;
-                      });
+        const TwoPhaseShare share = share_of(problem, particles, static_cast<std::size_t>(lists.order[k]));
+        const Lanes node_step = h * share.slope_x; // of the momentum from a node to the next
+        const auto first = static_cast<std::size_t>(patch->first);
+        const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
+                     *grad_y = store.gradient_y.data() + first;
+        const std::int32_t width = patch->width, height = patch->height;
+        TwoPhaseSums* row = sums.data() + patch->base;
+        double dy = patch->offset_y;
+        for (std::int32_t b = 0; b < height; ++b, row += nodes_x, dy += h) {
+            Lanes momentum = share.momentum + dy * share.slope_y + patch->offset_x * share.slope_x;
+            for (TwoPhaseSums* node = row; node != row + width; ++node) {
+                add_to(&node->mass_solid, *phi * share.amounts);
+                add_to(&node->momentum_solid_x, *phi * momentum);
+                add_to(&node->stress_force_x, *grad_x * share.flow_x + *grad_y * share.flow_y);
+                momentum += node_step;
+                ++phi, ++grad_x, ++grad_y;
+            }
+        }
     }
 }
 
@@ -119,7 +152,7 @@ void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles
                      sxy = V * particles.stress.xy[p];
         const Vector2 v = particles.velocity_solid[p];
 
-        for_each_node(*patch, store.weights.data() + patch->first, grid.nodes_x(), grid.cell_size,
+        for_each_node(*patch, store, grid.nodes_x(), grid.cell_size,
                       [&](std::size_t i, const NodeWeight& w, double dx, double dy) {
                           SinglePhaseSums& node = sums[i];
                           node.mass += w.value * m;
@@ -141,8 +174,8 @@ void scatter_body_force(const Problem& problem, double time, const Particles& pa
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const Vector2 force =
             masses.inertia[p] * problem.body_acceleration(particles.reference_position[p], time);
-        for_each_node(*patch, store.weights.data() + patch->first, problem.grid.nodes_x(),
-                      problem.grid.cell_size, [&](std::size_t i, const NodeWeight& w, double, double) {
+        for_each_node(*patch, store, problem.grid.nodes_x(), problem.grid.cell_size,
+                      [&](std::size_t i, const NodeWeight& w, double, double) {
                           sums[i].stress_force_x += w.value * force.x();
                           sums[i].stress_force_y += w.value * force.y();
                       });

@@ -10,10 +10,4 @@ double static_water_pressure(const Problem& problem, double y)
     return problem.water->density * problem.gravity * std::max(0.0, problem.water->level - y);
 }
 
-double drag_coefficient(const Material& material, const Water& water, double porosity)
-{
-    return porosity * porosity * water.density * material.conductivity_gravity /
-           material.hydraulic_conductivity;
-}
-
 } // namespace quicksand

@@ -71,6 +71,10 @@ struct Problem {
 double static_water_pressure(const Problem& problem, double y);
 
 /// C = n^2 rho_w g_k / k, the drag between water and grains [N s/m4].
-double drag_coefficient(const Material& material, const Water& water, double porosity);
+inline double drag_coefficient(const Material& material, const Water& water, double porosity)
+{
+    return porosity * porosity * water.density * material.conductivity_gravity /
+           material.hydraulic_conductivity;
+}
 
 } // namespace quicksand

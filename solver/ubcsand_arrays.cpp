@@ -2,12 +2,9 @@
 // makes vectors of the kernel's arithmetic. A block without plastic lanes skips the return.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC optimize("no-trapping-math") // lets both sides of a choice be computed; changes no value
-// inline all calls; a second version for vectors of four, chosen when the program starts, of the same bits
-#define VECTOR_KERNEL [[gnu::flatten, gnu::target_clones("avx2", "default")]]
-#else
-#define VECTOR_KERNEL
 #endif
 
+#include "solver/lanes.hpp"
 #include "solver/ubcsand.hpp"
 #include "solver/ubcsand_kernel.hpp"
 
