@@ -46,7 +46,7 @@ LineWeights line_weights(double cells, double length_in_cells, double cell_size)
 bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 lengths, NodePatch& patch)
 {
     const double allowed = 2.0 * BackgroundGrid::domain_reach * grid.cell_size;
-    const bool limited = lengths.maxCoeff() > allowed;
+    const bool is_limited = lengths.maxCoeff() > allowed;
     lengths = lengths.cwiseMin(allowed);
     const Vector2 cells = (centre - grid.rim_origin()) / grid.cell_size;
     const LineWeights x = line_weights(cells.x(), lengths.x() / grid.cell_size, grid.cell_size);
@@ -62,7 +62,7 @@ bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 len
             *weight++ = {x.value[a] * y.value[b], x.slope[a] * y.value[b], x.value[a] * y.slope[b]};
         }
     }
-    return limited;
+    return is_limited;
 }
 
 /// Size of the axis-parallel box around the reference domain [m].
@@ -71,7 +71,34 @@ Vector2 reference_lengths(const Particles& particles, std::size_t p)
     return 2.0 * (particles.reference_edge_1[p].cwiseAbs() + particles.reference_edge_2[p].cwiseAbs());
 }
 
+Vector2 limited(const BackgroundGrid& grid, const Vector2& lengths)
+{
+    return lengths.cwiseMin(2.0 * BackgroundGrid::domain_reach * grid.cell_size);
+}
+
+/// Size of the box that stretches with the domain.
+Vector2 stretched_lengths(const Particles& particles, std::size_t p)
+{
+    // U = sqrt(C) of C = F^T F; in two dimensions sqrt(C) = (C + J I) / sqrt(tr C + 2 J)
+    const Eigen::Matrix2d F = deformation_gradient(particles, p);
+    const Eigen::Matrix2d C = F.transpose() * F;
+    const double J = F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
+    const double scale = 1.0 / std::sqrt(C(0, 0) + C(1, 1) + 2.0 * J);
+    const Vector2 stretches = scale * Vector2(C(0, 0) + J, C(1, 1) + J);
+    return reference_lengths(particles, p).cwiseProduct(stretches);
+}
+
 } // namespace
+
+Vector2 uniform_box(const BackgroundGrid& grid, const Particles& particles, std::size_t p)
+{
+    return limited(grid, reference_lengths(particles, p));
+}
+
+Vector2 contiguous_box(const BackgroundGrid& grid, const Particles& particles, std::size_t p)
+{
+    return limited(grid, stretched_lengths(particles, p));
+}
 
 bool UniformGimp::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
                            NodePatch& patch)
@@ -82,14 +109,7 @@ bool UniformGimp::evaluate(const BackgroundGrid& grid, const Particles& particle
 bool ContiguousGimp::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
                               NodePatch& patch)
 {
-    // U = sqrt(C) of C = F^T F; in two dimensions sqrt(C) = (C + J I) / sqrt(tr C + 2 J)
-    const Eigen::Matrix2d F = deformation_gradient(particles, p);
-    const Eigen::Matrix2d C = F.transpose() * F;
-    const double J = F(0, 0) * F(1, 1) - F(0, 1) * F(1, 0);
-    const double scale = 1.0 / std::sqrt(C(0, 0) + C(1, 1) + 2.0 * J);
-    const Vector2 stretches = scale * Vector2(C(0, 0) + J, C(1, 1) + J);
-    return evaluate_box(grid, particles.position[p], reference_lengths(particles, p).cwiseProduct(stretches),
-                        patch);
+    return evaluate_box(grid, particles.position[p], stretched_lengths(particles, p), patch);
 }
 
 } // namespace quicksand

@@ -21,4 +21,8 @@ struct ContiguousGimp {
                          NodePatch& patch);
 };
 
+/// Sizes of the boxes of the two members, limited as in their weights [m].
+Vector2 uniform_box(const BackgroundGrid& grid, const Particles& particles, std::size_t p);
+Vector2 contiguous_box(const BackgroundGrid& grid, const Particles& particles, std::size_t p);
+
 } // namespace quicksand

@@ -3,9 +3,11 @@
 
 #include "solver/background_grid.hpp"
 #include "solver/base_motion.hpp"
+#include "solver/history.hpp"
 #include "solver/interpolation.hpp"
 #include "solver/skeleton_law.hpp"
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -36,12 +38,33 @@ struct Segment {
     Vector2 start, end; // [m]
 };
 
+/// A load on a boundary curve; it moves and deforms with the surface that it was put on. It is the total
+/// load: where water drains through the curve, the grains carry all of it.
+struct SurfaceLoad {
+    Vector2 traction = Vector2::Zero(); // a dead load: it keeps its direction and its total, the traction on
+                                        // the curve as drawn [N/m2]
+    double pressure = 0.0;              // normal to the present surface and on its present length, positive
+                                        // onto the soil [Pa]
+    History history;
+};
+
+/// A piece of a boundary curve, carried by the particle beside it: straight between two points that keep
+/// their places in the particle's domain. Found by attach_boundaries (boundary_pieces.hpp).
+struct BoundaryPiece {
+    std::int32_t identifier = 0;     // lasting number of the particle [-]
+    Vector2 start = Vector2::Zero(); // local coordinates, -1..1 in the domain, beyond where the domains'
+    Vector2 end = Vector2::Zero();   // stairs do not reach a slanted curve [-]
+    double length = 0.0;             // as drawn [m]
+};
+
 /// One named boundary curve.
 struct Boundary {
     std::string name;
     SoilCondition soil = SoilCondition::free;
     WaterCondition water = WaterCondition::drained;
     std::vector<Segment> segments;
+    std::optional<SurfaceLoad> load = {};
+    std::vector<BoundaryPiece> pieces = {}; // none where nothing acts on the curve
 };
 
 /// Two vertical sides whose points of equal height move together, as in a laminar box.

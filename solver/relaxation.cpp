@@ -63,7 +63,7 @@ double out_of_balance(const Problem& problem, const State& state)
     State copy = state;
     SinglePhaseWorkspace work = make_single_phase_workspace(problem);
     sort_particles(problem.grid, 0.0, copy, work.lists);
-    scatter_to_nodes(problem, 0.0, copy.particles, work);
+    scatter_to_nodes(problem, 0.0, copy, work);
     return out_of_balance(problem, work);
 }
 

@@ -4,6 +4,7 @@
 #include "solver/grid_to_particle.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/particle_order.hpp"
+#include "solver/surface_loads.hpp"
 
 #include <atomic>
 
@@ -35,9 +36,9 @@ SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem)
     return work;
 }
 
-void scatter_to_nodes(const Problem& problem, double time, const Particles& particles,
-                      SinglePhaseWorkspace& work)
+void scatter_to_nodes(const Problem& problem, double dt, const State& state, SinglePhaseWorkspace& work)
 {
+    const Particles& particles = state.particles;
     compute_carried_masses(problem, particles, work.masses);
     work.sums.assign(work.sums.size(), SinglePhaseSums{});
     std::atomic<std::int64_t> limited = 0;
@@ -46,9 +47,10 @@ void scatter_to_nodes(const Problem& problem, double time, const Particles& part
         limited += evaluate_weights(problem, particles, work.lists, tile, store);
         scatter_single_phase(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);
         if (!problem.body_acceleration) return;
-        scatter_body_force(problem, time, particles, work.masses, work.lists, tile, store, work.sums);
+        scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
     });
     work.limited_domains = limited;
+    scatter_surface_loads(problem, load_time(state, dt), particles, work.places, work.sums);
     gather_tied_sums(work.conditions, work.sums);
 }
 
@@ -59,7 +61,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
     work.grid_velocity.x.resize(particles.size());
     work.grid_velocity.y.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { sort_particles(problem.grid, dt, state, work.lists); });
-    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, state.time, particles, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         const bool shaking = state.stage == Stage::shaking;
         const double acceleration =

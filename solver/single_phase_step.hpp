@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/boundary_conditions.hpp"
+#include "solver/boundary_pieces.hpp"
 #include "solver/cell_lists.hpp"
 #include "solver/node_weights.hpp"
 #include "solver/nodes.hpp"
@@ -22,6 +23,7 @@ struct SinglePhaseWorkspace {
     std::vector<SinglePhaseSums> sums;
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
+    ParticlePlaces places;            // of the particles that carry boundaries
     Vectors grid_velocity;            // sum phi v_i of the grains [m/s]
     double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
     std::int64_t limited_domains = 0; // domains scaled down in the last step [-]
@@ -30,10 +32,9 @@ struct SinglePhaseWorkspace {
 
 SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem);
 
-/// Scatter the state to the nodes, tied nodes gathered: masses, momenta and forces of a step about to be
-/// taken.
-void scatter_to_nodes(const Problem& problem, double time, const Particles& particles,
-                      SinglePhaseWorkspace& work);
+/// Scatter the state to the nodes, tied nodes gathered: masses, momenta and forces of a step of `dt` about to
+/// be taken.
+void scatter_to_nodes(const Problem& problem, double dt, const State& state, SinglePhaseWorkspace& work);
 
 /// Advance the state by one explicit step, t -> t + dt: steps 1-4, 6 and 7 of advance_two_phase_step with one
 /// velocity. `damping` is the local damping factor, 0 for a real motion [-]. Throws NumericalError.

@@ -5,6 +5,7 @@
 #include "solver/particle_motion.hpp"
 #include "solver/particle_order.hpp"
 #include "solver/particle_to_grid.hpp"
+#include "solver/surface_loads.hpp"
 
 #include <atomic>
 
@@ -12,7 +13,7 @@ namespace quicksand {
 
 namespace {
 
-void scatter(const Problem& problem, const Particles& particles, TwoPhaseWorkspace& work)
+void scatter(const Problem& problem, double load_time, const Particles& particles, TwoPhaseWorkspace& work)
 {
     work.sums.assign(work.sums.size(), TwoPhaseSums{});
     std::atomic<std::int64_t> limited = 0;
@@ -22,6 +23,7 @@ void scatter(const Problem& problem, const Particles& particles, TwoPhaseWorkspa
         scatter_two_phase(problem, particles, work.lists, tile, store, work.sums);
     });
     work.limited_domains = limited;
+    scatter_surface_loads(problem, load_time, particles, work.places, work.sums);
 }
 
 void solve_momentum(const Problem& problem, double time, double dt, TwoPhaseWorkspace& work)
@@ -70,7 +72,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     work.grid_velocity.y.resize(particles.size());
 
     timed(work.timers, Phase::sort, [&] { sort_particles(problem.grid, dt, state, work.lists); });
-    timed(work.timers, Phase::scatter, [&] { scatter(problem, particles, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter(problem, load_time(state, dt), particles, work); });
     timed(work.timers, Phase::momentum, [&] { solve_momentum(problem, state.time, dt, work); });
     timed(work.timers, Phase::gather, [&] {
         const double share = dt / (dt + work.noise_time);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/boundary_conditions.hpp"
+#include "solver/boundary_pieces.hpp"
 #include "solver/cell_lists.hpp"
 #include "solver/node_weights.hpp"
 #include "solver/nodes.hpp"
@@ -22,6 +23,7 @@ struct TwoPhaseWorkspace {
     std::vector<TwoPhaseSums> sums;
     std::vector<TwoPhaseMotion> motion;
     Scalars flux_divergence;          // [1/s]
+    ParticlePlaces places;            // of the particles that carry boundaries
     CellMeans cell_means;             // of the pore pressure
     Vectors grid_velocity;            // sum phi v_i of the grains [m/s]
     double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
@@ -34,7 +36,7 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
 /// Advance the saturated state by one explicit step, t -> t + dt.
 ///
 ///  1  particles by cell; CPDI weights from their domains
-///  2  particles -> nodes: masses, momenta, forces of stress and excess pressure, drag
+///  2  particles -> nodes: masses, momenta, forces of stress and excess pressure, drag, loads on surfaces
 ///  3  momentum balances of water and grains on the nodes, drag implicit at each node, with the velocity
 ///     conditions inside; the base's acceleration acts on both phases as a body force
 ///  4  nodes -> particles: velocities, velocity gradients, divergence of the flux

@@ -1,0 +1,38 @@
+// How a load or a motion of a boundary varies with time: a factor on its value.
+#pragma once
+
+#include <variant>
+#include <vector>
+
+namespace quicksand {
+
+/// The factor is 1.
+struct ConstantHistory {};
+
+/// The factor is sin(2 pi f t).
+struct SineHistory {
+    double frequency = 0.0; // f [Hz]
+};
+
+/// A table of times and factors, linear in between and constant before its first and after its last time.
+struct SampledHistory {
+    std::vector<double> times; // increasing [s]
+    std::vector<double> values;
+};
+
+/// A shape that rises linearly from nothing over `ramp_time`.
+struct History {
+    std::variant<ConstantHistory, SineHistory, SampledHistory> shape = ConstantHistory{};
+    double ramp_time = 0.0; // 0: at once; not for a table, which holds its own rise [s]
+};
+
+/// The factor at a time; before t = 0 that of t = 0 [-].
+double history_value(const History& history, double time);
+
+/// The integral of the factor from 0 to a time; 0 before [s].
+double history_integral(const History& history, double time);
+
+/// Largest absolute factor of the history [-].
+double peak_value(const History& history);
+
+} // namespace quicksand

@@ -1,0 +1,35 @@
+// Tractions and pressures on boundary curves that move with the soil.
+#pragma once
+
+#include "solver/boundary_pieces.hpp"
+#include "solver/nodes.hpp"
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// Add the loads at `time` to the nodes' forces on the grains [s].
+void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
+                           ParticlePlaces& places, std::vector<TwoPhaseSums>& sums);
+void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
+                           ParticlePlaces& places, std::vector<SinglePhaseSums>& sums);
+
+/// The time at which a state's loads act: that of the shaking, 0 while the soil settles [s].
+double load_time(const State& state, double dt);
+
+/// The force of a boundary's load on the soil.
+struct BoundaryForce {
+    std::string boundary;
+    Vector2 force = Vector2::Zero(); // [N/m]
+};
+
+/// The force of a boundary's load at its full value, the factor of its history being 1 [N/m].
+Vector2 full_load(const Problem& problem, const State& state, const Boundary& boundary);
+
+/// The force of every load at `time` on the soil as it is in `state`; none where a boundary has no load.
+std::vector<BoundaryForce> total_load(const Problem& problem, const State& state, double time);
+
+} // namespace quicksand

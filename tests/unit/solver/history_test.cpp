@@ -1,0 +1,66 @@
+// The factor of loads and motions, and its integral against quadrature.
+#include "solver/history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace quicksand {
+namespace {
+
+std::vector<History> all_shapes()
+{
+    return {{ConstantHistory{}, 0.0},
+            {ConstantHistory{}, 0.4},
+            {SineHistory{1.7}, 0.0},
+            {SineHistory{1.7}, 0.4},
+            {SampledHistory{{0.1, 0.3, 0.9, 1.0}, {2.0, -1.0, 0.5, 0.25}}, 0.0}};
+}
+
+TEST(History, IsAFactorOnTheValue)
+{
+    EXPECT_EQ(history_value({ConstantHistory{}, 0.0}, 0.0), 1.0);
+    EXPECT_EQ(history_value({ConstantHistory{}, 2.0}, 0.5), 0.25);
+    EXPECT_EQ(history_value({ConstantHistory{}, 2.0}, 3.0), 1.0);
+    EXPECT_NEAR(history_value({SineHistory{2.0}, 0.0}, 0.125), 1.0, 1e-15);
+    EXPECT_NEAR(history_value({SineHistory{2.0}, 0.25}, 0.125), 0.5, 1e-15);
+}
+
+TEST(History, OfATableIsLinearWithinAndConstantOutside)
+{
+    const History table{SampledHistory{{1.0, 2.0, 4.0}, {3.0, 5.0, -1.0}}, 0.0};
+    EXPECT_EQ(history_value(table, 0.0), 3.0);
+    EXPECT_EQ(history_value(table, 1.0), 3.0);
+    EXPECT_EQ(history_value(table, 1.5), 4.0);
+    EXPECT_EQ(history_value(table, 3.0), 2.0);
+    EXPECT_EQ(history_value(table, 9.0), -1.0);
+}
+
+TEST(History, BeforeItsStartIsThatOfTheStart)
+{
+    for (const History& history : all_shapes()) {
+        EXPECT_EQ(history_value(history, -1.0), history_value(history, 0.0));
+        EXPECT_EQ(history_integral(history, -1.0), 0.0);
+    }
+}
+
+TEST(History, HasTheIntegralOfItsFactor)
+{
+    for (const History& history : all_shapes()) {
+        constexpr int steps = 13'000; // of the midpoint rule; kinks lie between steps
+        constexpr double end = 1.3, step = end / steps;
+        double sum = 0.0;
+        for (int k = 0; k < steps; ++k) sum += step * history_value(history, (k + 0.5) * step);
+        EXPECT_NEAR(history_integral(history, end), sum, 1e-7);
+    }
+}
+
+TEST(History, KnowsItsPeak)
+{
+    EXPECT_EQ(peak_value({SineHistory{3.0}, 1.0}), 1.0);
+    EXPECT_EQ(peak_value({SampledHistory{{0.0, 1.0}, {0.5, -2.0}}, 0.0}), 2.0);
+}
+
+} // namespace
+} // namespace quicksand
