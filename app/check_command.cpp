@@ -54,6 +54,7 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.keep(folder.directory / plan_file, false);
     journal.say(describe_scene_keys(setup));
     journal.say(describe_soil(assembled));
+    journal.say(describe_boundaries(assembled));
     journal.say(describe_time_step(assembled));
     const Forecast forecast = forecast_run(assembled, folder.directory / "trial");
     journal.say(describe_cost(forecast));

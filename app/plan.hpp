@@ -14,6 +14,9 @@ std::string describe_scene_keys(const SceneSetup& setup);
 /// Regions, particles, grid and masses.
 std::string describe_soil(const AssembledCase& assembled);
 
+/// The conditions on every boundary curve, and the total force of every load.
+std::string describe_boundaries(const AssembledCase& assembled);
+
 /// Wave speeds, the time step and what limits it.
 std::string describe_time_step(const AssembledCase& assembled);
 

@@ -4,6 +4,7 @@
 #include "geometry/section_check.hpp"
 #include "io/scene_grid.hpp"
 #include "io/scene_section.hpp"
+#include "solver/boundary_pieces.hpp"
 #include "solver/failure.hpp"
 
 #include <algorithm>
@@ -175,6 +176,21 @@ void check_sampling(const Sampling& sampling, AssembledCase& assembled)
     throw_errors(assembled.warnings, assembled.scene);
 }
 
+/// Hang what acts on curves on the particles beside them.
+void attach_loads(AssembledCase& assembled)
+{
+    for (const std::string& name : attach_boundaries(assembled.problem, assembled.state.particles)) {
+        const auto& boundaries = assembled.scene.boundaries;
+        const auto boundary = std::find_if(boundaries.begin(), boundaries.end(),
+                                           [&](const SceneBoundary& b) { return b.name == name; });
+        ENSURE(boundary != boundaries.end());
+        assembled.warnings.add(error_at(
+            boundary->place, "load", "no material point lies beside a part of the curve \"" + name + "\"",
+            "a curve on the rim of the soil", "choose a smaller cell_size, or move the curve to the soil"));
+    }
+    throw_errors(assembled.warnings, assembled.scene);
+}
+
 } // namespace
 
 AssembledCase assemble_case(SceneReading reading, Section section)
@@ -195,6 +211,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     set_initial_stress(assembled.problem, assembled.section, materials, assembled.scene.k0, particles);
     std::fill(particles.pore_pressure.begin(), particles.pore_pressure.end(),
               assembled.scene.excess_pore_pressure);
+    attach_loads(assembled);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
     return assembled;
 }

@@ -49,6 +49,7 @@ struct SceneBoundary {
     WaterCondition water = WaterCondition::drained;
     std::string tied_to; // the partner curve when soil is tied
     SourcePlace place;
+    std::optional<SurfaceLoad> load = {};
 };
 
 enum class ProbeKind {

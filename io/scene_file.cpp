@@ -1,13 +1,14 @@
 #include "io/scene_file.hpp"
 
+#include "io/scene_boundaries.hpp"
 #include "io/scene_check.hpp"
 #include "io/scene_motion.hpp"
 #include "io/scene_references.hpp"
 #include "io/scene_text.hpp"
+#include "io/scene_words.hpp"
 #include "solver/failure.hpp"
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 #include <tuple>
 
@@ -15,26 +16,7 @@ namespace quicksand {
 
 namespace {
 
-template <class Word, std::size_t count>
-Word word_of(const std::array<std::pair<std::string_view, Word>, count>& words, const std::string& text)
-{
-    for (const auto& [name, word] : words) {
-        if (name == text) return word;
-    }
-    return words.front().second;
-}
-
-constexpr std::array<std::pair<std::string_view, SoilCondition>, 4> soil_words = {{
-    {"free", SoilCondition::free},
-    {"fixed", SoilCondition::fixed},
-    {"roller", SoilCondition::roller},
-    {"tied", SoilCondition::tied},
-}};
-constexpr std::array<std::pair<std::string_view, WaterCondition>, 2> water_words = {{
-    {"drained", WaterCondition::drained},
-    {"impervious", WaterCondition::impervious},
-}};
-constexpr std::array<std::pair<std::string_view, ProbeKind>, 4> probe_words = {{
+constexpr WordList<ProbeKind, 4> probe_words = {{
     {"material", ProbeKind::material},
     {"fixed", ProbeKind::fixed},
     {"surface", ProbeKind::surface},
@@ -97,11 +79,6 @@ void fill_ground(const SceneValues& values, Scene& scene)
     }
     for (const NamedTable& table : tables_named(values, "regions")) {
         scene.regions.push_back({table.name, values.text(table.path + ".material"), table.place});
-    }
-    for (const NamedTable& table : tables_named(values, "boundaries")) {
-        scene.boundaries.push_back({table.name, word_of(soil_words, values.text(table.path + ".soil")),
-                                    word_of(water_words, values.text(table.path + ".water")),
-                                    values.text(table.path + ".tied_to"), table.place});
     }
     scene.k0 = values.number("initial.k0");
     scene.excess_pore_pressure = values.number("initial.excess_pore_pressure");
@@ -201,6 +178,7 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     fill_geometry(values, file.parent_path(), scene);
     fill_ground(values, scene);
     fill_run(values, scene);
+    scene.boundaries = read_boundaries(values, file.parent_path(), findings);
     scene.base_motion = read_motion(values, file.parent_path(), findings);
     check_geometry_file(values, scene.geometry_file, findings);
 

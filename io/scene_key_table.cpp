@@ -15,6 +15,7 @@ constexpr Interval fraction{.lower = 0.0, .upper = 1.0, .lower_open = true, .upp
 constexpr std::array<std::pair<std::string_view, std::string_view>, 4> water_beside_soil = {
     {{"free", "drained"}, {"fixed", "impervious"}, {"roller", "impervious"}, {"tied", "impervious"}}};
 
+const Condition free_only{"soil", {"free"}};
 const Condition sine_only{"kind", {"sine"}};
 const Condition file_only{"kind", {"file"}};
 const Condition profile_only{"kind", {"profile"}};
@@ -121,6 +122,20 @@ std::vector<SceneKey> condition_keys()
          .words = {"drained", "impervious"}, .doc = "Whether pore water passes the curve."},
         {.pattern = "boundaries.*.tied_to", .type = text, .required = true, .when = {"soil", {"tied"}},
          .doc = "The opposite curve, whose points of equal height move together with this one's."},
+        {.pattern = "boundaries.*.pressure", .dimension = Dimension::pressure, .default_note = "none",
+         .plausible = {-1e6, 1e8}, .when = free_only,
+         .doc = "Pressure on the curve, normal to the surface as it moves, positive onto the soil."},
+        {.pattern = "boundaries.*.traction", .type = point, .dimension = Dimension::pressure,
+         .default_note = "none", .plausible = {-1e8, 1e8}, .when = free_only,
+         .doc = "Load on the curve per length as drawn; it moves along and keeps its direction."},
+        {.pattern = "boundaries.*.ramp_time", .dimension = Dimension::time, .default_note = "at once",
+         .allowed = positive, .when = free_only,
+         .doc = "Time over which what acts on the curve rises linearly."},
+        {.pattern = "boundaries.*.frequency", .dimension = Dimension::frequency, .default_note = "no wave",
+         .allowed = positive, .when = free_only,
+         .doc = "What acts on the curve varies as sin(2 pi f t) times its value."},
+        {.pattern = "boundaries.*.history", .type = path, .default_note = "constant", .when = free_only,
+         .doc = "Two columns, time in s and the factor on what acts on the curve; linear in between."},
         {.pattern = "initial", .type = table, .doc = "The initial state."},
         {.pattern = "initial.k0", .default_value = 0.5, .allowed = not_negative, .plausible = {0.2, 2.0},
          .doc = "Horizontal over vertical effective stress."},

@@ -90,6 +90,7 @@ Boundary make_boundary(const SceneBoundary* condition, const NamedCurve& curve)
     if (condition != nullptr) {
         boundary.soil = condition->soil;
         boundary.water = condition->water;
+        boundary.load = condition->load;
     }
     for (const Segment& segment : curve.segments) {
         if (segment.start != segment.end) boundary.segments.push_back(segment);

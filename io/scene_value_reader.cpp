@@ -219,7 +219,8 @@ std::optional<SceneValue> ValueReader::read_pair(const DocumentNode& node)
 {
     const bool counts = key_.type == ValueType::count_pair;
     if (node.kind != Kind::array || node.children.size() != 2) {
-        const std::string form = counts ? "two whole numbers, as [3, 3]" : "[x, y], two numbers in m";
+        const std::string form = counts ? "two whole numbers, as [3, 3]"
+                                        : "[x, y], two numbers in " + std::string(si_symbol(key_.dimension));
         if (node.kind != Kind::array) {
             refuse_type(node, form);
         } else {

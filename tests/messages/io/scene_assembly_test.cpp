@@ -124,6 +124,27 @@ to accept it: accept = ["boundaries.base"] at the top of the scene
 )");
 }
 
+TEST(Assembly, RefusesALoadWithoutSoilBesideIt)
+{
+    std::string text = replaced(column_scene, "soil = \"free\"", "soil = \"free\"\npressure = 1000");
+    text = replaced(text, "level = 0.3175", "level = 0.4");
+    // a needle on the surface, too thin for any material point
+    const Vector2 a(0.0, 0.0), b(0.0675, 0.0), c(0.0675, 0.3175), d(0.04, 0.3175), e(0.0399, 0.34),
+        f(0.0398, 0.3175), g(0.0, 0.3175);
+    const Vector2 tip_1 = 0.5 * (d + e), tip_2 = 0.5 * (e + f);
+    Section section = column_section();
+    section.regions[0].polygons[0].outer = {a, b, c, d, tip_1, e, tip_2, f, g};
+    section.curves[2].segments = {{c, d}, {d, tip_1}, {tip_1, e}, {e, tip_2}, {tip_2, f}, {f, g}};
+    section.upper.y() = 0.34;
+    EXPECT_EQ(SceneFolder().assembly_message(text, section),
+              R"(scene.toml:41:1: error[load]: no material point lies beside a part of the curve "surface"
+   41 | [boundaries.surface]
+      | ^~~~~~~~~~~~~~~~~~~~
+expected: a curve on the rim of the soil
+hint: choose a smaller cell_size, or move the curve to the soil
+)");
+}
+
 TEST(Assembly, KeepsQuietOfWhatIsAccepted)
 {
     std::string text = replaced(column_scene, "\"7.5 mm\"", "\"7.5 mm\"\norigin = [0, -0.005]");
