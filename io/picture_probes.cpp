@@ -81,14 +81,14 @@ std::string place_of(const PictureTable& table, const std::string& name)
     return end == std::string::npos ? place : place.substr(0, end + 3);
 }
 
-std::vector<NamedTable> read_probes(const std::filesystem::path& folder)
+std::vector<ProbeTable> read_probes(const std::filesystem::path& folder)
 {
     std::vector<std::filesystem::path> files;
     if (std::filesystem::is_directory(folder))
         for (const auto& entry : std::filesystem::directory_iterator(folder))
             if (entry.path().extension() == ".csv") files.push_back(entry.path());
     std::sort(files.begin(), files.end());
-    std::vector<NamedTable> probes;
+    std::vector<ProbeTable> probes;
     for (const auto& file : files) probes.push_back({file.stem().string(), read_picture_table(file)});
     return probes;
 }
@@ -105,15 +105,15 @@ std::optional<LinePlot> probe_plot(const PictureTable& table, const std::string&
     return LinePlot{"Probe " + name, place_of(table, name), std::move(panels), PlotArrangement::stacked};
 }
 
-std::optional<LinePlot> comparison_plot(const std::vector<NamedTable>& probes)
+std::optional<LinePlot> comparison_plot(const std::vector<ProbeTable>& probes)
 {
     struct Member {
-        const NamedTable* probe;
+        const ProbeTable* probe;
         const std::vector<double>* pressure;
     };
     std::vector<Member> members;
     double magnitude = 0.0;
-    for (const NamedTable& probe : probes) {
+    for (const ProbeTable& probe : probes) {
         const auto* pressure = probe.table.find("excess_pore_pressure_Pa");
         const bool rides = probe.table.comment("probe: ").find(", material:") != std::string::npos;
         if (!rides || pressure == nullptr || largest_of(*pressure) < 0.0) continue;
@@ -151,8 +151,8 @@ std::vector<std::filesystem::path> draw_probe_plots(const std::filesystem::path&
         pictures.push_back(folder / (stem + ".png"));
         draw_line_plot(*plot, pictures.back());
     };
-    const std::vector<NamedTable> probes = read_probes(results / "probes");
-    for (const NamedTable& probe : probes) draw(probe_plot(probe.table, probe.name), "probe_" + probe.name);
+    const std::vector<ProbeTable> probes = read_probes(results / "probes");
+    for (const ProbeTable& probe : probes) draw(probe_plot(probe.table, probe.name), "probe_" + probe.name);
     draw(comparison_plot(probes), "probes_excess_pore_pressure");
     const std::filesystem::path history = results / "history.csv";
     if (std::filesystem::exists(history)) draw(history_plot(read_picture_table(history)), "history");

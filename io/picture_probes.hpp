@@ -16,11 +16,11 @@ namespace quicksand {
 std::optional<LinePlot> probe_plot(const PictureTable& table, const std::string& name);
 
 /// Excess pore pressure of all material probes in one plot; none where there are fewer than two.
-struct NamedTable {
+struct ProbeTable {
     std::string name;
     PictureTable table;
 };
-std::optional<LinePlot> comparison_plot(const std::vector<NamedTable>& probes);
+std::optional<LinePlot> comparison_plot(const std::vector<ProbeTable>& probes);
 
 /// Crest settlement, kinetic energy, largest excess pore pressure and base motion over time.
 std::optional<LinePlot> history_plot(const PictureTable& table);
