@@ -79,6 +79,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         });
     });
     timed(work.timers, Phase::motion, [&] {
+        fade_noise_of_deformation(dt, work.grid_velocity, particles);
         move_particles(problem, dt, work, particles);
         if (problem.water) update_porosity(problem, particles);
     });
