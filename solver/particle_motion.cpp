@@ -31,6 +31,14 @@ void stretch(double dt, const Gradients& L, std::size_t p, Vectors& edge)
     edge.y[p] = y + dt * (L.yx[p] * x + L.yy[p] * y);
 }
 
+void scale(double share, std::size_t p, Gradients& L)
+{
+    L.xx[p] *= share;
+    L.xy[p] *= share;
+    L.yx[p] *= share;
+    L.yy[p] *= share;
+}
+
 VECTOR_KERNEL
 void advance_chunk(double dt, const Vectors& grid_velocity, std::size_t first, std::size_t last,
                    Particles& particles)
@@ -127,6 +135,21 @@ void update_effective_stress(const Problem& problem, double dt, Particles& parti
                               [&](const auto& law, std::size_t run_first, std::size_t run_last) {
                                   update_stress(law, dt, run_first, run_last, particles);
                               });
+    });
+}
+
+void shorten_carried_gradients(double cell_size, Particles& particles)
+{
+    const double allowed = cell_size * cell_size;
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+            const double squares =
+                particles.half_edge_1[p].squaredNorm() + particles.half_edge_2[p].squaredNorm();
+            if (squares <= allowed) continue;
+            const double share = allowed / squares;
+            scale(share, p, particles.velocity_gradient_solid);
+            if (particles.has_fluid()) scale(share, p, particles.velocity_gradient_fluid);
+        }
     });
 }
 

@@ -83,7 +83,10 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         move_particles(problem, dt, work, particles);
         if (problem.water) update_porosity(problem, particles);
     });
-    timed(work.timers, Phase::stress, [&] { update_effective_stress(problem, dt, particles); });
+    timed(work.timers, Phase::stress, [&] {
+        update_effective_stress(problem, dt, particles);
+        shorten_carried_gradients(problem.grid.cell_size, particles);
+    });
     state.time += dt;
     ++state.step;
 }

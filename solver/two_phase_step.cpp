@@ -95,7 +95,10 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
         move_particles(problem, dt, work, particles);
         update_porosity(problem, particles);
     });
-    timed(work.timers, Phase::stress, [&] { update_effective_stress(problem, dt, particles); });
+    timed(work.timers, Phase::stress, [&] {
+        update_effective_stress(problem, dt, particles);
+        shorten_carried_gradients(problem.grid.cell_size, particles);
+    });
     state.time += dt;
     ++state.step;
 }
