@@ -120,6 +120,8 @@ std::string describe_left_out(const Scene& scene)
     };
     leave_out(!scene.water,
               "pore water: dry soil moves as one phase and its particles carry no arrays for water");
+    leave_out(scene.strain == StrainForm::small,
+              "the update of domains, volumes and weights: small strain, on the drawn shape");
     leave_out(!scene.relaxation, "settling: the run starts from the K0 state as it is");
     leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is still");
     leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),

@@ -1,6 +1,7 @@
 #include "geometry/particle_sampler.hpp"
 
 #include "geometry/region_locator.hpp"
+#include "solver/cpdi2.hpp"
 #include "solver/failure.hpp"
 
 #include <fmt/format.h>
@@ -181,21 +182,34 @@ void count_cells(const BackgroundGrid& grid, Sampling& sampling)
         static_cast<double>(sampling.domains.size()) / static_cast<double>(cells.size());
 }
 
-/// The parallelogram through the middles of the quadrilateral's sides; its area is the quadrilateral's.
+bool is_convex(const MeshQuad& quad)
+{
+    for (int k = 0; k < 4; ++k) {
+        const Vector2 &before = quad.corners[k], &corner = quad.corners[(k + 1) % 4],
+                      &after = quad.corners[(k + 2) % 4];
+        if (!(cross(corner - before, after - corner) > 0.0)) return false;
+    }
+    return true;
+}
+
 ParticleDomain domain_of_quad(const MeshQuad& quad)
 {
-    const Vector2 &x1 = quad.corners[0], &x2 = quad.corners[1], &x3 = quad.corners[2], &x4 = quad.corners[3];
+    const QuadrilateralDomain shape =
+        quadrilateral_domain({quad.corners[0], quad.corners[1], quad.corners[2], quad.corners[3]});
+    if (!is_convex(quad)) {
+        throw InputError(
+            fmt::format("the mesh has a quadrilateral at ({:.6g}, {:.6g}) that is folded, flat or "
+                        "not convex\n"
+                        "hint: try another quad_size, or sample a lattice",
+                        shape.centroid.x(), shape.centroid.y()));
+    }
     ParticleDomain domain;
-    domain.centre = 0.25 * (x1 + x2 + x3 + x4);
-    domain.half_edge_1 = 0.25 * (x2 + x3 - x1 - x4);
-    domain.half_edge_2 = 0.25 * (x3 + x4 - x1 - x2);
+    domain.centre = shape.centroid;
+    domain.half_edge_1 = shape.half_edge_1;
+    domain.half_edge_2 = shape.half_edge_2;
+    domain.twist = shape.twist;
     domain.volume = 4.0 * cross(domain.half_edge_1, domain.half_edge_2);
     domain.region = quad.region;
-    if (!(domain.volume > 0.0)) {
-        throw InputError(fmt::format("the mesh has a folded or flat quadrilateral at ({:.6g}, {:.6g})\n"
-                                     "hint: try another quad_size, or sample a lattice",
-                                     domain.centre.x(), domain.centre.y()));
-    }
     return domain;
 }
 

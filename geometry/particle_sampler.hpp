@@ -9,11 +9,12 @@
 
 namespace quicksand {
 
-/// One parallelogram domain as sampled.
+/// One domain as sampled: a parallelogram, or a quadrilateral with a twist as in solver/cpdi2.hpp.
 struct ParticleDomain {
-    Vector2 centre = Vector2::Zero();      // [m]
+    Vector2 centre = Vector2::Zero();      // centroid [m]
     Vector2 half_edge_1 = Vector2::Zero(); // [m]
     Vector2 half_edge_2 = Vector2::Zero(); // [m]
+    Vector2 twist = Vector2::Zero();       // [m]
     double volume = 0.0;                   // corrected: the region's areas add up exactly [m2]
     std::size_t region = 0;                // index into Section::regions
 };
@@ -43,7 +44,8 @@ struct Sampling {
 Sampling sample_lattice(const Section& section, const BackgroundGrid& grid, int per_cell_x, int per_cell_y,
                         int boundary_refinement);
 
-/// One parallelogram per quadrilateral of the section's mesh.
+/// One domain per quadrilateral of the section's mesh, corners included. Throws InputError where one is
+/// folded or not convex.
 Sampling sample_mesh(const Section& section, const BackgroundGrid& grid);
 
 } // namespace quicksand

@@ -108,6 +108,8 @@ Particles make_particles(const Problem& problem, const Sampling& sampling,
 {
     Particles particles;
     resize(particles, sampling.domains.size(), problem.water.has_value());
+    const bool has_corners = problem.interpolation == Interpolation::cpdi2;
+    if (has_corners) particles.twist.x = particles.twist.y = Scalars(particles.size(), 0.0);
     for (std::size_t p = 0; p < sampling.domains.size(); ++p) {
         const ParticleDomain& domain = sampling.domains[p];
         const std::int32_t m = materials[domain.region];
@@ -118,6 +120,7 @@ Particles make_particles(const Problem& problem, const Sampling& sampling,
         particles.position.set(p, domain.centre);
         particles.half_edge_1.set(p, domain.half_edge_1);
         particles.half_edge_2.set(p, domain.half_edge_2);
+        if (has_corners) particles.twist.set(p, domain.twist);
         particles.volume[p] = domain.volume;
         particles.mass_solid[p] = (1.0 - material.porosity) * material.grain_density * domain.volume;
         if (problem.water) particles.porosity[p] = material.porosity;
@@ -131,6 +134,8 @@ Problem make_problem(const Scene& scene, const Section& section)
     Problem problem;
     for (const SceneMaterial& material : scene.materials) problem.materials.push_back(material.material);
     for (const Region& region : section.regions) problem.region_names.push_back(region.name);
+    problem.interpolation = scene.interpolation;
+    problem.strain = scene.strain;
     problem.water = scene.water;
     problem.gravity = scene.gravity;
     problem.base_motion = scene.base_motion;

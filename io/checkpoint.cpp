@@ -227,11 +227,13 @@ State read_state(const Handle& file)
     return state;
 }
 
-/// The arrays must be complete: all of them, or all but the ones of the water.
+/// The arrays must be complete: all of them, but for those of the water and of quadrilaterals together.
 void require_complete(const State& state)
 {
     Particles expected;
     resize(expected, state.particles.size(), state.particles.has_fluid());
+    if (!state.particles.twist.x.empty())
+        expected.twist.x = expected.twist.y = Scalars(state.particles.size(), 0.0);
     std::set<std::string> present;
     for_each_array(expected, [&](const char* name, const Scalars& values) {
         if (!values.empty()) present.insert(name);

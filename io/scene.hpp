@@ -90,6 +90,9 @@ struct Scene {
     SourcePlace grid_place;
     std::variant<LatticeSampling, MeshSampling> sampling;
 
+    Interpolation interpolation = Interpolation::cpdi;
+    StrainForm strain = StrainForm::large;
+
     double gravity = standard_gravity; // [m/s2]
     std::optional<Water> water;        // none: a dry scene
     SourcePlace water_place;           // of the level

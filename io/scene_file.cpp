@@ -23,6 +23,18 @@ constexpr WordList<ProbeKind, 4> probe_words = {{
     {"profile", ProbeKind::profile},
 }};
 
+constexpr std::array<std::pair<std::string_view, Interpolation>, 5> interpolation_words = {{
+    {"cpdi", Interpolation::cpdi},
+    {"cpdi2", Interpolation::cpdi2},
+    {"gimp", Interpolation::gimp},
+    {"cpgimp", Interpolation::cpgimp},
+    {"linear", Interpolation::linear},
+}};
+constexpr std::array<std::pair<std::string_view, StrainForm>, 2> strain_words = {{
+    {"large", StrainForm::large},
+    {"small", StrainForm::small},
+}};
+
 const std::vector<NamedTable>& tables_named(const SceneValues& values, const std::string& table)
 {
     static const std::vector<NamedTable> none;
@@ -68,6 +80,8 @@ Material read_material(const SceneValues& values, const NamedTable& table)
 
 void fill_ground(const SceneValues& values, Scene& scene)
 {
+    scene.interpolation = word_of(interpolation_words, values.text("analysis.interpolation"));
+    scene.strain = word_of(strain_words, values.text("analysis.strain"));
     scene.gravity = values.number("gravity.acceleration");
     if (values.has_table("water")) {
         scene.water = Water{values.number("water.density"), values.number("water.bulk_modulus"),

@@ -56,6 +56,18 @@ std::vector<SceneKey> geometry_keys()
     };
 }
 
+std::vector<SceneKey> analysis_keys()
+{
+    return {
+        {.pattern = "analysis", .type = table, .doc = "The form of the equations."},
+        {.pattern = "analysis.interpolation", .type = word, .default_value = "cpdi",
+         .words = {"cpdi", "cpdi2", "gimp", "cpgimp", "linear"},
+         .doc = "Domains of the points: parallelograms, quadrilaterals, fixed or stretching boxes, or none."},
+        {.pattern = "analysis.strain", .type = word, .default_value = "large", .words = {"large", "small"},
+         .doc = "Whether the equations follow the motion, or stay on the drawn shape as in linear theory."},
+    };
+}
+
 std::vector<SceneKey> ground_keys()
 {
     return {
@@ -229,8 +241,8 @@ std::vector<SceneKey> all_keys()
          .default_value = std::vector<std::string>{},
          .doc = "Keys whose warnings you have read and accept, as [\"materials.sand.porosity\"]."},
     };
-    for (const auto& part :
-         {geometry_keys(), ground_keys(), material_keys(), condition_keys(), motion_keys(), run_keys()}) {
+    for (const auto& part : {geometry_keys(), analysis_keys(), ground_keys(), material_keys(),
+                             condition_keys(), motion_keys(), run_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
     return keys;

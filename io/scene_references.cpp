@@ -98,6 +98,18 @@ void check_boundaries(const SceneValues& values, Diagnostics& findings)
     }
 }
 
+/// Members of the family that are boxes along the axes cannot tile a mesh; corners need a domain.
+void check_interpolation(const SceneValues& values, Diagnostics& findings)
+{
+    const std::string member = values.text("analysis.interpolation");
+    if (values.text("sampling.kind") != "mesh" || (member != "gimp" && member != "cpgimp")) return;
+    findings.add(error_at(values.place("analysis.interpolation"), "combination",
+                          "interpolation = \"" + member +
+                              "\" gives every point a box along the axes, and boxes cannot tile a mesh",
+                          "interpolation = \"cpdi2\", \"cpdi\" or \"linear\" with sampling.kind = \"mesh\"",
+                          "cpdi2 keeps the quadrilaterals as they are; or sample a lattice"));
+}
+
 void check_probes(const SceneValues& values, Diagnostics& findings)
 {
     std::map<std::string, std::string> spellings; // by the lower-case name
@@ -164,6 +176,7 @@ void check_references(const SceneValues& values, Diagnostics& findings)
 {
     check_materials(values, findings);
     check_boundaries(values, findings);
+    check_interpolation(values, findings);
     check_probes(values, findings);
     check_accepted(values, findings);
 }

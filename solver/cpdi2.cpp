@@ -2,6 +2,8 @@
 
 #include "solver/cpdi.hpp"
 
+#include <algorithm>
+
 namespace quicksand {
 
 namespace {
@@ -17,6 +19,18 @@ Vector2 centroid_offset(const Vector2& r1, const Vector2& r2, const Vector2& twi
     return (cross(r1, twist) * r1 + cross(twist, r2) * r2) / (3.0 * cross(r1, r2));
 }
 
+/// Shrink the quadrilateral about its centroid to what may be reached from there; returns the factor.
+double limit_corners(double cell_size, const Vector2& centre, std::array<Vector2, 4>& corners)
+{
+    double farthest = 0.0;
+    for (const Vector2& x : corners) farthest = std::max(farthest, (x - centre).cwiseAbs().maxCoeff());
+    const double allowed = BackgroundGrid::domain_reach * cell_size;
+    if (farthest <= allowed) return 1.0;
+    const double scale = allowed / farthest;
+    for (Vector2& x : corners) x = centre + scale * (x - centre);
+    return scale;
+}
+
 } // namespace
 
 std::array<Vector2, 4> quadrilateral_corners(const Particles& particles, std::size_t p)
@@ -27,22 +41,37 @@ std::array<Vector2, 4> quadrilateral_corners(const Particles& particles, std::si
     return {c - r1 - r2 + t, c + r1 - r2 - t, c + r1 + r2 + t, c - r1 + r2 - t};
 }
 
-void set_quadrilateral(const std::array<Vector2, 4>& corners, std::size_t p, Particles& particles)
+QuadrilateralDomain quadrilateral_domain(const std::array<Vector2, 4>& corners)
 {
     const auto& [x1, x2, x3, x4] = corners;
-    const Vector2 r1 = 0.25 * (x2 + x3 - x1 - x4), r2 = 0.25 * (x3 + x4 - x1 - x2);
-    const Vector2 twist = 0.25 * (x1 + x3 - x2 - x4);
-    particles.half_edge_1.set(p, r1);
-    particles.half_edge_2.set(p, r2);
-    particles.twist.set(p, twist);
-    particles.position.set(p, 0.25 * (x1 + x2 + x3 + x4) + centroid_offset(r1, r2, twist));
-    particles.volume[p] = 4.0 * cross(r1, r2);
+    QuadrilateralDomain domain;
+    domain.half_edge_1 = 0.25 * (x2 + x3 - x1 - x4);
+    domain.half_edge_2 = 0.25 * (x3 + x4 - x1 - x2);
+    domain.twist = 0.25 * (x1 + x3 - x2 - x4);
+    domain.centroid =
+        0.25 * (x1 + x2 + x3 + x4) + centroid_offset(domain.half_edge_1, domain.half_edge_2, domain.twist);
+    return domain;
+}
+
+void set_quadrilateral(const std::array<Vector2, 4>& corners, std::size_t p, Particles& particles)
+{
+    const QuadrilateralDomain domain = quadrilateral_domain(corners);
+    particles.half_edge_1.set(p, domain.half_edge_1);
+    particles.half_edge_2.set(p, domain.half_edge_2);
+    particles.twist.set(p, domain.twist);
+    particles.position.set(p, domain.centroid);
+}
+
+double domain_area(const Particles& particles, std::size_t p)
+{
+    return 4.0 * cross(particles.half_edge_1[p], particles.half_edge_2[p]);
 }
 
 bool Cpdi2::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p, NodePatch& patch)
 {
-    const std::array<Vector2, 4> x = quadrilateral_corners(particles, p);
-    const double V = 4.0 * cross(particles.half_edge_1[p], particles.half_edge_2[p]);
+    std::array<Vector2, 4> x = quadrilateral_corners(particles, p);
+    const double scale_of_domain = limit_corners(grid.cell_size, particles.position[p], x);
+    const double V = domain_area(particles, p) * scale_of_domain * scale_of_domain;
     const double a = cross(x[3] - x[0], x[1] - x[2]), b = cross(x[2] - x[3], x[0] - x[1]);
     const double scale = 1.0 / (24.0 * V), half = 0.5 / V;
     const Vector2 g1 = half * Vector2(x[1].y() - x[3].y(), x[3].x() - x[1].x());
@@ -52,7 +81,7 @@ bool Cpdi2::evaluate(const BackgroundGrid& grid, const Particles& particles, std
                                       {x[2], (6.0 * V + a + b) * scale, -g1},
                                       {x[3], (6.0 * V + a - b) * scale, -g2}};
     sum_corner_weights(grid, particles.position[p], corners, patch);
-    return false;
+    return scale_of_domain < 1.0;
 }
 
 } // namespace quicksand

@@ -22,10 +22,21 @@ struct Cpdi2 {
                          NodePatch& patch);
 };
 
+/// A quadrilateral as its centroid, half edges and twist [m].
+struct QuadrilateralDomain {
+    Vector2 centroid, half_edge_1, half_edge_2, twist;
+};
+
+/// From the corners, counter-clockwise [m].
+QuadrilateralDomain quadrilateral_domain(const std::array<Vector2, 4>& corners);
+
 /// Corners of the particle's quadrilateral, counter-clockwise [m].
 std::array<Vector2, 4> quadrilateral_corners(const Particles& particles, std::size_t p);
 
-/// Store a quadrilateral's corners as position, half edges, twist and volume.
+/// Area of the domain, which the twist does not change [m2].
+double domain_area(const Particles& particles, std::size_t p);
+
+/// Store a quadrilateral's corners as position, half edges and twist.
 void set_quadrilateral(const std::array<Vector2, 4>& corners, std::size_t p, Particles& particles);
 
 } // namespace quicksand

@@ -24,11 +24,12 @@ void for_each_chunk(std::size_t count, Work&& work)
     }
 }
 
-void stretch(double dt, const Gradients& L, std::size_t p, Vectors& edge)
+/// edge += dt L other
+void add_stretch(double dt, const Gradients& L, std::size_t p, const Vectors& other, Vectors& edge)
 {
-    const double x = edge.x[p], y = edge.y[p];
-    edge.x[p] = x + dt * (L.xx[p] * x + L.xy[p] * y);
-    edge.y[p] = y + dt * (L.yx[p] * x + L.yy[p] * y);
+    const double x = other.x[p], y = other.y[p];
+    edge.x[p] += dt * (L.xx[p] * x + L.xy[p] * y);
+    edge.y[p] += dt * (L.yx[p] * x + L.yy[p] * y);
 }
 
 void scale(double share, std::size_t p, Gradients& L)
@@ -48,8 +49,8 @@ void advance_chunk(double dt, const Vectors& grid_velocity, std::size_t first, s
     for (std::size_t p = first; p < last; ++p) {
         particles.position.x[p] += dt * grid_velocity.x[p];
         particles.position.y[p] += dt * grid_velocity.y[p];
-        stretch(dt, L, p, particles.half_edge_1);
-        stretch(dt, L, p, particles.half_edge_2);
+        add_stretch(dt, L, p, particles.half_edge_1, particles.half_edge_1);
+        add_stretch(dt, L, p, particles.half_edge_2, particles.half_edge_2);
         particles.volume[p] *= (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p];
     }
 }
@@ -116,6 +117,19 @@ void advance_domains(double dt, const Vectors& grid_velocity, Particles& particl
     });
 }
 
+void displace_domains(double dt, const Vectors& grid_velocity, Particles& particles)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+            particles.position.x[p] += dt * grid_velocity.x[p];
+            particles.position.y[p] += dt * grid_velocity.y[p];
+            add_stretch(dt, L, p, particles.reference_edge_1, particles.half_edge_1);
+            add_stretch(dt, L, p, particles.reference_edge_2, particles.half_edge_2);
+        }
+    });
+}
+
 void update_porosity(const Problem& problem, Particles& particles)
 {
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
@@ -130,7 +144,7 @@ void update_porosity(const Problem& problem, Particles& particles)
 void update_effective_stress(const Problem& problem, double dt, Particles& particles)
 {
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
-        turn_stress(dt, first, last, particles);
+        if (problem.strain == StrainForm::large) turn_stress(dt, first, last, particles);
         for_each_material_run(problem, particles, first, last,
                               [&](const auto& law, std::size_t run_first, std::size_t run_last) {
                                   update_stress(law, dt, run_first, run_last, particles);

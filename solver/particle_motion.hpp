@@ -1,11 +1,14 @@
 // How particles move, turn and deform with the velocities gathered for them.
 #pragma once
 
+#include "solver/background_grid.hpp"
 #include "solver/cpdi2.hpp"
+#include "solver/particle_order.hpp"
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
 #include "solver/threads.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace quicksand {
@@ -18,13 +21,25 @@ namespace quicksand {
 /// `grid_velocity` is that with which the particles move, sum phi v_i.
 void fade_noise_of_deformation(double dt, const Vectors& grid_velocity, Particles& particles);
 
+/// Move and deform the particles as the scene's interpolation and strain form ask, and bring the porosity up
+/// to date. `velocity(node)` is the velocity of the grains at a node [m/s]. Throws NumericalError.
+template <class Velocity>
+void move_particles(const Problem& problem, double dt, const Vectors& grid_velocity, Velocity&& velocity,
+                    State& state);
+
 /// x += dt v with the velocity of the grid, r_a <- (I + dt L) r_a, V <- det(I + dt L) V.
 void advance_domains(double dt, const Vectors& grid_velocity, Particles& particles);
 
-/// The corners of quadrilateral domains move with the grid: x_c += dt sum N_i(x_c) v_i; position, edges,
-/// twist and volume follow from them. `velocity(node)` is the velocity of the grains at a node [m/s].
+/// Small strain: x += dt v and r_a += dt L R_a with the reference edges R_a, for displacements and strains
+/// that others look at; no equation uses them. The volume stays.
+void displace_domains(double dt, const Vectors& grid_velocity, Particles& particles);
+
+/// The corners of quadrilateral domains move with the grid: x_c += dt sum N_i(x_c) v_i; position, edges and
+/// twist follow from them, the volume changes as their area. Returns a particle with a corner outside the
+/// grid, which stays as it is, or -1.
 template <class Velocity>
-void advance_quadrilaterals(const BackgroundGrid& grid, double dt, Velocity&& velocity, Particles& particles);
+std::int64_t advance_quadrilaterals(const BackgroundGrid& grid, double dt, Velocity&& velocity,
+                                    Particles& particles);
 
 /// n = 1 - V_grains / V: the grains' volume is constant.
 void update_porosity(const Problem& problem, Particles& particles);
@@ -39,26 +54,61 @@ void update_effective_stress(const Problem& problem, double dt, Particles& parti
 /// grow by the step.
 void shorten_carried_gradients(double cell_size, Particles& particles);
 
+/// x + dt sum N_i(x) v_i; false where x lies outside the grid.
 template <class Velocity>
-void advance_quadrilaterals(const BackgroundGrid& grid, double dt, Velocity&& velocity, Particles& particles)
+bool move_with_grid(const BackgroundGrid& grid, double dt, Velocity&& velocity, Vector2& x)
+{
+    const Vector2 cells = (x - grid.rim_origin()) / grid.cell_size;
+    const bool inside = cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() < grid.all_cells_x() &&
+                        cells.y() < grid.all_cells_y(); // written so that NaN is outside
+    if (!inside) return false;
+    const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
+    const double xi = cells.x() - i, eta = cells.y() - j;
+    const auto node = static_cast<std::size_t>(j * grid.nodes_x() + i);
+    const auto above = node + static_cast<std::size_t>(grid.nodes_x());
+    x += dt * ((1.0 - eta) * ((1.0 - xi) * velocity(node) + xi * velocity(node + 1)) +
+               eta * ((1.0 - xi) * velocity(above) + xi * velocity(above + 1)));
+    return true;
+}
+
+template <class Velocity>
+std::int64_t advance_quadrilaterals(const BackgroundGrid& grid, double dt, Velocity&& velocity,
+                                    Particles& particles)
 {
     const auto count = static_cast<std::int64_t>(particles.size());
-    const Vector2 rim = grid.rim_origin();
-#pragma omp parallel for schedule(static) if (particles.size() > least_parallel_work)
+    std::int64_t lost = count;
+#pragma omp parallel for schedule(static) reduction(min : lost) if (particles.size() > least_parallel_work)
     for (std::int64_t k = 0; k < count; ++k) {
         const auto p = static_cast<std::size_t>(k);
         std::array<Vector2, 4> corners = quadrilateral_corners(particles, p);
-        for (Vector2& x : corners) {
-            const Vector2 cells = (x - rim) / grid.cell_size;
-            const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
-            const double xi = cells.x() - i, eta = cells.y() - j;
-            const auto node = static_cast<std::size_t>(j * grid.nodes_x() + i);
-            const auto above = node + static_cast<std::size_t>(grid.nodes_x());
-            x += dt * ((1.0 - eta) * ((1.0 - xi) * velocity(node) + xi * velocity(node + 1)) +
-                       eta * ((1.0 - xi) * velocity(above) + xi * velocity(above + 1)));
+        bool inside = true;
+        for (Vector2& x : corners) inside = inside && move_with_grid(grid, dt, velocity, x);
+        if (!inside) {
+            lost = std::min(lost, k);
+            continue;
         }
+        const double area = domain_area(particles, p);
         set_quadrilateral(corners, p, particles);
+        particles.volume[p] *= domain_area(particles, p) / area;
     }
+    return lost < count ? lost : -1;
+}
+
+template <class Velocity>
+void move_particles(const Problem& problem, double dt, const Vectors& grid_velocity, Velocity&& velocity,
+                    State& state)
+{
+    if (problem.strain == StrainForm::small) {
+        displace_domains(dt, grid_velocity, state.particles);
+        return;
+    }
+    if (problem.interpolation == Interpolation::cpdi2) {
+        const std::int64_t lost = advance_quadrilaterals(problem.grid, dt, velocity, state.particles);
+        if (lost >= 0) throw_lost_corner(dt, state, static_cast<std::size_t>(lost));
+    } else {
+        advance_domains(dt, grid_velocity, state.particles);
+    }
+    if (problem.water) update_porosity(problem, state.particles);
 }
 
 } // namespace quicksand

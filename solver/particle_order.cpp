@@ -51,6 +51,15 @@ void sort_particles(const BackgroundGrid& grid, double dt, State& state, CellLis
     }
 }
 
+void throw_lost_corner(double dt, const State& state, std::size_t p)
+{
+    fail_at(
+        "motion", "a corner of a particle's quadrilateral has left the grid",
+        "the soil is torn there and the corner has gone on alone: interpolation = \"cpdi\" bears more; the "
+        "run has become unstable",
+        dt, state, p);
+}
+
 void check_particles(double dt, const State& state)
 {
     const Particles& particles = state.particles;

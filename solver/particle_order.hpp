@@ -12,6 +12,9 @@ namespace quicksand {
 /// Throws NumericalError when a particle has left the grid or its position is not a number.
 void sort_particles(const BackgroundGrid& grid, double dt, State& state, CellLists& lists);
 
+/// Throws NumericalError: a corner of the particle's quadrilateral has left the grid.
+[[noreturn]] void throw_lost_corner(double dt, const State& state, std::size_t p);
+
 /// Throws NumericalError when a particle's velocity is not a number or its volume is not positive.
 void check_particles(double dt, const State& state);
 

@@ -54,6 +54,13 @@ void reset_reference(Particles& particles)
     particles.reference_edge_2 = particles.half_edge_2;
 }
 
+void return_to_reference(Particles& particles)
+{
+    particles.position = particles.reference_position;
+    particles.half_edge_1 = particles.reference_edge_1;
+    particles.half_edge_2 = particles.reference_edge_2;
+}
+
 Eigen::Matrix2d deformation_gradient(const Particles& particles, std::size_t p)
 {
     // r_a = F r_a0 for both edges: F = [r_1 r_2] [r_10 r_20]^-1

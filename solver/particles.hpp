@@ -27,8 +27,9 @@ struct SymmetricTensors {
     Scalars xx, yy, zz, xy;
 };
 
-/// Structure of arrays; every array has `size()` entries, or none where the scene does not need it:
-/// a dry scene carries no fluid arrays.
+/// In small strain the equations are set up on the reference shape; position and edges show the displaced
+/// one. Structure of arrays; every array has `size()` entries, or none where the scene does not need it: a
+/// dry scene carries no fluid arrays.
 struct Particles {
     std::vector<std::int32_t> identifier; // lasting number, as sampled; the arrays are reordered [-]
     std::vector<std::int32_t> material;   // index into Problem::materials [-]
@@ -114,6 +115,10 @@ void reorder(Particles& particles, const std::vector<std::int32_t>& order);
 
 /// Declare the present shape the reference of displacement and strain.
 void reset_reference(Particles& particles);
+
+/// Undo the displacements since the reference; of small strain, where the drawn shape is that of the
+/// equations.
+void return_to_reference(Particles& particles);
 
 /// Deformation gradient since the reference, from the domain's edges [-].
 Eigen::Matrix2d deformation_gradient(const Particles& particles, std::size_t p);

@@ -6,6 +6,12 @@ namespace quicksand {
 
 namespace {
 
+/// Where the particles are in the equations [m].
+const Vectors& place_in_equations(const Problem& problem, const Particles& particles)
+{
+    return problem.strain == StrainForm::small ? particles.reference_position : particles.position;
+}
+
 /// Sums over the particles of one cell.
 struct CellSums {
     double volume = 0.0, pores = 0.0;     // [m3/m]
@@ -15,7 +21,7 @@ struct CellSums {
 };
 
 CellSums sum_cell(const CellLists& lists, std::size_t first, std::size_t last, const Particles& particles,
-                  const Scalars& flux_divergence)
+                  const Vectors& place, const Scalars& flux_divergence)
 {
     CellSums sums;
     for (std::size_t k = first; k < last; ++k) {
@@ -26,7 +32,7 @@ CellSums sum_cell(const CellLists& lists, std::size_t first, std::size_t last, c
         sums.pressure += V * particles.pore_pressure[p];
         sums.outflow += V * flux_divergence[p];
         sums.rise += V * particles.velocity_solid.y[p];
-        sums.moment += V * particles.position[p];
+        sums.moment += V * place[p];
     }
     return sums;
 }
@@ -83,14 +89,16 @@ void update_pore_pressure(const Problem& problem, double dt, const CellLists& li
                           const Scalars& flux_divergence, Particles& particles, CellMeans& means)
 {
     const Water& water = *problem.water;
-    const double weight_density = water.density * problem.gravity; // gamma_w [N/m3]
+    const Vectors& place = place_in_equations(problem, particles);
+    // gamma_w, where moving up or down changes the static pressure [N/m3]
+    const double weight_density = problem.strain == StrainForm::large ? water.density * problem.gravity : 0.0;
     for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
         const auto slot = static_cast<std::size_t>(c);
         const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
         const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
         means.volume[slot] = 0.0;
         if (first == last) continue;
-        const CellSums sums = sum_cell(lists, first, last, particles, flux_divergence);
+        const CellSums sums = sum_cell(lists, first, last, particles, place, flux_divergence);
         means.volume[slot] = sums.volume;
         means.centre.set(slot, sums.moment / sums.volume);
         means.pore_pressure[slot] = (sums.pressure + dt * weight_density * sums.rise) / sums.volume -
@@ -98,19 +106,19 @@ void update_pore_pressure(const Problem& problem, double dt, const CellLists& li
     }
 }
 
-void reconstruct_pore_pressure(const BackgroundGrid& grid, const CellLists& lists, const Tile& tile,
+void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
                                const CellMeans& means, Particles& particles)
 {
+    const Vectors& place = place_in_equations(problem, particles);
     for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
         const auto slot = static_cast<std::size_t>(c);
         const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
         const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
         if (first == last) continue;
-        const Vector2 slope = pressure_slope(grid, lists, means, slot), centre = means.centre[slot];
+        const Vector2 slope = pressure_slope(problem.grid, lists, means, slot), centre = means.centre[slot];
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
-            particles.pore_pressure[p] =
-                means.pore_pressure[slot] + slope.dot(particles.position[p] - centre);
+            particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre);
         }
     }
 }

@@ -3,10 +3,11 @@
 // The pressure is as rich as the cells, not as the particles: that is the cure for volumetric locking and its
 // noise. A cell's mean grows by
 //   dp = - dt K_w  sum V_p div[(1-n) v_s + n v_w] / sum n_p V_p
-// and, since the excess is counted from a static pressure that falls with height, by dt rho_w g v_y. Within
-// the cell the pressure is the plane through the mean with the slope of the neighbours' means: second order
-// at the particles where the mean alone would be first, and without force on a filled cell's own volume mode,
-// so that the means keep the balance of energy with the velocities.
+// and, since the excess is counted from a static pressure that falls with height, by dt rho_w g v_y (not in
+// small strain, where nothing leaves its height). Within the cell the pressure is the plane through the mean
+// with the slope of the neighbours' means: second order at the particles where the mean alone would be first,
+// and without force on a filled cell's own volume mode, so that the means keep the balance of energy with the
+// velocities.
 #pragma once
 
 #include "solver/background_grid.hpp"
@@ -29,7 +30,7 @@ void update_pore_pressure(const Problem& problem, double dt, const CellLists& li
 
 /// Give the particles of a tile the plane through their cell's mean, by least squares to the up to eight
 /// neighbours that hold soil.
-void reconstruct_pore_pressure(const BackgroundGrid& grid, const CellLists& lists, const Tile& tile,
+void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
                                const CellMeans& means, Particles& particles);
 
 } // namespace quicksand

@@ -74,10 +74,17 @@ struct TiedSides {
     double x_right = 0.0;    // [m], on a grid line
 };
 
+/// How the equations follow the motion of the soil.
+enum class StrainForm {
+    large, // weights, volumes and porosities are those of the present shape, stress turns with the soil
+    small, // all on the reference shape: the equations of linear consolidation and dynamics
+};
+
 /// Immutable inputs of a run. Without `water` the scene is dry.
 struct Problem {
     BackgroundGrid grid;
     Interpolation interpolation = Interpolation::cpdi;
+    StrainForm strain = StrainForm::large;
     std::vector<Material> materials;
     std::vector<std::string> region_names;
     std::optional<Water> water;

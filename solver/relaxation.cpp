@@ -62,7 +62,7 @@ double out_of_balance(const Problem& problem, const State& state)
 {
     State copy = state;
     SinglePhaseWorkspace work = make_single_phase_workspace(problem);
-    sort_particles(problem.grid, 0.0, copy, work.lists);
+    locate_particles(problem, 0.0, copy, work);
     scatter_to_nodes(problem, 0.0, copy, work);
     return out_of_balance(problem, work);
 }
@@ -88,6 +88,7 @@ RelaxationReport relax(const Problem& problem, const RelaxationControls& control
     report.steps = state.step;
     report.max_displacement = monitor(problem, state, {}).max_displacement;
     set_at_rest(state.particles);
+    if (problem.strain == StrainForm::small) return_to_reference(state.particles);
     begin_shaking(state);
     return report;
 }

@@ -3,36 +3,16 @@
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
 #include "solver/particle_motion.hpp"
-#include "solver/particle_order.hpp"
 #include "solver/surface_loads.hpp"
 
-#include <atomic>
-
 namespace quicksand {
-
-namespace {
-
-void move_particles(const Problem& problem, double dt, const SinglePhaseWorkspace& work, Particles& particles)
-{
-    if (problem.interpolation == Interpolation::cpdi2) {
-        const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
-        advance_quadrilaterals(problem.grid, dt, velocity, particles);
-    } else {
-        advance_domains(dt, work.grid_velocity, particles);
-    }
-}
-
-} // namespace
 
 SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem)
 {
     SinglePhaseWorkspace work;
-    work.lists = make_cell_lists(problem.grid);
-    work.conditions = node_conditions(problem);
-    work.patches.resize(work.lists.tile_count);
+    set_up_workspace(problem, work);
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
-    work.noise_time = noise_time(problem);
     return work;
 }
 
@@ -41,15 +21,12 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
     const Particles& particles = state.particles;
     compute_carried_masses(problem, particles, work.masses);
     work.sums.assign(work.sums.size(), SinglePhaseSums{});
-    std::atomic<std::int64_t> limited = 0;
-    for_each_tile_by_colour(work.lists, [&](const Tile& tile) {
-        PatchStore& store = work.patches[static_cast<std::size_t>(tile.number)];
-        limited += evaluate_weights(problem, particles, work.lists, tile, store);
+    for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
+        const PatchStore& store = work.patches_of(tile);
         scatter_single_phase(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
     });
-    work.limited_domains = limited;
     scatter_surface_loads(problem, load_time(state, dt), particles, work.places, work.sums);
     gather_tied_sums(work.conditions, work.sums);
 }
@@ -58,9 +35,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
                                SinglePhaseWorkspace& work)
 {
     Particles& particles = state.particles;
-    work.grid_velocity.x.resize(particles.size());
-    work.grid_velocity.y.resize(particles.size());
-    timed(work.timers, Phase::sort, [&] { sort_particles(problem.grid, dt, state, work.lists); });
+    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         const bool shaking = state.stage == Stage::shaking;
@@ -73,15 +48,14 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
     timed(work.timers, Phase::gather, [&] {
         const double share = dt / (dt + work.noise_time);
         for_each_tile(work.lists, [&](const Tile& tile) {
-            gather_single_phase(problem, share, work.lists, tile,
-                                work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles,
-                                work.grid_velocity);
+            gather_single_phase(problem, share, work.lists, tile, work.patches_of(tile), work.motion,
+                                particles, work.grid_velocity);
         });
     });
     timed(work.timers, Phase::motion, [&] {
         fade_noise_of_deformation(dt, work.grid_velocity, particles);
-        move_particles(problem, dt, work, particles);
-        if (problem.water) update_porosity(problem, particles);
+        const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
+        move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress, [&] {
         update_effective_stress(problem, dt, particles);

@@ -1,33 +1,17 @@
 // The step of a body that moves as one phase: dry soil, or saturated soil that settles drained.
 #pragma once
 
-#include "solver/boundary_conditions.hpp"
-#include "solver/boundary_pieces.hpp"
-#include "solver/cell_lists.hpp"
-#include "solver/node_weights.hpp"
 #include "solver/nodes.hpp"
-#include "solver/particle_to_grid.hpp"
-#include "solver/phase_timers.hpp"
-#include "solver/problem.hpp"
-#include "solver/state.hpp"
+#include "solver/step_workspace.hpp"
 
 #include <vector>
 
 namespace quicksand {
 
-/// Memory of the steps; nothing of it has to survive a checkpoint.
-struct SinglePhaseWorkspace {
-    CellLists lists;
-    NodeConditions conditions;
-    std::vector<PatchStore> patches; // per tile
+struct SinglePhaseWorkspace : StepWorkspace {
     std::vector<SinglePhaseSums> sums;
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
-    ParticlePlaces places;            // of the particles that carry boundaries
-    Vectors grid_velocity;            // sum phi v_i of the grains [m/s]
-    double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
-    std::int64_t limited_domains = 0; // domains scaled down in the last step [-]
-    PhaseTimers timers;
 };
 
 SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem);

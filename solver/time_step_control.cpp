@@ -88,6 +88,7 @@ TimeStep wave_limit(const Problem& problem, const Extremes& extremes, double saf
 
 TimeStep limit_motion(const Problem& problem, const Extremes& extremes, TimeStep limit)
 {
+    if (problem.strain == StrainForm::small) return limit; // no particle moves through the grid
     const double dt = motion_safety * problem.grid.cell_size / extremes.max_speed;
     return dt < limit.dt ? TimeStep{dt, TimeStepLimiter::motion, ""} : limit;
 }

@@ -32,7 +32,8 @@ struct TimeStep {
     std::string material;                            // whose wave limits it
 };
 
-/// Largest stable step of the two-phase (or dry) stage: min(0.65 h / c_fast, 0.2 h / max|v|) [s].
+/// Largest stable step of the two-phase (or dry) stage: min(0.65 h / c_fast, 0.2 h / max|v|), the latter in
+/// large strain only [s].
 TimeStep stable_time_step(const Problem& problem, const Particles& particles);
 
 /// Largest stable step of the drained relaxation stage [s].

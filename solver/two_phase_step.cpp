@@ -3,11 +3,8 @@
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
 #include "solver/particle_motion.hpp"
-#include "solver/particle_order.hpp"
 #include "solver/particle_to_grid.hpp"
 #include "solver/surface_loads.hpp"
-
-#include <atomic>
 
 namespace quicksand {
 
@@ -16,13 +13,9 @@ namespace {
 void scatter(const Problem& problem, double load_time, const Particles& particles, TwoPhaseWorkspace& work)
 {
     work.sums.assign(work.sums.size(), TwoPhaseSums{});
-    std::atomic<std::int64_t> limited = 0;
-    for_each_tile_by_colour(work.lists, [&](const Tile& tile) {
-        PatchStore& store = work.patches[static_cast<std::size_t>(tile.number)];
-        limited += evaluate_weights(problem, particles, work.lists, tile, store);
-        scatter_two_phase(problem, particles, work.lists, tile, store, work.sums);
+    for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
+        scatter_two_phase(problem, particles, work.lists, tile, work.patches_of(tile), work.sums);
     });
-    work.limited_domains = limited;
     scatter_surface_loads(problem, load_time, particles, work.places, work.sums);
 }
 
@@ -34,33 +27,18 @@ void solve_momentum(const Problem& problem, double time, double dt, TwoPhaseWork
     spread_tied_motion(work.conditions, work.motion);
 }
 
-void move_particles(const Problem& problem, double dt, const TwoPhaseWorkspace& work, Particles& particles)
-{
-    if (problem.interpolation == Interpolation::cpdi2) {
-        const auto velocity = [&](std::size_t i) {
-            return Vector2(work.motion[i].solid_x, work.motion[i].solid_y);
-        };
-        advance_quadrilaterals(problem.grid, dt, velocity, particles);
-    } else {
-        advance_domains(dt, work.grid_velocity, particles);
-    }
-}
-
 } // namespace
 
 TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
 {
     TwoPhaseWorkspace work;
-    work.lists = make_cell_lists(problem.grid);
-    work.conditions = node_conditions(problem);
-    work.patches.resize(work.lists.tile_count);
+    set_up_workspace(problem, work);
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
     work.cell_means.volume.resize(problem.grid.cell_count());
     work.cell_means.pore_pressure.resize(problem.grid.cell_count());
     work.cell_means.centre.x.resize(problem.grid.cell_count());
     work.cell_means.centre.y.resize(problem.grid.cell_count());
-    work.noise_time = noise_time(problem);
     return work;
 }
 
@@ -68,18 +46,14 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
 {
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
-    work.grid_velocity.x.resize(particles.size());
-    work.grid_velocity.y.resize(particles.size());
-
-    timed(work.timers, Phase::sort, [&] { sort_particles(problem.grid, dt, state, work.lists); });
+    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, load_time(state, dt), particles, work); });
     timed(work.timers, Phase::momentum, [&] { solve_momentum(problem, state.time, dt, work); });
     timed(work.timers, Phase::gather, [&] {
         const double share = dt / (dt + work.noise_time);
         for_each_tile(work.lists, [&](const Tile& tile) {
-            gather_two_phase(problem, dt, share, work.lists, tile,
-                             work.patches[static_cast<std::size_t>(tile.number)], work.motion, particles,
-                             work.grid_velocity, work.flux_divergence);
+            gather_two_phase(problem, dt, share, work.lists, tile, work.patches_of(tile), work.motion,
+                             particles, work.grid_velocity, work.flux_divergence);
         });
     });
     timed(work.timers, Phase::pore_pressure, [&] {
@@ -88,12 +62,14 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
                                  work.cell_means);
         });
         for_each_tile(work.lists, [&](const Tile& tile) {
-            reconstruct_pore_pressure(problem.grid, work.lists, tile, work.cell_means, particles);
+            reconstruct_pore_pressure(problem, work.lists, tile, work.cell_means, particles);
         });
     });
     timed(work.timers, Phase::motion, [&] {
-        move_particles(problem, dt, work, particles);
-        update_porosity(problem, particles);
+        const auto velocity = [&](std::size_t i) {
+            return Vector2(work.motion[i].solid_x, work.motion[i].solid_y);
+        };
+        move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress, [&] {
         update_effective_stress(problem, dt, particles);

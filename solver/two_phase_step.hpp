@@ -1,34 +1,19 @@
 // THE step of a saturated body: explicit, water and grains with their own velocities (v-w form).
 #pragma once
 
-#include "solver/boundary_conditions.hpp"
-#include "solver/boundary_pieces.hpp"
-#include "solver/cell_lists.hpp"
-#include "solver/node_weights.hpp"
 #include "solver/nodes.hpp"
-#include "solver/phase_timers.hpp"
 #include "solver/pore_pressure.hpp"
-#include "solver/problem.hpp"
-#include "solver/state.hpp"
+#include "solver/step_workspace.hpp"
 
 #include <vector>
 
 namespace quicksand {
 
-/// Memory of the steps; nothing of it has to survive a checkpoint.
-struct TwoPhaseWorkspace {
-    CellLists lists;
-    NodeConditions conditions;
-    std::vector<PatchStore> patches; // per tile
+struct TwoPhaseWorkspace : StepWorkspace {
     std::vector<TwoPhaseSums> sums;
     std::vector<TwoPhaseMotion> motion;
-    Scalars flux_divergence;          // [1/s]
-    ParticlePlaces places;            // of the particles that carry boundaries
-    CellMeans cell_means;             // of the pore pressure
-    Vectors grid_velocity;            // sum phi v_i of the grains [m/s]
-    double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
-    std::int64_t limited_domains = 0; // domains scaled down in the last step [-]
-    PhaseTimers timers;
+    Scalars flux_divergence; // [1/s]
+    CellMeans cell_means;    // of the pore pressure
 };
 
 TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);

@@ -16,8 +16,11 @@ struct Consolidation {
     double settlement_error = 0.0; // of the topmost particle, relative to the final settlement [-]
 };
 
+constexpr double small_pressure = 10.0; // the series knows no change of geometry [Pa]
+
 /// A layer of 1 m with excess pressure p0 everywhere that its total stress of zero leaves to the skeleton.
-Consolidation consolidate(int cells, double time_factor)
+Consolidation consolidate(int cells, double time_factor, double p0 = small_pressure,
+                          StrainForm strain = StrainForm::large)
 {
     Problem problem;
     problem.grid = {{0.0, 0.0}, 1.0 / cells, 1, cells + 1};
@@ -26,12 +29,12 @@ Consolidation consolidate(int cells, double time_factor)
     sand.porosity = 0.3;
     sand.hydraulic_conductivity = 1e-3;
     problem.materials = {sand};
+    problem.strain = strain;
     problem.water = water_to(1.0);
     problem.gravity = 0.0;
     problem.boundaries = rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, SoilCondition::fixed,
                                    SoilCondition::roller, SoilCondition::free);
     State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
-    const double p0 = 10.0; // small: the series knows no change of geometry [Pa]
     std::fill(state.particles.pore_pressure.begin(), state.particles.pore_pressure.end(), p0);
     std::fill(state.particles.stress.yy.begin(), state.particles.stress.yy.end(), p0);
 
@@ -62,6 +65,15 @@ TEST(Terzaghi, PressureAndSettlementAgreeWithTheSeriesAt20Cells)
         EXPECT_LT(result.pressure_error, 0.0012) << "T = " << time_factor;
         EXPECT_LT(result.settlement_error, 0.0006) << "T = " << time_factor;
     }
+}
+
+TEST(Terzaghi, ALoadOfAThousandTimesIsAsGoodInSmallStrain)
+{
+    const Consolidation large = consolidate(20, 0.2), small = consolidate(20, 0.2, 10e3, StrainForm::small);
+    EXPECT_NEAR(small.pressure_error, large.pressure_error, 1e-5);
+    EXPECT_NEAR(small.settlement_error, large.settlement_error, 1e-5);
+    EXPECT_GT(std::abs(consolidate(20, 0.2, 10e3).pressure_error - small.pressure_error), 1e-4)
+        << "large strain sees the strain of 0.1 %";
 }
 
 TEST(Terzaghi, PressureConvergesFasterThanFirstOrderOnceTheFirstWavesAreGone)

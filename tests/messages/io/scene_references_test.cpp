@@ -105,6 +105,16 @@ scene.toml:46:8: error[file]: 'record.csv' does not exist
       |        ^~~~~~~~~~~~
 hint: the path is relative to the scene file
 )_"},
+SceneMistake{"BoxesOnAMesh",
+    "particles_per_cell = [3, 3]",
+    "kind = \"mesh\"\n[analysis]\ninterpolation = \"cpgimp\"",
+R"_(
+scene.toml:13:17: error[combination]: interpolation = "cpgimp" gives every point a box along the axes, and boxes cannot tile a mesh
+   13 | interpolation = "cpgimp"
+      |                 ^~~~~~~~
+expected: interpolation = "cpdi2", "cpdi" or "linear" with sampling.kind = "mesh"
+hint: cpdi2 keeps the quadrilaterals as they are; or sample a lattice
+)_"},
 SceneMistake{"RecordUnevenlySpaced",
     "kind = \"sine\"\namplitude = \"24 g\"\nfrequency = 180",
     "kind = \"file\"\nfile = \"uneven.csv\"\nunit = \"m/s2\"",

@@ -105,7 +105,24 @@ TEST(MeshSampling, TakesTheAreaOfAnyQuadrilateral)
     section.quads.push_back({{{0, 0}, {2, 0}, {3, 2}, {0, 1}}, 0});
     const Sampling sampling = sample_mesh(section, make_grid(0, 0, 1, 3, 2));
     EXPECT_DOUBLE_EQ(sampling.regions[0].sampled_area, area(section.regions[0]));
-    EXPECT_EQ(sampling.domains[0].centre, Vector2(1.25, 0.75));
+    // centroid of the triangles (0,0) (2,0) (3,2) and (0,0) (3,2) (0,1), of areas 2 and 1.5
+    const Vector2 centroid = (2.0 * Vector2(5.0, 2.0) + 1.5 * Vector2(3.0, 3.0)) / (3.0 * 3.5);
+    EXPECT_LT((sampling.domains[0].centre - centroid).norm(), 1e-15);
+    EXPECT_EQ(sampling.domains[0].twist, Vector2(0.25, 0.25));
+}
+
+TEST(MeshSampling, RefusesAQuadrilateralThatIsNotConvex)
+{
+    Section section = make_section({{"sand", {{{{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}, {}}}}});
+    section.quads.push_back({{{0, 0}, {2, 0}, {0.5, 0.5}, {0, 2}}, 0});
+    try {
+        sample_mesh(section, make_grid(0, 0, 1, 3, 2));
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(),
+                     "the mesh has a quadrilateral at (0.583333, 0.583333) that is folded, flat or "
+                     "not convex\nhint: try another quad_size, or sample a lattice");
+    }
 }
 
 TEST(MeshSampling, FollowsASlopeWithoutStairs)

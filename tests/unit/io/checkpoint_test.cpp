@@ -61,6 +61,16 @@ TEST(Checkpoint, ReadsBackToTheSameBits)
     EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
 }
 
+TEST(Checkpoint, KeepsTheTwistOfQuadrilaterals)
+{
+    const TemporaryFolder folder;
+    State written = varied_state(true);
+    written.particles.twist.x = written.particles.volume;
+    written.particles.twist.y = written.particles.stress.xx;
+    write_checkpoint(folder / "state.h5", written, "abc");
+    EXPECT_TRUE(same_bits(written, read_checkpoint(folder / "state.h5", "abc")));
+}
+
 TEST(Checkpoint, AMissingFileIsTheUsers)
 {
     EXPECT_THROW(read_checkpoint("/nowhere/state.h5", "abc"), InputError);

@@ -1,3 +1,4 @@
+#include "solver/cpdi2.hpp"
 #include "tests/unit/io/scene_example.hpp"
 
 #include <gtest/gtest.h>
@@ -75,6 +76,30 @@ TEST(Assembly, GivesADrySceneItsFullWeightAndNoWater)
     const double unit_weight = 0.595 * 2670.0 * 120 * 9.81;
     EXPECT_NEAR(particles.stress.yy[7], -unit_weight * (0.3175 - particles.position.y[7]),
                 1e-10 * unit_weight);
+}
+
+TEST(Assembly, KeepsTheCornersOfTheMeshForCpdi2)
+{
+    Section section = rectangular_section(0.0, 0.0, 0.0675, 0.3175);
+    const Vector2 a(0.0, 0.0), b(0.0675, 0.0), c(0.0675, 0.3175), d(0.0, 0.3175), low(0.03, 0.0),
+        high(0.05, 0.3175);
+    section.quads = {{{a, low, high, d}, 0}, {{low, b, c, high}, 0}};
+    const std::string mesh = replaced(column_scene, "particles_per_cell = [3, 3]",
+                                      "kind = \"mesh\"\n[analysis]\ninterpolation = \"cpdi2\"");
+    const AssembledCase column = assemble_case(SceneFolder().read(mesh), section);
+    const Particles& particles = column.state.particles;
+    ASSERT_EQ(particles.size(), 2U);
+    EXPECT_EQ(column.problem.interpolation, Interpolation::cpdi2);
+    const auto corners = quadrilateral_corners(particles, 0);
+    const Vector2 expected[4] = {a, low, high, d};
+    for (std::size_t k = 0; k < 4; ++k) EXPECT_LT((corners[k] - expected[k]).norm(), 1e-15) << k;
+    EXPECT_NEAR(sum(particles.volume), 0.0675 * 0.3175, 1e-16);
+    const std::string lattice = replaced(
+        column_scene, "[gravity]", "[analysis]\ninterpolation = \"cpdi2\"\nstrain = \"small\"\n[gravity]");
+    const AssembledCase rectangles = assemble_case(SceneFolder().read(lattice), column_section());
+    EXPECT_EQ(rectangles.problem.strain, StrainForm::small);
+    EXPECT_EQ(rectangles.state.particles.twist.x, Scalars(3429, 0.0));
+    EXPECT_TRUE(assemble_column().state.particles.twist.x.empty());
 }
 
 TEST(Assembly, CoversTheSectionWithRoomAbove)

@@ -1,8 +1,10 @@
 // The same questions to every member of the family.
 #include "solver/cpdi.hpp"
 #include "solver/cpdi2.hpp"
+#include "solver/failure.hpp"
 #include "solver/gimp.hpp"
 #include "solver/linear_interpolation.hpp"
+#include "solver/particle_motion.hpp"
 
 #include <gtest/gtest.h>
 
@@ -178,6 +180,61 @@ TEST(Cpdi2, AgreesWithGaussIntegrationOverTheQuadrilateral)
             ((x[1].y() - x[3].y()) * (value[0] - value[2]) + (x[2].y() - x[0].y()) * (value[1] - value[3])) /
             (2 * V);
         EXPECT_NEAR(gradient.x() / V, gx, 1e-10) << p;
+    }
+}
+
+TEST(Cpdi2, ShrinksAQuadrilateralThatReachesTooFar)
+{
+    const BackgroundGrid wide{{0.0, 0.0}, 0.1, 10, 10};
+    Particles particles;
+    resize(particles, 1, false);
+    particles.twist.x = particles.twist.y = Scalars(1, 0.0);
+    set_quadrilateral({Vector2(0.1, 0.3), Vector2(0.9, 0.35), Vector2(0.85, 0.6), Vector2(0.15, 0.55)}, 0,
+                      particles);
+    NodePatch patch;
+    EXPECT_TRUE(Cpdi2::evaluate(wide, particles, 0, patch));
+    EXPECT_LE(patch.width, NodePatch::max_width);
+    double sum = 0.0, slope = 0.0;
+    Vector2 centre = Vector2::Zero();
+    for (int k = 0; k < patch.width * patch.height; ++k) {
+        const Vector2 x = wide.node_position(
+            static_cast<std::size_t>(patch.base + k / patch.width * wide.nodes_x() + k % patch.width));
+        sum += patch.weights[k].value;
+        centre += patch.weights[k].value * x;
+        slope += patch.weights[k].gradient_x * x.x();
+    }
+    EXPECT_NEAR(sum, 1.0, 1e-14);
+    EXPECT_NEAR(slope, 1.0, 1e-13);
+    EXPECT_LT((centre - particles.position[0]).norm(), 1e-14);
+}
+
+TEST(Cpdi2, CornersThatMoveKeepTheShareOfTheAreaThatTheParticleCarries)
+{
+    const BackgroundGrid wide{{0.0, 0.0}, 0.1, 10, 10};
+    Particles particles;
+    resize(particles, 1, false);
+    particles.twist.x = particles.twist.y = Scalars(1, 0.0);
+    set_quadrilateral({Vector2(0.41, 0.4), Vector2(0.46, 0.42), Vector2(0.48, 0.47), Vector2(0.42, 0.45)}, 0,
+                      particles);
+    particles.volume[0] = 0.9 * domain_area(particles, 0);
+    const auto stretch = [&](std::size_t i) -> Vector2 { return {3.0 * wide.node_position(i).x(), 0.0}; };
+    EXPECT_EQ(advance_quadrilaterals(wide, 0.1, stretch, particles), -1);
+    EXPECT_NEAR(particles.volume[0], 0.9 * domain_area(particles, 0), 1e-17);
+    EXPECT_NEAR(quadrilateral_corners(particles, 0)[0].x(), 1.3 * 0.41, 1e-15);
+    const auto away = [](std::size_t) -> Vector2 { return {10.0, 0.0}; };
+    EXPECT_EQ(advance_quadrilaterals(wide, 0.1, away, particles), -1);
+    EXPECT_EQ(advance_quadrilaterals(wide, 0.1, away, particles), 0) << "a corner outside the grid";
+}
+
+TEST(Cpdi2, ALostCornerEndsTheRun)
+{
+    State state;
+    resize(state.particles, 1, false);
+    try {
+        throw_lost_corner(1e-3, state, 0);
+    } catch (const NumericalError& error) {
+        EXPECT_EQ(error.record.what, "a corner of a particle's quadrilateral has left the grid");
+        EXPECT_EQ(error.record.phase, "motion");
     }
 }
 

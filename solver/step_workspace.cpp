@@ -1,0 +1,61 @@
+#include "solver/step_workspace.hpp"
+
+#include "solver/grid_to_particle.hpp"
+#include "solver/particle_order.hpp"
+
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+/// Puts the particles back into their reference shape for as long as it lives.
+class ReferenceShape {
+public:
+    explicit ReferenceShape(Particles& particles) : particles_(particles) { exchange(); }
+    ~ReferenceShape() { exchange(); }
+    ReferenceShape(const ReferenceShape&) = delete;
+    ReferenceShape& operator=(const ReferenceShape&) = delete;
+
+private:
+    void exchange()
+    {
+        std::swap(particles_.position, particles_.reference_position);
+        std::swap(particles_.half_edge_1, particles_.reference_edge_1);
+        std::swap(particles_.half_edge_2, particles_.reference_edge_2);
+    }
+
+    Particles& particles_;
+};
+
+void keep_reference_weights(const Problem& problem, double dt, State& state, StepWorkspace& work)
+{
+    const ReferenceShape reference(state.particles);
+    sort_particles(problem.grid, dt, state, work.lists);
+    for_each_weighted_tile(problem, state.particles, work, [](const Tile&) {});
+    work.patches_are_kept = true;
+}
+
+} // namespace
+
+void set_up_workspace(const Problem& problem, StepWorkspace& work)
+{
+    work.lists = make_cell_lists(problem.grid);
+    work.conditions = node_conditions(problem);
+    work.patches.resize(work.lists.tile_count);
+    work.noise_time = noise_time(problem);
+}
+
+void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work)
+{
+    work.grid_velocity.x.resize(state.particles.size());
+    work.grid_velocity.y.resize(state.particles.size());
+    if (work.patches_are_kept) return;
+    if (problem.strain == StrainForm::small) {
+        keep_reference_weights(problem, dt, state, work);
+    } else {
+        sort_particles(problem.grid, dt, state, work.lists);
+    }
+}
+
+} // namespace quicksand

@@ -1,0 +1,63 @@
+// What every explicit step needs, whatever moves in it: where the particles are, their weights, the walls.
+#pragma once
+
+#include "solver/boundary_conditions.hpp"
+#include "solver/boundary_pieces.hpp"
+#include "solver/cell_lists.hpp"
+#include "solver/node_weights.hpp"
+#include "solver/particle_to_grid.hpp"
+#include "solver/phase_timers.hpp"
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// Memory of the steps; nothing of it has to survive a checkpoint.
+struct StepWorkspace {
+    CellLists lists;
+    NodeConditions conditions;
+    std::vector<PatchStore> patches;  // per tile
+    bool patches_are_kept = false;    // small strain: they hold for all steps
+    ParticlePlaces places;            // of the particles that carry boundaries
+    Vectors grid_velocity;            // sum phi v_i of the grains [m/s]
+    double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
+    std::int64_t limited_domains = 0; // domains scaled down in the last step [-]
+    PhaseTimers timers;
+
+    const PatchStore& patches_of(const Tile& tile) const
+    {
+        return patches[static_cast<std::size_t>(tile.number)];
+    }
+};
+
+void set_up_workspace(const Problem& problem, StepWorkspace& work);
+
+/// Bring the cell lists up to date, and the arrays of a step to the particles' number. In small strain lists
+/// and weights are found once, on the reference shape. Throws NumericalError.
+void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work);
+
+/// Call scatter_tile(tile) for every tile, tiles of one colour at the same time, with the weights of its
+/// particles in work.patches.
+template <class ScatterTile>
+void for_each_weighted_tile(const Problem& problem, const Particles& particles, StepWorkspace& work,
+                            ScatterTile&& scatter_tile)
+{
+    if (work.patches_are_kept) {
+        for_each_tile_by_colour(work.lists, scatter_tile);
+        return;
+    }
+    std::atomic<std::int64_t> limited = 0;
+    for_each_tile_by_colour(work.lists, [&](const Tile& tile) {
+        // a tile's weights are used while they are still in the cache
+        limited += evaluate_weights(problem, particles, work.lists, tile,
+                                    work.patches[static_cast<std::size_t>(tile.number)]);
+        scatter_tile(tile);
+    });
+    work.limited_domains = limited;
+}
+
+} // namespace quicksand
