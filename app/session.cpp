@@ -9,6 +9,7 @@
 #include "io/run_manifest.hpp"
 #include "io/vtk_series.hpp"
 #include "solver/failure.hpp"
+#include "solver/ledger.hpp"
 
 #include <fmt/format.h>
 
@@ -111,6 +112,7 @@ void settle(Session& session)
 void shake(Session& session)
 {
     if (!session.resume) {
+        if (session.scene.output.history_interval > 0.0) open_ledger(session.problem, session.state);
         // From here a stop or a failure need not settle the soil again.
         std::filesystem::create_directories(session.folder.checkpoint().parent_path());
         write_checkpoint(session.folder.checkpoint(), session.state, session.hash);

@@ -3,6 +3,7 @@
 #include "app/stop_signal.hpp"
 #include "io/observation_clock.hpp"
 #include "io/output_observers.hpp"
+#include "solver/ledger.hpp"
 #include "solver/simulation.hpp"
 
 #include <sys/resource.h>
@@ -50,6 +51,7 @@ double measure_step(const AssembledCase& assembled)
 {
     State state = assembled.state;
     begin_shaking(state);
+    open_ledger(assembled.problem, state);
     StopWatch watch;
     std::int64_t steps = 0;
     double seconds = 0.0;
@@ -142,6 +144,7 @@ OutputForecast forecast_output(const AssembledCase& assembled, const fs::path& s
     OutputForecast forecast;
     State state = assembled.state;
     begin_shaking(state);
+    open_ledger(assembled.problem, state);
     fs::remove_all(scratch);
     fs::create_directories(scratch);
     const auto writers =

@@ -205,6 +205,9 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
     write_number(file, "time", state.time);
     write_number(file, "step", state.step);
     write_number(file, "particles", static_cast<std::int64_t>(state.particles.size()));
+    if (state.ledger)
+        for_each_number(*state.ledger,
+                        [&](const char* name, double value) { write_number(file, name, value); });
     // Arrays a dry scene does not need are empty and left out.
     const auto write = [&](const char* name, const auto& values) {
         if (!values.empty()) write_array(file, name, values);
@@ -221,6 +224,11 @@ State read_state(const Handle& file)
     state.time = read_number<double>(file, "time");
     state.step = read_number<std::int64_t>(file, "step");
     const auto count = static_cast<std::size_t>(read_number<std::int64_t>(file, "particles"));
+    if (H5Aexists(file, "ledger_kinetic_change") > 0) {
+        state.ledger.emplace();
+        for_each_number(*state.ledger,
+                        [&](const char* name, double& value) { value = read_number<double>(file, name); });
+    }
     const auto read = [&](const char* name, auto& values) { read_array(file, name, count, values); };
     for_each_index_array(state.particles, read);
     for_each_array(state.particles, read);

@@ -19,6 +19,7 @@ void add_fluid(const Problem& problem, const Particles& particles, std::size_t p
 {
     const double mass = problem.water->density * particles.porosity[p] * particles.volume[p];
     monitors.mass_fluid += mass;
+    monitors.kinetic_energy_fluid += 0.5 * mass * particles.velocity_fluid[p].squaredNorm();
     add_phase(mass, particles.velocity_fluid[p], monitors);
     const double pressure = particles.pore_pressure[p];
     monitors.max_excess_pore_pressure = std::max(monitors.max_excess_pore_pressure, pressure);

@@ -16,6 +16,7 @@ struct Monitors {
     double momentum_x = 0.0; // of both phases [N s/m]
     double momentum_y = 0.0;
     double kinetic_energy = 0.0;           // of both phases [J/m]
+    double kinetic_energy_fluid = 0.0;     // of the water [J/m]
     double max_velocity = 0.0;             // of the grains [m/s]
     double max_displacement = 0.0;         // since the reference [m]
     double max_excess_pore_pressure = 0.0; // [Pa]

@@ -2,6 +2,7 @@
 
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
+#include "solver/ledger.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/surface_loads.hpp"
 
@@ -43,6 +44,8 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
             shaking ? base_acceleration(problem.base_motion, state.time + 0.5 * dt) : 0.0;
         solve_single_phase_momentum(problem, work.conditions, dt, acceleration, damping, work.sums,
                                     work.motion);
+        if (state.ledger)
+            enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.motion, *state.ledger);
         spread_tied_motion(work.conditions, work.motion);
     });
     timed(work.timers, Phase::gather, [&] {

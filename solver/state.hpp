@@ -4,6 +4,7 @@
 #include "solver/particles.hpp"
 
 #include <cstdint>
+#include <optional>
 
 namespace quicksand {
 
@@ -13,11 +14,66 @@ enum class Stage {
     shaking,    // the two-phase run from t = 0
 };
 
+/// What the steps have exchanged since the ledger was opened; ledger.hpp says how it is kept. Energies and
+/// works are of both phases and per metre [J/m].
+struct Ledger {
+    double kinetic_change = 0.0;     // of the nodes' kinetic energy in their momentum balance
+    double skeleton_work = 0.0;      // of the effective stress on the strain of the skeleton
+    double late_pressure_work = 0.0; // of the pore pressure in the half step by which it is ahead
+    double drag_dissipation = 0.0;   // of the drag between water and grains
+    double gravity_work = 0.0;       // of the weight, buoyant below water
+    double base_work = 0.0;          // of the base's acceleration, a force in the moving frame
+    double boundary_work = 0.0;      // of loads and moving walls
+    double wall_loss = 0.0;          // kinetic energy that walls took out of the nodes they stop
+    double impulse_x = 0.0;          // of weight, base and boundaries [N s/m]
+    double impulse_y = 0.0;
+    double exchange_x = 0.0; // momentum that came with changes of the particles' water content [N s/m]
+    double exchange_y = 0.0;
+    double momentum_x = 0.0; // of the nodes after the last step's balance [N s/m]
+    double momentum_y = 0.0;
+    double time_step = 0.0; // the last one [s]
+    double outflow = 0.0;   // water that left the soil [m3/m]
+
+    double opening_kinetic_energy = 0.0;
+    double opening_storage_energy = 0.0; // of the pore water
+    double opening_momentum_x = 0.0;     // [N s/m]
+    double opening_momentum_y = 0.0;
+    double opening_water_content = 0.0; // [m3/m]
+};
+
+/// Call `visit(name, value)` for every number of a ledger, in a fixed order.
+template <class AnyLedger, class Visitor>
+void for_each_number(AnyLedger& ledger, Visitor&& visit)
+{
+    visit("ledger_kinetic_change", ledger.kinetic_change);
+    visit("ledger_skeleton_work", ledger.skeleton_work);
+    visit("ledger_late_pressure_work", ledger.late_pressure_work);
+    visit("ledger_drag_dissipation", ledger.drag_dissipation);
+    visit("ledger_gravity_work", ledger.gravity_work);
+    visit("ledger_base_work", ledger.base_work);
+    visit("ledger_boundary_work", ledger.boundary_work);
+    visit("ledger_wall_loss", ledger.wall_loss);
+    visit("ledger_impulse_x", ledger.impulse_x);
+    visit("ledger_impulse_y", ledger.impulse_y);
+    visit("ledger_exchange_x", ledger.exchange_x);
+    visit("ledger_exchange_y", ledger.exchange_y);
+    visit("ledger_momentum_x", ledger.momentum_x);
+    visit("ledger_momentum_y", ledger.momentum_y);
+    visit("ledger_time_step", ledger.time_step);
+    visit("ledger_outflow", ledger.outflow);
+    visit("ledger_opening_kinetic_energy", ledger.opening_kinetic_energy);
+    visit("ledger_opening_storage_energy", ledger.opening_storage_energy);
+    visit("ledger_opening_momentum_x", ledger.opening_momentum_x);
+    visit("ledger_opening_momentum_y", ledger.opening_momentum_y);
+    visit("ledger_opening_water_content", ledger.opening_water_content);
+}
+
 struct State {
     Stage stage = Stage::shaking;
     double time = 0.0;     // t since the start of shaking [s]
     std::int64_t step = 0; // steps taken in this stage [-]
     Particles particles;
+    std::optional<Ledger> ledger; // none: nobody asks for balances, and the steps enter nothing
 };
 
 } // namespace quicksand

@@ -1,6 +1,7 @@
 #include "solver/step_workspace.hpp"
 
 #include "solver/grid_to_particle.hpp"
+#include "solver/ledger.hpp"
 #include "solver/particle_order.hpp"
 
 #include <utility>
@@ -42,6 +43,7 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work)
 {
     work.lists = make_cell_lists(problem.grid);
     work.conditions = node_conditions(problem);
+    work.ledger_nodes = ledger_nodes(work.conditions);
     work.patches.resize(work.lists.tile_count);
     work.noise_time = noise_time(problem);
 }

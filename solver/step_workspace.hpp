@@ -20,12 +20,13 @@ namespace quicksand {
 struct StepWorkspace {
     CellLists lists;
     NodeConditions conditions;
-    std::vector<PatchStore> patches;  // per tile
-    bool patches_are_kept = false;    // small strain: they hold for all steps
-    ParticlePlaces places;            // of the particles that carry boundaries
-    Vectors grid_velocity;            // sum phi v_i of the grains [m/s]
-    double noise_time = 0.0;          // tau of the velocity filter, see grid_to_particle.hpp [s]
-    std::int64_t limited_domains = 0; // domains scaled down in the last step [-]
+    std::vector<PatchStore> patches;        // per tile
+    bool patches_are_kept = false;          // small strain: they hold for all steps
+    ParticlePlaces places;                  // of the particles that carry boundaries
+    Vectors grid_velocity;                  // sum phi v_i of the grains [m/s]
+    std::vector<std::uint8_t> ledger_nodes; // see ledger.hpp
+    double noise_time = 0.0;                // tau of the velocity filter, see grid_to_particle.hpp [s]
+    std::int64_t limited_domains = 0;       // domains scaled down in the last step [-]
     PhaseTimers timers;
 
     const PatchStore& patches_of(const Tile& tile) const

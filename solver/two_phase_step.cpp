@@ -2,6 +2,7 @@
 
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
+#include "solver/ledger.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/particle_to_grid.hpp"
 #include "solver/surface_loads.hpp"
@@ -19,11 +20,13 @@ void scatter(const Problem& problem, double load_time, const Particles& particle
     scatter_surface_loads(problem, load_time, particles, work.places, work.sums);
 }
 
-void solve_momentum(const Problem& problem, double time, double dt, TwoPhaseWorkspace& work)
+void solve_momentum(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
 {
     gather_tied_sums(work.conditions, work.sums);
-    const double acceleration = base_acceleration(problem.base_motion, time + 0.5 * dt);
+    const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
     solve_two_phase_momentum(problem, work.conditions, dt, acceleration, work.sums, work.motion);
+    if (state.ledger)
+        enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.motion, *state.ledger);
     spread_tied_motion(work.conditions, work.motion);
 }
 
@@ -48,7 +51,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     work.flux_divergence.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, load_time(state, dt), particles, work); });
-    timed(work.timers, Phase::momentum, [&] { solve_momentum(problem, state.time, dt, work); });
+    timed(work.timers, Phase::momentum, [&] { solve_momentum(problem, dt, state, work); });
     timed(work.timers, Phase::gather, [&] {
         const double share = dt / (dt + work.noise_time);
         for_each_tile(work.lists, [&](const Tile& tile) {
@@ -57,6 +60,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
         });
     });
     timed(work.timers, Phase::pore_pressure, [&] {
+        if (state.ledger) enter_outflow(dt, particles, work.flux_divergence, *state.ledger);
         for_each_tile(work.lists, [&](const Tile& tile) {
             update_pore_pressure(problem, dt, work.lists, tile, work.flux_divergence, particles,
                                  work.cell_means);

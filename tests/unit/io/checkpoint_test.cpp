@@ -24,6 +24,10 @@ State varied_state(bool saturated)
     });
     state.time = 0.1;
     state.step = 12345678901;
+    if (saturated) {
+        state.ledger.emplace();
+        for_each_number(*state.ledger, [&](const char*, double& entry) { entry = value += 1.0 / 7.0; });
+    }
     return state;
 }
 
@@ -39,6 +43,13 @@ bool same_bits(const State& a, const State& b)
             same && values.size() == other.size() &&
             (values.empty() || std::memcmp(values.data(), other.data(), values.size() * sizeof(double)) == 0);
     });
+    std::vector<double> ledgers[2];
+    for (const State* state : {&a, &b}) {
+        if (!state->ledger) continue;
+        for_each_number(*state->ledger,
+                        [&](const char*, double entry) { ledgers[state == &b].push_back(entry); });
+    }
+    same = same && a.ledger.has_value() == b.ledger.has_value() && ledgers[0] == ledgers[1];
     return same && a.particles.identifier == b.particles.identifier &&
            a.particles.material == b.particles.material && a.particles.region == b.particles.region;
 }

@@ -1,4 +1,5 @@
 #include "io/history_csv.hpp"
+#include "solver/ledger.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +25,23 @@ TEST(HistoryWriter, HeaderOfASaturatedScene)
     EXPECT_EQ(rows_of(folder / "history.csv"),
               "time_s,base_acceleration_m_s2,crest_settlement_m,max_displacement_m,max_velocity_m_s,"
               "max_excess_pore_pressure_Pa,max_ru,mass_fluid_kg,mass_solid_kg,volume_m3,momentum_x_N_s,"
-              "momentum_y_N_s,kinetic_energy_J,limited_domains\n");
+              "momentum_y_N_s,kinetic_energy_J,limited_domains,kinetic_energy_water_J,storage_energy_water_J,"
+              "pore_volume_m3,water_content_m3\n");
+}
+
+TEST(HistoryWriter, HeaderOfASaturatedSceneWithALedger)
+{
+    const fixtures::TemporaryFolder folder;
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    open_ledger(problem, state);
+    const HistoryWriter writer(fixtures::small_scene(), problem, state, {"a.toml", "0"},
+                               folder / "history.csv", false);
+    EXPECT_NE(rows_of(folder / "history.csv")
+                  .find(",water_content_m3,skeleton_work_J,gravity_work_J,base_work_J,boundary_work_J,"
+                        "numerical_loss_J,energy_error,impulse_x_N_s,impulse_y_N_s,momentum_error_x_N_s,"
+                        "momentum_error_y_N_s,drag_dissipation_J,water_outflow_m3,water_error\n"),
+              std::string::npos);
 }
 
 TEST(HistoryWriter, HeaderOfADryScene)

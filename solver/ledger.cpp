@@ -1,0 +1,290 @@
+#include "solver/ledger.hpp"
+
+#include "solver/boundary_conditions.hpp"
+#include "solver/monitors.hpp"
+#include "solver/threads.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+enum NodeKind : std::uint8_t { stands_for_nobody, free_node, wall_node };
+
+constexpr std::size_t chunk = 1024; // entries of one partial sum: the sum's order is that of the chunks [-]
+
+/// Sum from `zero` by add(k, sum) over 0 <= k < count, the same bits for any number of threads.
+template <class Sum, class Add>
+Sum ordered_sum(std::size_t count, const Sum& zero, Add&& add)
+{
+    const auto chunks = static_cast<std::int64_t>((count + chunk - 1) / chunk);
+    std::vector<Sum> partial(static_cast<std::size_t>(chunks), zero);
+#pragma omp parallel for schedule(static) if (count > least_parallel_work)
+    for (std::int64_t c = 0; c < chunks; ++c) {
+        const std::size_t first = static_cast<std::size_t>(c) * chunk, last = std::min(count, first + chunk);
+        Sum sum = zero;
+        for (std::size_t k = first; k < last; ++k) add(k, sum);
+        partial[static_cast<std::size_t>(c)] = sum;
+    }
+    Sum total = zero;
+    for (const Sum& part : partial) total += part;
+    return total;
+}
+
+/// The entries of one step, nodes summed up.
+struct StepEntries {
+    double kinetic = 0.0, skeleton = 0.0, late_pressure = 0.0; // [J/m]
+    double drag = 0.0, gravity = 0.0, base = 0.0, boundary = 0.0, wall_loss = 0.0;
+    Vector2 impulse = Vector2::Zero(), before = Vector2::Zero(), after = Vector2::Zero(); // [N s/m]
+
+    StepEntries& operator+=(const StepEntries& other)
+    {
+        kinetic += other.kinetic;
+        skeleton += other.skeleton;
+        late_pressure += other.late_pressure;
+        drag += other.drag;
+        gravity += other.gravity;
+        base += other.base;
+        boundary += other.boundary;
+        wall_loss += other.wall_loss;
+        impulse += other.impulse;
+        before += other.before;
+        after += other.after;
+        return *this;
+    }
+};
+
+/// One phase's motion at a node over the step.
+struct PhaseStep {
+    Vector2 end, mean, impulse; // v_1, (v_0 + v_1) / 2 [m/s] and m (v_1 - v_0) [N s/m]
+};
+
+PhaseStep phase_step(double mass, double x, double y, double change_x, double change_y)
+{
+    const Vector2 end(x, y), change(change_x, change_y);
+    return {end, end - 0.5 * change, mass * change};
+}
+
+void enter_phase(double mass, const PhaseStep& phase, StepEntries& entries)
+{
+    entries.kinetic += phase.impulse.dot(phase.mean);
+    entries.after += mass * phase.end;
+}
+
+/// The wall's reaction works with the wall's velocity; that it stops nodes is a loss.
+void enter_reaction(const Vector2& reaction, const PhaseStep& phase, StepEntries& entries)
+{
+    const double at_wall = reaction.dot(phase.end);
+    entries.boundary += at_wall;
+    entries.wall_loss += at_wall - reaction.dot(phase.mean);
+    entries.impulse += reaction;
+}
+
+void enter_node(const Problem& problem, double dt, double acceleration, NodeKind kind,
+                const TwoPhaseSums& node, const TwoPhaseMotion& motion, StepEntries& entries)
+{
+    const PhaseStep solid = phase_step(node.mass_solid, motion.solid_x, motion.solid_y, motion.solid_change_x,
+                                       motion.solid_change_y);
+    const PhaseStep fluid = phase_step(node.mass_fluid, motion.fluid_x, motion.fluid_y, motion.fluid_change_x,
+                                       motion.fluid_change_y);
+    enter_phase(node.mass_solid, solid, entries);
+    enter_phase(node.mass_fluid, fluid, entries);
+    entries.before +=
+        Vector2(node.momentum_solid_x + node.momentum_fluid_x, node.momentum_solid_y + node.momentum_fluid_y);
+
+    const double density = problem.water->density;
+    const double porosity = node.mass_fluid / (density * node.volume);
+    const Vector2 stress = dt * Vector2(node.stress_force_x, node.stress_force_y);
+    const Vector2 pressure = dt * Vector2(node.pressure_force_x, node.pressure_force_y);
+    const Vector2 base_solid(-dt * node.mass_solid * acceleration, 0.0);
+    const Vector2 base_fluid(-dt * node.mass_fluid * acceleration, 0.0);
+    const Vector2 weight(0.0,
+                         -dt * problem.gravity * (node.mass_solid + node.mass_fluid - density * node.volume));
+    const Vector2 drag = dt * node.drag * (fluid.end - solid.end);
+
+    entries.skeleton -= stress.dot(solid.mean);
+    entries.late_pressure -= 0.5 * pressure.dot(Vector2(motion.flux_x, motion.flux_y));
+    entries.drag += drag.dot(fluid.mean - solid.mean);
+    entries.gravity += weight.dot(solid.mean);
+    entries.base += base_solid.dot(solid.mean) + base_fluid.dot(fluid.mean);
+    entries.impulse += weight + base_solid + base_fluid;
+    if (kind != wall_node) return;
+    const Vector2 known_solid = stress + (1.0 - porosity) * pressure + base_solid + weight + drag;
+    const Vector2 known_fluid = porosity * pressure + base_fluid - drag;
+    enter_reaction(solid.impulse - known_solid, solid, entries);
+    enter_reaction(fluid.impulse - known_fluid, fluid, entries);
+}
+
+void enter_node(const Problem& problem, double dt, double acceleration, NodeKind kind,
+                const SinglePhaseSums& node, const SinglePhaseMotion& motion, StepEntries& entries)
+{
+    const PhaseStep body = phase_step(node.mass, motion.x, motion.y, motion.change_x, motion.change_y);
+    enter_phase(node.mass, body, entries);
+    entries.before += Vector2(node.momentum_x, node.momentum_y);
+    const Vector2 stress = dt * Vector2(node.stress_force_x, node.stress_force_y);
+    const Vector2 base(-dt * node.mass * acceleration, 0.0), weight(0.0, -dt * node.weight * problem.gravity);
+    entries.skeleton -= stress.dot(body.mean);
+    entries.gravity += weight.dot(body.mean);
+    entries.base += base.dot(body.mean);
+    entries.impulse += weight + base;
+    if (kind == wall_node) enter_reaction(body.impulse - (stress + weight + base), body, entries);
+}
+
+template <class Sums, class Motion>
+void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                     double acceleration, const std::vector<Sums>& sums, const std::vector<Motion>& motion,
+                     Ledger& ledger)
+{
+    const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t i, StepEntries& entries) {
+        if (nodes[i] == stands_for_nobody || !sums[i].active()) return;
+        enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i], motion[i], entries);
+    });
+    ledger.kinetic_change += step.kinetic;
+    ledger.skeleton_work += step.skeleton;
+    ledger.late_pressure_work = step.late_pressure;
+    ledger.drag_dissipation += step.drag;
+    ledger.gravity_work += step.gravity;
+    ledger.base_work += step.base;
+    ledger.boundary_work += step.boundary;
+    ledger.wall_loss += step.wall_loss;
+    ledger.impulse_x += step.impulse.x();
+    ledger.impulse_y += step.impulse.y();
+    if (problem.water) {
+        // the water of a particle changes with its pores: what it then has at the velocity of the particle
+        ledger.exchange_x += step.before.x() - ledger.momentum_x;
+        ledger.exchange_y += step.before.y() - ledger.momentum_y;
+    }
+    ledger.momentum_x = step.after.x();
+    ledger.momentum_y = step.after.y();
+    ledger.time_step = dt;
+}
+
+/// Momentum that the water gained since the last step's balance, by the change of the pores in it [N s/m].
+Vector2 latest_exchange(const Problem& problem, double dt, const Particles& particles)
+{
+    Vector2 sum = Vector2::Zero();
+    const Gradients& L = particles.velocity_gradient_solid;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double growth =
+            (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p]; // V / V of before
+        const double mass = problem.water->density * particles.volume[p] * (1.0 - 1.0 / growth);
+        sum += mass * particles.velocity_fluid[p];
+    }
+    return sum;
+}
+
+} // namespace
+
+std::vector<std::uint8_t> ledger_nodes(const NodeConditions& conditions)
+{
+    std::vector<std::uint8_t> kinds(conditions.of_node.size(), free_node);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        if (conditions.of_node[i] != 0) kinds[i] = wall_node;
+    }
+    for (const SlantedNode& wall : conditions.slanted) kinds[wall.node] = wall_node;
+    for (const TiedNodes& tie : conditions.tied) kinds[tie.node] = stands_for_nobody;
+    return kinds;
+}
+
+void open_ledger(const Problem& problem, State& state)
+{
+    const Monitors sums = monitor(problem, state, {});
+    Ledger ledger;
+    ledger.opening_kinetic_energy = sums.kinetic_energy;
+    ledger.opening_momentum_x = ledger.momentum_x = sums.momentum_x;
+    ledger.opening_momentum_y = ledger.momentum_y = sums.momentum_y;
+    if (problem.water) {
+        ledger.opening_storage_energy = storage_energy(problem, state.particles);
+        ledger.opening_water_content = water_content(problem, state.particles);
+    }
+    state.ledger = ledger;
+}
+
+void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                 double acceleration, const std::vector<TwoPhaseSums>& sums,
+                 const std::vector<TwoPhaseMotion>& motion, Ledger& ledger)
+{
+    enter_all_nodes(problem, nodes, dt, acceleration, sums, motion, ledger);
+}
+
+void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                 double acceleration, const std::vector<SinglePhaseSums>& sums,
+                 const std::vector<SinglePhaseMotion>& motion, Ledger& ledger)
+{
+    enter_all_nodes(problem, nodes, dt, acceleration, sums, motion, ledger);
+}
+
+void enter_outflow(double dt, const Particles& particles, const Scalars& flux_divergence, Ledger& ledger)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    const auto outflow = [&](std::size_t p) {
+        return particles.volume[p] * (flux_divergence[p] - (L.xx[p] + L.yy[p]));
+    };
+    // four sums side by side: one alone would wait for each addition
+    constexpr std::size_t lanes = 4;
+    const std::size_t rows = particles.size() / lanes;
+    const auto sums =
+        ordered_sum<Eigen::Vector4d>(rows, Eigen::Vector4d::Zero(), [&](std::size_t k, auto& sum) {
+            for (std::size_t lane = 0; lane < lanes; ++lane)
+                sum[static_cast<Eigen::Index>(lane)] += outflow(k * lanes + lane);
+        });
+    double rest = 0.0;
+    for (std::size_t p = rows * lanes; p < particles.size(); ++p) rest += outflow(p);
+    ledger.outflow += dt * (sums.sum() + rest);
+}
+
+LedgerBalance balance(const Problem& problem, const State& state)
+{
+    LedgerBalance result;
+    if (!state.ledger) return result;
+    const Ledger& ledger = *state.ledger;
+    const Monitors sums = monitor(problem, state, {});
+    const double kinetic = sums.kinetic_energy - ledger.opening_kinetic_energy;
+    result.numerical_loss = ledger.kinetic_change - kinetic + ledger.wall_loss;
+    const double outside = ledger.gravity_work + ledger.base_work + ledger.boundary_work;
+    double stored = 0.0, storage = 0.0;
+    Vector2 exchange(ledger.exchange_x, ledger.exchange_y);
+    if (problem.water) {
+        storage = storage_energy(problem, state.particles);
+        stored = storage - ledger.late_pressure_work - ledger.opening_storage_energy;
+        exchange += latest_exchange(problem, ledger.time_step, state.particles);
+        const double content = water_content(problem, state.particles);
+        result.water_error =
+            (content + ledger.outflow - ledger.opening_water_content) / ledger.opening_water_content;
+    }
+    const double error =
+        kinetic + result.numerical_loss + ledger.skeleton_work + stored + ledger.drag_dissipation - outside;
+    const double turnover = sums.kinetic_energy + ledger.opening_kinetic_energy +
+                            std::abs(ledger.skeleton_work) + storage + ledger.opening_storage_energy +
+                            std::abs(ledger.drag_dissipation) + std::abs(ledger.gravity_work) +
+                            std::abs(ledger.base_work) + std::abs(ledger.boundary_work);
+    result.energy_error = turnover > 0.0 ? error / turnover : 0.0;
+    result.momentum_error_x = sums.momentum_x - ledger.opening_momentum_x - ledger.impulse_x - exchange.x();
+    result.momentum_error_y = sums.momentum_y - ledger.opening_momentum_y - ledger.impulse_y - exchange.y();
+    return result;
+}
+
+double storage_energy(const Problem& problem, const Particles& particles)
+{
+    double sum = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double pressure = particles.pore_pressure[p];
+        sum += particles.porosity[p] * particles.volume[p] * pressure * pressure;
+    }
+    return 0.5 * sum / problem.water->bulk_modulus;
+}
+
+double water_content(const Problem& problem, const Particles& particles)
+{
+    double sum = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double pressure =
+            particles.pore_pressure[p] + static_water_pressure(problem, particles.position.y[p]);
+        sum += particles.porosity[p] * particles.volume[p] * (1.0 + pressure / problem.water->bulk_modulus);
+    }
+    return sum;
+}
+
+} // namespace quicksand

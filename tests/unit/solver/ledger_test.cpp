@@ -1,0 +1,230 @@
+// Balances of energy, momentum and water.
+#include "solver/ledger.hpp"
+#include "solver/monitors.hpp"
+#include "solver/single_phase_step.hpp"
+#include "solver/two_phase_step.hpp"
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+/// A free block of 8 x 8 cells in a larger grid, no gravity; its own motion is set by the test.
+Problem free_block(bool saturated)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.125, 16, 16};
+    problem.materials = {stiff_sand()};
+    if (saturated) problem.water = water_to(2.0);
+    problem.gravity = 0.0;
+    return problem;
+}
+
+State block_at_centre(const Problem& problem)
+{
+    return fill(problem, 3,
+                [](const Vector2& x) { return (x - Vector2(1.0, 1.0)).cwiseAbs().maxCoeff() < 0.5; });
+}
+
+/// v = amplitude sin(pi (x - 1)) along x in the block of 1 m, and a drift; both phases alike.
+void set_vibrating(double amplitude, const Vector2& drift, Particles& particles)
+{
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double x = particles.position.x[p] - 1.0;
+        const Vector2 velocity = drift + Vector2(amplitude * std::sin(std::numbers::pi * x), 0.0);
+        particles.velocity_solid.set(p, velocity);
+        particles.velocity_gradient_solid.xx[p] =
+            amplitude * std::numbers::pi * std::cos(std::numbers::pi * x);
+        if (!particles.has_fluid()) continue;
+        particles.velocity_fluid.set(p, velocity);
+        particles.velocity_gradient_fluid.xx[p] = particles.velocity_gradient_solid.xx[p];
+    }
+}
+
+/// sum V (sigma' : C^-1 : sigma') / 2 of a linear elastic body [J/m].
+double strain_energy(const Problem& problem, const Particles& particles)
+{
+    const auto& law = std::get<LinearElastic>(problem.materials[0].law);
+    const double G = law.shear_modulus, nu = law.poisson_ratio;
+    double sum = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double xx = particles.stress.xx[p], yy = particles.stress.yy[p], zz = particles.stress.zz[p],
+                     xy = particles.stress.xy[p];
+        const double trace = xx + yy + zz;
+        sum += particles.volume[p] *
+               (xx * xx + yy * yy + zz * zz + 2.0 * xy * xy - nu / (1.0 + nu) * trace * trace);
+    }
+    return sum / (4.0 * G);
+}
+
+/// A run in `steps` equal steps.
+void run_steps(const Problem& problem, double end_time, int steps, State& state)
+{
+    const double dt = end_time / steps;
+    if (problem.water) {
+        TwoPhaseWorkspace work = make_two_phase_workspace(problem);
+        for (int k = 0; k < steps; ++k) advance_two_phase_step(problem, dt, state, work);
+    } else {
+        SinglePhaseWorkspace work = make_single_phase_workspace(problem);
+        for (int k = 0; k < steps; ++k) advance_single_phase_step(problem, dt, 0.0, state, work);
+    }
+}
+
+/// Greatest of |stress work - strain energy| at six times of two periods, relative to the opening kinetic
+/// energy.
+double work_misfit(int steps_per_part)
+{
+    const Problem problem = free_block(false);
+    State state = block_at_centre(problem);
+    set_vibrating(0.01, Vector2::Zero(), state.particles);
+    open_ledger(problem, state);
+    const double part = 10.0 * stable_time_step(problem, state.particles).dt;
+    double misfit = 0.0;
+    for (int k = 0; k < 6; ++k) {
+        run_steps(problem, part, steps_per_part, state);
+        const double misfit_now = state.ledger->skeleton_work - strain_energy(problem, state.particles);
+        misfit = std::max(misfit, std::abs(misfit_now) / state.ledger->opening_kinetic_energy);
+        EXPECT_LT(std::abs(balance(problem, state).energy_error), 1e-14);
+    }
+    return misfit;
+}
+
+TEST(Ledger, StressWorkOfAVibratingBlockIsItsStrainEnergyToFirstOrderInTheTimeStep)
+{
+    const double stable = work_misfit(10), half = work_misfit(20), quarter = work_misfit(40);
+    EXPECT_LT(stable, 0.08); // 0.076, at 0.65 of the Courant limit and eight cells of half a wave
+    EXPECT_NEAR(stable / half, 2.0, 0.25);
+    EXPECT_NEAR(half / quarter, 2.0, 0.25);
+}
+
+TEST(Ledger, NumericalLossOfAVibratingBlockIsSmall)
+{
+    const Problem problem = free_block(false);
+    State state = block_at_centre(problem);
+    set_vibrating(0.01, Vector2::Zero(), state.particles);
+    open_ledger(problem, state);
+    run_steps(problem, 60.0 * stable_time_step(problem, state.particles).dt, 60, state);
+    EXPECT_LT(std::abs(balance(problem, state).numerical_loss),
+              0.0025 * state.ledger->opening_kinetic_energy);
+}
+
+TEST(Ledger, MomentumOfAFreeBlockOfTwoPhasesIsConservedToRounding)
+{
+    const Problem problem = free_block(true);
+    State state = block_at_centre(problem);
+    set_vibrating(0.01, {0.3, -0.2}, state.particles);
+    open_ledger(problem, state);
+    const double momentum = state.ledger->opening_momentum_x;
+    run_steps(problem, 60.0 * stable_time_step(problem, state.particles).dt, 60, state);
+    const LedgerBalance balances = balance(problem, state);
+    EXPECT_LT(std::abs(balances.momentum_error_x), 1e-13 * momentum);
+    EXPECT_LT(std::abs(balances.momentum_error_y), 1e-13 * momentum);
+    EXPECT_EQ(state.ledger->impulse_x, 0.0);
+    // the pores breathe with the vibration, and their water comes with its velocity
+    EXPECT_LT(std::abs(state.ledger->exchange_x), 1e-5 * momentum);
+}
+
+TEST(Ledger, EnergyOfASaturatedVibratingBlockIsAccountedFor)
+{
+    const Problem problem = free_block(true);
+    double errors[2];
+    for (const int steps : {60, 120}) {
+        State state = block_at_centre(problem);
+        set_vibrating(0.01, Vector2::Zero(), state.particles);
+        open_ledger(problem, state);
+        run_steps(problem, 60.0 * stable_time_step(problem, state.particles).dt, steps, state);
+        errors[steps / 120] = std::abs(balance(problem, state).energy_error);
+        EXPECT_GT(state.ledger->drag_dissipation, 0.0);
+    }
+    EXPECT_LT(errors[0], 0.018);
+    EXPECT_LT(errors[1], 0.6 * errors[0]);
+}
+
+TEST(Ledger, WorkAndImpulseOfTheWeightAndTheBaseAreTheKineticEnergyAndMomentumOfAFallingBlock)
+{
+    Problem problem = free_block(true);
+    problem.gravity = standard_gravity;
+    problem.base_motion = SineMotion{2.0, 10.0, 1e9, 0.0};
+    problem.water.reset();
+    State state = block_at_centre(problem);
+    open_ledger(problem, state);
+    run_steps(problem, 0.01, 100, state);
+    const Monitors sums = monitor(problem, state, {});
+    const double mass = sums.mass_solid;
+    EXPECT_NEAR(state.ledger->impulse_y, -mass * standard_gravity * 0.01, 1e-12 * mass);
+    EXPECT_NEAR(state.ledger->impulse_x, sums.momentum_x, 1e-12 * mass);
+    EXPECT_LT(sums.momentum_x, 0.0);
+    EXPECT_NEAR(state.ledger->gravity_work, 0.5 * mass * standard_gravity * standard_gravity * 1e-4,
+                1e-12 * mass);
+    EXPECT_NEAR(state.ledger->gravity_work + state.ledger->base_work, sums.kinetic_energy, 1e-12 * mass);
+    EXPECT_EQ(state.ledger->boundary_work, 0.0);
+}
+
+TEST(Ledger, ReactionsCarryTheWeightOfAColumnAtRest)
+{
+    const Problem problem = centrifuge_column();
+    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < 0.3175; });
+    set_level_ground_stress(problem, 0.3175, 0.5, state);
+    open_ledger(problem, state);
+    run_steps(problem, 200.0 * stable_time_step(problem, state.particles).dt, 200, state);
+    const Monitors sums = monitor(problem, state, {});
+    const double weight_impulse = sums.mass_solid * problem.gravity * state.time;
+    EXPECT_LT(std::abs(state.ledger->impulse_y), 1e-9 * weight_impulse);
+    EXPECT_LT(std::abs(balance(problem, state).momentum_error_y), 1e-13 * weight_impulse);
+    EXPECT_LT(std::abs(state.ledger->boundary_work), 1e-20);
+}
+
+TEST(Ledger, WaterThatLeavesAConsolidatingLayerIsTheChangeOfItsWater)
+{
+    Problem problem;
+    const int cells = 10;
+    problem.grid = {{0.0, 0.0}, 1.0 / cells, 1, cells + 1};
+    Material sand = stiff_sand();
+    sand.law = LinearElastic{5e6, 0.0};
+    sand.hydraulic_conductivity = 1e-2;
+    problem.materials = {sand};
+    problem.water = water_to(1.0);
+    problem.gravity = 0.0;
+    problem.boundaries = rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, SoilCondition::fixed,
+                                   SoilCondition::roller, SoilCondition::free);
+    State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
+    const double p0 = 10e3;
+    std::fill(state.particles.pore_pressure.begin(), state.particles.pore_pressure.end(), p0);
+    std::fill(state.particles.stress.yy.begin(), state.particles.stress.yy.end(), p0);
+    open_ledger(problem, state);
+    const double mass = monitor(problem, state, {}).mass_solid;
+    run(problem, 0.2, {}, state); // T = 2: less than a per cent is left
+    // settlement p0 H / M = 1 mm, and the water's own expansion
+    EXPECT_NEAR(state.ledger->outflow, problem.grid.cell_size * (p0 / 10e6 + sand.porosity * p0 / 2.2e9),
+                0.01 * problem.grid.cell_size * p0 / 10e6);
+    // the step leaves the water's density out of its flux: p0 / K_w = 5e-6 of the outflow
+    EXPECT_LT(std::abs(balance(problem, state).water_error), 1e-8);
+    EXPECT_EQ(monitor(problem, state, {}).mass_solid, mass);
+}
+
+TEST(Ledger, HasTheSameBitsForAnyNumberOfThreads)
+{
+    const int threads = thread_count();
+    std::vector<double> numbers[2];
+    for (const int count : {1, 2}) {
+        set_thread_count(count);
+        const Problem problem = centrifuge_column();
+        State state = fill(problem, 3, [](const Vector2& x) { return x.y() < 0.3; });
+        open_ledger(problem, state);
+        run_steps(problem, 20.0 * stable_time_step(problem, state.particles).dt, 20, state);
+        for_each_number(*state.ledger,
+                        [&](const char*, double value) { numbers[count - 1].push_back(value); });
+    }
+    set_thread_count(threads);
+    EXPECT_EQ(numbers[0], numbers[1]);
+    EXPECT_GT(numbers[0].size(), 10u);
+}
+
+} // namespace
+} // namespace quicksand
