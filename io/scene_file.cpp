@@ -2,6 +2,7 @@
 
 #include "io/scene_boundaries.hpp"
 #include "io/scene_check.hpp"
+#include "io/scene_laws.hpp"
 #include "io/scene_motion.hpp"
 #include "io/scene_references.hpp"
 #include "io/scene_text.hpp"
@@ -69,7 +70,7 @@ Material read_material(const SceneValues& values, const NamedTable& table)
     const auto number = [&](const char* key) { return values.number(table.path + "." + key); };
     Material material;
     material.name = table.name;
-    material.law = LinearElastic{number("shear_modulus"), number("poisson_ratio")};
+    material.law = read_skeleton_law(values, table);
     material.grain_density = number("grain_density");
     material.porosity = number("porosity");
     material.hydraulic_conductivity = number("hydraulic_conductivity");
@@ -183,6 +184,7 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
 
     SceneValues values = check_document(scene_key_table(), *document, findings);
     check_references(values, findings);
+    check_skeleton_laws(values, findings);
     SceneReading reading;
     Scene& scene = reading.scene;
     scene.file = file;

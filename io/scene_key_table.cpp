@@ -16,6 +16,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> water_bes
     {{"free", "drained"}, {"fixed", "impervious"}, {"roller", "impervious"}, {"tied", "impervious"}}};
 
 const Condition free_only{"soil", {"free"}};
+const Condition elastic_models{"model", {"linear_elastic", "mohr_coulomb", "neo_hookean"}};
+const Condition mohr_coulomb_only{"model", {"mohr_coulomb"}};
 const Condition sine_only{"kind", {"sine"}};
 const Condition file_only{"kind", {"file"}};
 const Condition profile_only{"kind", {"profile"}};
@@ -93,13 +95,30 @@ std::vector<SceneKey> material_keys()
     return {
         {.pattern = "materials", .type = named_tables, .required = true, .doc = "The soils."},
         {.pattern = "materials.*", .type = table, .doc = "One soil, under a name of your choice."},
-        {.pattern = "materials.*.model", .type = word, .required = true, .words = {"linear_elastic"},
-         .doc = "Stress-strain law of the grain skeleton."},
+        {.pattern = "materials.*.model", .type = word, .required = true,
+         .words = {"linear_elastic", "mohr_coulomb", "neo_hookean"},
+         .doc = "Stress-strain law of the grain skeleton: elastic, elastic with the strength of friction and "
+                "cohesion, or elastic at large strain (for verification)."},
         {.pattern = "materials.*.shear_modulus", .dimension = Dimension::pressure, .required = true,
-         .allowed = positive, .plausible = {1e5, 1e10}, .doc = "Shear modulus G of the skeleton."},
+         .allowed = positive, .plausible = {1e5, 1e10}, .when = elastic_models,
+         .doc = "Shear modulus G of the skeleton."},
         {.pattern = "materials.*.poisson_ratio", .required = true,
          .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.0, 0.49},
-         .doc = "Drained Poisson's ratio of the skeleton."},
+         .when = elastic_models, .doc = "Drained Poisson's ratio of the skeleton."},
+        {.pattern = "materials.*.cohesion", .dimension = Dimension::pressure, .required = true,
+         .allowed = not_negative, .plausible = {0.0, 1e6}, .when = mohr_coulomb_only,
+         .doc = "Effective cohesion c; with friction_angle = 0 the undrained strength."},
+        {.pattern = "materials.*.friction_angle", .dimension = Dimension::angle, .required = true,
+         .allowed = {.lower = 0.0, .upper = 90.0, .upper_open = true}, .plausible = {0.0, 50.0},
+         .when = mohr_coulomb_only, .doc = "Effective angle of friction phi."},
+        {.pattern = "materials.*.dilation_angle", .dimension = Dimension::angle, .default_value = 0.0,
+         .allowed = {.lower = 0.0, .upper = 90.0, .upper_open = true}, .plausible = {0.0, 20.0},
+         .when = mohr_coulomb_only,
+         .doc = "Angle of dilation psi, at most the angle of friction; 0 flows at constant volume."},
+        {.pattern = "materials.*.tension_strength", .dimension = Dimension::pressure,
+         .default_note = "the tip of the surface, cohesion / tan(friction_angle)",
+         .allowed = not_negative, .plausible = {0.0, 1e6}, .when = mohr_coulomb_only,
+         .doc = "Largest tension the soil bears; 0 for soil that cracks."},
         {.pattern = "materials.*.grain_density", .dimension = Dimension::density, .default_value = 2650.0,
          .allowed = positive, .plausible = {2000.0, 3300.0},
          .caution = "this is the density of the grains, not of the soil", .doc = "Density of the grains."},

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <numbers>
 
 namespace quicksand {
 
@@ -35,6 +36,7 @@ const std::vector<Unit>& units_of(Dimension dimension)
         {"m/s"}, {"cm/s", 1.0, 1e2}, {"mm/s", 1.0, 1e3}, {"m/day", 1.0, 86400.0}};
     static const std::vector<Unit> density = {{"kg/m3"}, {"kg/m^3"}, {"t/m3", 1e3}, {"g/cm3", 1e3}};
     static const std::vector<Unit> pressure = {{"Pa"}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
+    static const std::vector<Unit> angle = {{"deg"}, {"rad", 180.0, std::numbers::pi}};
     switch (dimension) {
     case Dimension::none:
         return none;
@@ -52,6 +54,8 @@ const std::vector<Unit>& units_of(Dimension dimension)
         return density;
     case Dimension::pressure:
         return pressure;
+    case Dimension::angle:
+        return angle;
     }
     return none;
 }

@@ -8,7 +8,7 @@
 
 namespace quicksand {
 
-enum class Dimension { none, length, time, frequency, acceleration, velocity, density, pressure };
+enum class Dimension { none, length, time, frequency, acceleration, velocity, density, pressure, angle };
 
 /// A unit and its size in SI, as a ratio so that "7.5 mm" is exactly 0.0075.
 struct Unit {
@@ -17,7 +17,7 @@ struct Unit {
     double divide = 1.0;
 };
 
-/// The units allowed for a dimension, the SI unit first.
+/// The units allowed for a dimension, the SI unit first; for angles the degree, which scenes are written in.
 const std::vector<Unit>& units_of(Dimension dimension);
 
 /// Symbol of the SI unit, "" when dimensionless.

@@ -5,12 +5,13 @@
 #pragma once
 
 #include "solver/linear_elastic.hpp"
+#include "solver/mohr_coulomb.hpp"
 #include "solver/neo_hookean.hpp"
 
 #include <variant>
 
 namespace quicksand {
 
-using SkeletonLaw = std::variant<LinearElastic, NeoHookean>;
+using SkeletonLaw = std::variant<LinearElastic, NeoHookean, MohrCoulomb>;
 
 } // namespace quicksand
