@@ -71,6 +71,9 @@ Material read_material(const SceneValues& values, const NamedTable& table)
     Material material;
     material.name = table.name;
     material.law = read_skeleton_law(values, table);
+    material.volumetric_strain = values.text(table.path + ".volumetric_strain") == "cell"
+                                     ? VolumetricStrain::cell
+                                     : VolumetricStrain::particle;
     material.grain_density = number("grain_density");
     material.porosity = number("porosity");
     material.hydraulic_conductivity = number("hydraulic_conductivity");

@@ -16,6 +16,9 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> water_bes
     {{"free", "drained"}, {"fixed", "impervious"}, {"roller", "impervious"}, {"tied", "impervious"}}};
 
 const Condition free_only{"soil", {"free"}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> volumetric_strain_of_model = {
+    {{"linear_elastic", "particle"}, {"mohr_coulomb", "cell"}, {"neo_hookean", "particle"}}};
+
 const Condition elastic_models{"model", {"linear_elastic", "mohr_coulomb", "neo_hookean"}};
 const Condition mohr_coulomb_only{"model", {"mohr_coulomb"}};
 const Condition sine_only{"kind", {"sine"}};
@@ -119,6 +122,10 @@ std::vector<SceneKey> material_keys()
          .default_note = "the tip of the surface, cohesion / tan(friction_angle)",
          .allowed = not_negative, .plausible = {0.0, 1e6}, .when = mohr_coulomb_only,
          .doc = "Largest tension the soil bears; 0 for soil that cracks."},
+        {.pattern = "materials.*.volumetric_strain", .type = word,
+         .derived = {.sibling = "model", .choices = volumetric_strain_of_model}, .words = {"cell", "particle"},
+         .doc = "Whether stress follows the volume change of the cell, which keeps flow at constant volume "
+                "free of locking, or that of the particle."},
         {.pattern = "materials.*.grain_density", .dimension = Dimension::density, .default_value = 2650.0,
          .allowed = positive, .plausible = {2000.0, 3300.0},
          .caution = "this is the density of the grains, not of the soil", .doc = "Density of the grains."},

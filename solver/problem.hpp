@@ -15,6 +15,10 @@
 
 namespace quicksand {
 
+/// Whether a particle's stress follows the volume change at the particle or that of its cell, see
+/// volumetric_average.hpp.
+enum class VolumetricStrain { particle, cell };
+
 struct Material {
     std::string name;
     SkeletonLaw law;
@@ -22,6 +26,7 @@ struct Material {
     double porosity = 0.0;                          // n, initial [-]
     double hydraulic_conductivity = 0.0;            // k [m/s]; not intrinsic permeability
     double conductivity_gravity = standard_gravity; // g_k, the gravity at which k is stated [m/s2]
+    VolumetricStrain volumetric_strain = VolumetricStrain::particle;
 };
 
 struct Water {

@@ -45,6 +45,7 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work)
     work.conditions = node_conditions(problem);
     work.ledger_nodes = ledger_nodes(work.conditions);
     work.patches.resize(work.lists.tile_count);
+    work.average = make_volumetric_average(problem);
     work.noise_time = noise_time(problem);
 }
 

@@ -9,6 +9,7 @@
 #include "solver/phase_timers.hpp"
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
+#include "solver/volumetric_average.hpp"
 
 #include <atomic>
 #include <cstdint>
@@ -22,6 +23,7 @@ struct StepWorkspace {
     NodeConditions conditions;
     std::vector<PatchStore> patches;        // per tile
     bool patches_are_kept = false;          // small strain: they hold for all steps
+    VolumetricAverage average;              // of the materials that ask for it
     ParticlePlaces places;                  // of the particles that carry boundaries
     Vectors grid_velocity;                  // sum phi v_i of the grains [m/s]
     std::vector<std::uint8_t> ledger_nodes; // see ledger.hpp

@@ -76,7 +76,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress, [&] {
-        update_effective_stress(problem, dt, particles);
+        update_stress_of_cells(problem, dt, work.lists, particles, work.average);
         shorten_carried_gradients(problem.grid.cell_size, particles);
     });
     state.time += dt;

@@ -64,6 +64,16 @@ TEST(StableTimeStep, RandomMotionDecaysForEveryPermeability)
     EXPECT_LT(energy_growth(patch(1.0, false), 1.0), 0.1);
 }
 
+TEST(StableTimeStep, RandomMotionDecaysWithTheCellsVolume)
+{
+    for (const bool saturated : {false, true}) {
+        Problem problem = patch(1e-3, saturated);
+        problem.materials[0].volumetric_strain = VolumetricStrain::cell;
+        EXPECT_LT(energy_growth(problem, 1.0), 0.1) << saturated;
+        EXPECT_LT(energy_growth(problem, 1.1), 0.1) << saturated;
+    }
+}
+
 TEST(StableTimeStep, MotionIsLostAboveTheLimit)
 {
     EXPECT_THROW(energy_growth(patch(1e-3, true), 1.4), NumericalError) << "the test can fail";

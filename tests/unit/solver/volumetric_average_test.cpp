@@ -1,0 +1,110 @@
+// The cell's rate of volume change in place of the particle's, where a material asks for it.
+#include "solver/particle_order.hpp"
+#include "solver/volumetric_average.hpp"
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace quicksand {
+namespace {
+
+Problem two_by_two_cells(VolumetricStrain strain)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 1.0, 2, 2};
+    problem.materials = {fixtures::stiff_sand()};
+    problem.materials[0].volumetric_strain = strain;
+    return problem;
+}
+
+State filled(const Problem& problem)
+{
+    return fixtures::fill(problem, 2, [](const Vector2&) { return true; });
+}
+
+/// Rates of volume change that alternate within every cell about a mean, 0.03 in the left cells and -0.01 in
+/// the right ones [1/s]; and a shear of 0.2.
+void set_alternating_rates(Particles& particles)
+{
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Vector2 x = particles.position[p];
+        const double mean = x.x() < 1.0 ? 0.03 : -0.01;
+        const double sign =
+            std::fmod(std::floor(2.0 * x.x()) + std::floor(2.0 * x.y()), 2.0) < 1.0 ? 1.0 : -1.0;
+        particles.velocity_gradient_solid.xx[p] = mean + 0.5 * sign;
+        particles.velocity_gradient_solid.xy[p] = 0.2;
+    }
+}
+
+Particles stressed(const Problem& problem)
+{
+    State state = filled(problem);
+    CellLists lists = make_cell_lists(problem.grid);
+    sort_particles(problem.grid, 0.0, state, lists);
+    set_alternating_rates(state.particles);
+    VolumetricAverage average = make_volumetric_average(problem);
+    update_stress_of_cells(problem, 1e-3, lists, state.particles, average);
+    return state.particles;
+}
+
+double mean_stress(const Particles& particles, std::size_t p)
+{
+    const SymmetricTensors& s = particles.stress;
+    return (s.xx[p] + s.yy[p] + s.zz[p]) / 3.0;
+}
+
+TEST(VolumetricAverage, GivesTheParticlesOfACellOneMeanStress)
+{
+    const Problem problem = two_by_two_cells(VolumetricStrain::cell);
+    const Particles particles = stressed(problem);
+    const double K = lame_modulus(std::get<LinearElastic>(problem.materials[0].law)) + 200e6 / 3.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double rate = particles.position.x[p] < 1.0 ? 0.03 : -0.01;
+        // in the plane: the out-of-plane strain stays zero
+        EXPECT_NEAR(mean_stress(particles, p), K * rate * 1e-3, 1e-9 * K);
+        EXPECT_NEAR(particles.stress.xy[p], 100e6 * 0.2e-3, 0.2 * 100e6 * 1e-3 * 1e-3);
+    }
+}
+
+TEST(VolumetricAverage, LeavesTheParticlesTheirOwnRates)
+{
+    const Particles particles = stressed(two_by_two_cells(VolumetricStrain::cell));
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        EXPECT_NEAR(std::abs(particles.velocity_gradient_solid.xx[p] -
+                             (particles.position.x[p] < 1.0 ? 0.03 : -0.01)),
+                    0.5, 1e-15);
+}
+
+TEST(VolumetricAverage, CostsNothingWhereNoMaterialAsks)
+{
+    const Problem problem = two_by_two_cells(VolumetricStrain::particle);
+    EXPECT_TRUE(make_volumetric_average(problem).asked_for.empty());
+    const Particles particles = stressed(problem);
+    EXPECT_GT(std::abs(mean_stress(particles, 0)), 1e4);
+}
+
+TEST(VolumetricAverage, PassesOverTheParticlesOfOtherMaterials)
+{
+    Problem problem = two_by_two_cells(VolumetricStrain::particle);
+    problem.materials.push_back(problem.materials[0]);
+    problem.materials[1].volumetric_strain = VolumetricStrain::cell;
+    State state = filled(problem);
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        state.particles.material[p] = state.particles.position.y[p] < 0.5 ? 0 : 1;
+    CellLists lists = make_cell_lists(problem.grid);
+    sort_particles(problem.grid, 0.0, state, lists);
+    set_alternating_rates(state.particles);
+    const Scalars rates = state.particles.velocity_gradient_solid.xx;
+    VolumetricAverage average = make_volumetric_average(problem);
+    update_stress_of_cells(problem, 1e-3, lists, state.particles, average);
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        if (state.particles.material[p] != 0) continue;
+        const double M = constrained_modulus(std::get<LinearElastic>(problem.materials[0].law));
+        EXPECT_NEAR(state.particles.stress.xx[p], M * rates[p] * 1e-3, 2e-3 * M * 1e-3);
+    }
+}
+
+} // namespace
+} // namespace quicksand
