@@ -1,5 +1,7 @@
 #include "solver/pore_pressure.hpp"
 
+#include "solver/slope_fit.hpp"
+
 #include <cmath>
 
 namespace quicksand {
@@ -36,33 +38,6 @@ CellSums sum_cell(const CellLists& lists, std::size_t first, std::size_t last, c
     }
     return sums;
 }
-
-/// Normal equations of the least-squares slope to the neighbours.
-struct SlopeFit {
-    double xx = 0.0, xy = 0.0, yy = 0.0; // [m2]
-    double x = 0.0, y = 0.0;             // [Pa m]
-
-    void add(const Vector2& apart, double difference)
-    {
-        xx += apart.x() * apart.x();
-        xy += apart.x() * apart.y();
-        yy += apart.y() * apart.y();
-        x += apart.x() * difference;
-        y += apart.y() * difference;
-    }
-
-    /// The slope; along the one line that the neighbours lie on when they do not span the plane [Pa/m].
-    Vector2 slope(double cell_size) const
-    {
-        constexpr double spans = 1e-2; // of a cell's size to the fourth
-        const double determinant = xx * yy - xy * xy;
-        if (determinant > spans * cell_size * cell_size * cell_size * cell_size) {
-            return Vector2(yy * x - xy * y, xx * y - xy * x) / determinant;
-        }
-        const double trace = xx + yy;
-        return trace > 0.0 ? Vector2(x / trace, y / trace) : Vector2(0.0, 0.0);
-    }
-};
 
 Vector2 pressure_slope(const BackgroundGrid& grid, const CellLists& lists, const CellMeans& means,
                        std::size_t slot)

@@ -1,0 +1,89 @@
+// The measures of noise on fields whose noise is known.
+#include "solver/pressure_noise.hpp"
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace quicksand {
+namespace {
+
+Problem block()
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.5, 8, 6};
+    problem.materials = {fixtures::stiff_sand()};
+    problem.water = fixtures::water_to(3.0);
+    return problem;
+}
+
+State filled(const Problem& problem)
+{
+    return fixtures::fill(problem, 2, [](const Vector2&) { return true; });
+}
+
+void set_mean_stress(std::size_t p, double pressure, Particles& particles)
+{
+    particles.stress.xx[p] = particles.stress.yy[p] = particles.stress.zz[p] = -pressure;
+}
+
+/// +1 and -1 by the squares of this size.
+double alternating(const Vector2& x, double size)
+{
+    return std::fmod(std::floor(x.x() / size) + std::floor(x.y() / size), 2.0) < 1.0 ? 1.0 : -1.0;
+}
+
+TEST(PressureNoise, OfALinearFieldIsZero)
+{
+    const Problem problem = block();
+    State state = filled(problem);
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        const Vector2 x = state.particles.position[p];
+        set_mean_stress(p, 1e4 * (3.0 - x.y()) + 2e3 * x.x(), state.particles);
+        state.particles.pore_pressure[p] = 1e3;
+    }
+    const PressureNoise noise = measure_pressure_noise(problem, state.particles);
+    EXPECT_LT(noise.mean_stress_scatter, 1e-12);
+    EXPECT_LT(noise.pore_pressure_checkerboard, 1e-12);
+    EXPECT_LT(noise.mean_stress_checkerboard, 1e-12); // as many cells of either colour in every row
+}
+
+TEST(PressureNoise, OfACheckerboardIsItsPart)
+{
+    const Problem problem = block();
+    State state = filled(problem);
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        const double sign = alternating(state.particles.position[p], 0.5);
+        state.particles.pore_pressure[p] = 1e3 * (1.0 + 0.2 * sign);
+        set_mean_stress(p, 1e4 * (1.0 + 0.1 * sign), state.particles);
+    }
+    const PressureNoise noise = measure_pressure_noise(problem, state.particles);
+    EXPECT_NEAR(noise.pore_pressure_checkerboard, 0.2, 1e-12);
+    EXPECT_NEAR(noise.mean_stress_checkerboard, 0.1, 1e-12);
+}
+
+TEST(PressureNoise, WithinCellsIsScatter)
+{
+    const Problem problem = block();
+    State state = filled(problem);
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        set_mean_stress(p, 1e4 * (1.0 + 0.3 * alternating(state.particles.position[p], 0.25)),
+                        state.particles);
+    const PressureNoise noise = measure_pressure_noise(problem, state.particles);
+    EXPECT_NEAR(noise.mean_stress_scatter, 0.3, 1e-12);
+    EXPECT_LT(noise.mean_stress_checkerboard, 1e-12);
+}
+
+TEST(PressureNoise, OfSoilWithoutPressureIsZero)
+{
+    const Problem problem = block();
+    State state = filled(problem);
+    state.particles.pore_pressure[3] = 1e-6; // rounding
+    const PressureNoise noise = measure_pressure_noise(problem, state.particles);
+    EXPECT_EQ(noise.pore_pressure_checkerboard, 0.0);
+    EXPECT_EQ(noise.mean_stress_scatter, 0.0);
+}
+
+} // namespace
+} // namespace quicksand
