@@ -91,6 +91,27 @@ void add_check(CLI::App& program, Commands& commands)
         ->type_name("DIR");
 }
 
+void add_stability(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<StabilityChoice>(
+        program, commands, "stability",
+        "Find the factor of safety of a slope by reducing its strength, with the way it fails",
+        assess_stability);
+    add_scene(*parser, choice->scene);
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Results folder; results/<scene>-stability when not given")
+        ->type_name("DIR");
+    parser->add_option("--tolerance", choice->tolerance, "Width of the bracket over the factor; 0.005")
+        ->check(CLI::Range(1e-4, 0.5))
+        ->type_name("W");
+    parser
+        ->add_option("--seismic-coefficient", choice->seismic_coefficient,
+                     "Horizontal force over weight, positive towards +x (pseudo-static)")
+        ->check(CLI::Range(-2.0, 2.0))
+        ->type_name("K");
+}
+
 void add_keys(CLI::App& program, Commands& commands)
 {
     const auto [parser, choice] =
@@ -192,6 +213,7 @@ Commands add_commands(CLI::App& program)
     Commands commands;
     add_run(program, commands);
     add_check(program, commands);
+    add_stability(program, commands);
     add_new(program, commands);
     add_keys(program, commands);
     add_probe(program, commands);

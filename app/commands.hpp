@@ -39,6 +39,13 @@ struct CheckChoice {
     std::filesystem::path directory; // empty: results/<name of the scene>-check
 };
 
+struct StabilityChoice {
+    SceneChoice scene;
+    std::filesystem::path directory;  // empty: results/<name of the scene>-stability
+    double tolerance = 0.005;         // width of the bracket over the factor of safety [-]
+    double seismic_coefficient = 0.0; // k_h, horizontal force towards +x over weight [-]
+};
+
 struct KeysChoice {
     std::string pattern; // part of a key, empty: all
     bool markdown = false;
@@ -73,6 +80,7 @@ struct DemoChoice {
 
 ExitCode run_scene(const RunChoice& choice);
 ExitCode check_scene(const CheckChoice& choice);
+ExitCode assess_stability(const StabilityChoice& choice);
 ExitCode list_keys(const KeysChoice& choice);
 ExitCode create_scene(const NewChoice& choice);
 ExitCode extract_probe(const ProbeChoice& choice);

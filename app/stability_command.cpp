@@ -1,0 +1,123 @@
+#include "app/commands.hpp"
+#include "app/journal.hpp"
+#include "app/number_format.hpp"
+#include "app/scene_setup.hpp"
+#include "io/csv_file.hpp"
+#include "io/grid_frame.hpp"
+#include "io/particle_frame.hpp"
+#include "io/results_folder.hpp"
+#include "io/vtk_series.hpp"
+#include "solver/failure.hpp"
+#include "solver/strength_reduction.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+constexpr const char* report_file = "stability.txt";
+constexpr const char* curve_file = "stability.csv";
+
+std::filesystem::path stability_folder(const StabilityChoice& choice, const Scene& scene)
+{
+    if (!choice.directory.empty()) return choice.directory;
+    std::filesystem::path folder = default_results(scene.file);
+    folder += "-stability";
+    return folder;
+}
+
+/// The results of a former search are replaced; those of a run are not.
+ResultsFolder prepare_stability_folder(const std::filesystem::path& directory, const Scene& scene)
+{
+    if (std::filesystem::exists(directory / report_file)) return {directory};
+    return prepare_results_folder(directory, scene, FolderUse::fresh);
+}
+
+void require_strength(const AssembledCase& assembled)
+{
+    if (has_strength(assembled.problem)) return;
+    throw InputError(assembled.scene.file.string() +
+                     ": no soil of this scene has a strength to reduce\nexpected: a material with model = "
+                     "\"mohr_coulomb\"");
+}
+
+void write_curve(const SafetyFactor& safety, const std::filesystem::path& path)
+{
+    CsvFile file = CsvFile::begin(
+        path,
+        {"strength reduction: cohesion and tan(friction_angle) divided by the factor",
+         "displacement_m: largest of the slope since it stood first; stands: 1 at rest, 0 failing"},
+        {"factor", "displacement_m", "out_of_balance", "stands", "steps"});
+    for (const StrengthTrial& trial : safety.trials) {
+        file.add_row({csv_number(trial.factor), csv_number(trial.displacement),
+                      csv_number(trial.out_of_balance), trial.stands ? "1" : "0",
+                      std::to_string(trial.steps)});
+    }
+    file.flush();
+}
+
+void write_failure(const Problem& problem, SafetyFactor& safety, const ResultsFolder& folder)
+{
+    State state;
+    state.particles = std::move(safety.failure);
+    VtkSeries(folder.particle_series()).append(particle_frame(problem, state));
+    VtkSeries(folder.grid_series())
+        .append(grid_frame(problem, nodal_fields(problem, state.particles), state.time));
+}
+
+std::string describe_trial(const StrengthTrial& trial)
+{
+    return fmt::format("  {:>8.4f}  {:<6}  {:>10}  {:>10}  {:>7}", trial.factor,
+                       trial.stands ? "stands" : "fails", short_number(1e3 * trial.displacement, 3),
+                       short_number(trial.out_of_balance, 2), grouped(trial.steps));
+}
+
+std::string describe_result(const SafetyFactor& safety)
+{
+    if (std::isinf(safety.fails))
+        return fmt::format("The factor of safety is more than {:.4g}: the slope still stands.",
+                           safety.stands);
+    return fmt::format("The factor of safety is {:.3f}: the slope stands at {:.4f} and fails at {:.4f}.",
+                       safety.factor, safety.stands, safety.fails);
+}
+
+} // namespace
+
+ExitCode assess_stability(const StabilityChoice& choice)
+{
+    Journal journal;
+    SceneSetup setup = set_up_scene(choice.scene, journal);
+    AssembledCase& assembled = setup.assembled;
+    require_strength(assembled);
+    const ResultsFolder folder =
+        prepare_stability_folder(stability_folder(choice, assembled.scene), assembled.scene);
+    journal.keep(folder.directory / report_file, false);
+    journal.say(fmt::format("Strength reduction of {}: {} particles, cells of {} m",
+                            assembled.scene.file.string(),
+                            grouped(static_cast<long long>(assembled.state.particles.size())),
+                            short_number(assembled.problem.grid.cell_size)));
+    journal.say("    factor          displ. mm  unbalanced    steps");
+
+    StrengthReductionControls controls;
+    controls.tolerance = choice.tolerance;
+    controls.seismic_coefficient = choice.seismic_coefficient;
+    begin_shaking(assembled.state);
+    SafetyFactor safety =
+        safety_factor(assembled.problem, controls, assembled.state,
+                      [&](const StrengthTrial& trial) { journal.say(describe_trial(trial)); });
+    write_curve(safety, folder.directory / curve_file);
+    journal.say(describe_result(safety));
+    const std::filesystem::path curve = folder.directory / curve_file;
+    if (safety.failure.size() > 0) {
+        write_failure(assembled.problem, safety, folder);
+        journal.say("How it fails (displacement, shear_strain): " + folder.particle_series().string() +
+                    "; displacement against factor: " + curve.string());
+    }
+    return ExitCode::good;
+}
+
+} // namespace quicksand

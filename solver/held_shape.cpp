@@ -1,0 +1,193 @@
+#include "solver/held_shape.hpp"
+
+#include "solver/grid_momentum.hpp"
+#include "solver/particle_motion.hpp"
+#include "solver/particle_order.hpp"
+#include "solver/particle_to_grid.hpp"
+#include "solver/surface_loads.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+/// Call visit(node, weight) for the nodes of a patch.
+template <class Visit>
+void for_each_node(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x, Visit&& visit)
+{
+    auto k = static_cast<std::size_t>(patch.first);
+    for (std::int32_t b = 0; b < patch.height; ++b) {
+        const auto row = static_cast<std::size_t>(patch.base + b * nodes_x);
+        for (std::int32_t a = 0; a < patch.width; ++a, ++k) {
+            visit(row + static_cast<std::size_t>(a),
+                  NodeWeight{store.value[k], store.gradient_x[k], store.gradient_y[k]});
+        }
+    }
+}
+
+/// Call visit(particle, patch, store) for the particles of a tile.
+template <class Visit>
+void for_each_particle(const HeldShape& shape, const Tile& tile, Visit&& visit)
+{
+    const PatchStore& store = shape.patches[static_cast<std::size_t>(tile.number)];
+    const StoredPatch* patch = store.patches.data();
+    for (std::size_t k = shape.lists.first_entry(tile); k < shape.lists.last_entry(tile); ++k, ++patch)
+        visit(static_cast<std::size_t>(shape.lists.order[k]), *patch, store);
+}
+
+void scatter_forces(const Problem& problem, const Particles& particles, const Tile& tile, HeldShape& shape)
+{
+    for_each_particle(shape, tile, [&](std::size_t p, const StoredPatch& patch, const PatchStore& store) {
+        const double V = particles.volume[p];
+        const double pressure = particles.has_fluid() ? particles.pore_pressure[p] : 0.0;
+        const double sxx = V * (particles.stress.xx[p] - pressure),
+                     syy = V * (particles.stress.yy[p] - pressure), sxy = V * particles.stress.xy[p];
+        for_each_node(patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+            shape.sums[i].stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
+            shape.sums[i].stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
+        });
+    });
+}
+
+void gather_gradients(const Problem& problem, const HeldShape& shape, const Tile& tile, Particles& particles)
+{
+    Gradients& L = particles.velocity_gradient_solid;
+    for_each_particle(shape, tile, [&](std::size_t p, const StoredPatch& patch, const PatchStore& store) {
+        double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
+        for_each_node(patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+            const SinglePhaseMotion& node = shape.motion[i];
+            xx += w.gradient_x * node.x;
+            xy += w.gradient_y * node.x;
+            yx += w.gradient_x * node.y;
+            yy += w.gradient_y * node.y;
+        });
+        L.xx[p] = xx;
+        L.xy[p] = xy;
+        L.yx[p] = yx;
+        L.yy[p] = yy;
+    });
+}
+
+} // namespace
+
+HeldShape hold_shape(const Problem& problem, State& state)
+{
+    HeldShape shape;
+    shape.lists = make_cell_lists(problem.grid);
+    shape.conditions = node_conditions(problem);
+    shape.patches.resize(shape.lists.tile_count);
+    sort_particles(problem.grid, 0.0, state, shape.lists);
+    CarriedMasses masses;
+    compute_carried_masses(problem, state.particles, masses);
+    Particles resting = state.particles; // their momenta and forces are none of the shape's
+    for_each_array(resting, [](std::string_view name, Scalars& values) {
+        if (name.starts_with("velocity") || name.starts_with("stress"))
+            std::fill(values.begin(), values.end(), 0.0);
+    });
+    shape.rest.assign(problem.grid.node_count(), SinglePhaseSums{});
+    for_each_tile_by_colour(shape.lists, [&](const Tile& tile) {
+        PatchStore& store = shape.patches[static_cast<std::size_t>(tile.number)];
+        evaluate_weights(problem, resting, shape.lists, tile, store);
+        scatter_single_phase(problem.grid, resting, masses, shape.lists, tile, store, shape.rest);
+        if (!problem.body_acceleration) return;
+        scatter_body_force(problem, state.time, resting, masses, shape.lists, tile, store, shape.rest);
+    });
+    ParticlePlaces places;
+    scatter_surface_loads(problem, state.time, resting, places, shape.rest);
+    shape.sums = shape.rest;
+    shape.average = make_volumetric_average(problem);
+    shape.motion.resize(problem.grid.node_count());
+    shape.displacement.x.resize(problem.grid.node_count());
+    shape.displacement.y.resize(problem.grid.node_count());
+    return shape;
+}
+
+void advance_held_shape(const Problem& problem, double dt, double damping, double acceleration,
+                        Particles& particles, HeldShape& shape)
+{
+    for (std::size_t i = 0; i < shape.rest.size(); ++i) {
+        shape.sums[i] = shape.rest[i];
+        shape.sums[i].momentum_x = shape.rest[i].mass * shape.motion[i].x;
+        shape.sums[i].momentum_y = shape.rest[i].mass * shape.motion[i].y;
+    }
+    for_each_tile_by_colour(shape.lists,
+                            [&](const Tile& tile) { scatter_forces(problem, particles, tile, shape); });
+    gather_tied_sums(shape.conditions, shape.sums);
+    solve_single_phase_momentum(problem, shape.conditions, dt, acceleration, damping, shape.sums,
+                                shape.motion);
+    spread_tied_motion(shape.conditions, shape.motion);
+    for (std::size_t i = 0; i < shape.motion.size(); ++i) {
+        shape.displacement.x[i] += dt * shape.motion[i].x;
+        shape.displacement.y[i] += dt * shape.motion[i].y;
+    }
+    for_each_tile(shape.lists, [&](const Tile& tile) { gather_gradients(problem, shape, tile, particles); });
+    update_stress_of_cells(problem, dt, shape.lists, particles, shape.average);
+}
+
+void set_at_rest(HeldShape& shape)
+{
+    std::fill(shape.motion.begin(), shape.motion.end(), SinglePhaseMotion{});
+}
+
+void reset_displacement(HeldShape& shape)
+{
+    std::fill(shape.displacement.x.begin(), shape.displacement.x.end(), 0.0);
+    std::fill(shape.displacement.y.begin(), shape.displacement.y.end(), 0.0);
+}
+
+double out_of_balance(const Problem& problem, double acceleration, const HeldShape& shape)
+{
+    std::vector<std::uint8_t> counted(shape.sums.size(), 1);
+    for (const TiedNodes& tie : shape.conditions.tied) counted[tie.node] = 0; // their masters stand for them
+    double residual = 0.0, weight = 0.0;
+    for (std::size_t i = 0; i < shape.sums.size(); ++i) {
+        const SinglePhaseSums& node = shape.sums[i];
+        if (!node.active() || counted[i] == 0) continue;
+        const std::uint8_t held = shape.conditions.of_node[i];
+        if (!(held & solid_x_fixed)) residual += std::abs(node.stress_force_x - node.mass * acceleration);
+        if (!(held & solid_y_fixed))
+            residual += std::abs(node.stress_force_y - node.weight * problem.gravity);
+        weight += node.weight * problem.gravity;
+    }
+    return weight > 0.0 ? residual / weight : 0.0;
+}
+
+double largest_displacement(const Problem& problem, const HeldShape& shape)
+{
+    double largest = 0.0;
+    for (const std::vector<Tile>& tiles : shape.lists.tiles_of_colour) {
+        for (const Tile& tile : tiles) {
+            for_each_particle(shape, tile,
+                              [&](std::size_t, const StoredPatch& patch, const PatchStore& store) {
+                                  Vector2 u = Vector2::Zero();
+                                  for_each_node(patch, store, problem.grid.nodes_x(),
+                                                [&](std::size_t i, const NodeWeight& w) {
+                                                    u += w.value * shape.displacement[i];
+                                                });
+                                  largest = std::max(largest, u.norm());
+                              });
+        }
+    }
+    return largest;
+}
+
+void displace(const Problem& problem, const HeldShape& shape, Particles& particles)
+{
+    for_each_tile(shape.lists, [&](const Tile& tile) {
+        for_each_particle(shape, tile, [&](std::size_t p, const StoredPatch& patch, const PatchStore& store) {
+            Vector2 u = Vector2::Zero();
+            Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+            for_each_node(patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+                u += w.value * shape.displacement[i];
+                gradient += shape.displacement[i] * Vector2(w.gradient_x, w.gradient_y).transpose();
+            });
+            particles.position.set(p, particles.position[p] + u);
+            for (Vectors* edge : {&particles.half_edge_1, &particles.half_edge_2})
+                edge->set(p, (*edge)[p] + gradient * (*edge)[p]);
+        });
+    });
+}
+
+} // namespace quicksand
