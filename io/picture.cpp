@@ -31,7 +31,7 @@ std::vector<PixelQuad> to_pixels(const PictureLayout& layout, const std::vector<
     return quads;
 }
 
-void draw_section(const FieldPicture& picture, const PictureLayout& layout, const Interval& limits,
+void draw_section(const FieldPicture& picture, const PictureLayout& layout, const PlotRange& limits,
                   Canvas& canvas)
 {
     canvas.clip(layout.axes);
@@ -110,7 +110,7 @@ void draw_colour_bar(const FieldPicture& picture, const PictureLayout& layout, c
     canvas.stroke_box(bar, ink, frame_line);
     draw_bar_ends(picture, bar, range, canvas);
 
-    const Interval shown{range.limits.low / unit.factor, range.limits.high / unit.factor};
+    const PlotRange shown{range.limits.low / unit.factor, range.limits.high / unit.factor};
     const Ticks ticks = nice_ticks(shown, std::clamp(static_cast<int>(bar.height / 50.0), 3, 11));
     TextStyle text = small_text;
     text.along = AlignY::centre;

@@ -28,7 +28,7 @@ struct FieldPicture {
     std::string note;                           // e.g. "displacements × 20"; may be empty
     double time = 0.0;                          // [s]
     ColourMap colours = ColourMap::sequential;
-    std::optional<Interval> range; // of the colours, in `unit`; none: round limits around the values
+    std::optional<PlotRange> range; // of the colours, in `unit`; none: round limits around the values
 };
 
 /// Where things stand on the sheet.
@@ -36,7 +36,7 @@ struct PictureLayout {
     int width = 0, height = 0; // of the sheet [pixel]
     PixelBox axes;             // the frame of the section
     PixelBox colour_bar;
-    Interval x, y;                 // visible section [m]
+    PlotRange x, y;                // visible section [m]
     double pixels_per_metre = 1.0; // the same for x and y [pixel/m]
 
     PixelPoint place(const Vector2& point) const; // [m] to [pixel]
@@ -44,7 +44,7 @@ struct PictureLayout {
 
 /// Limits of the colours and whether values lie beyond them.
 struct ColourRange {
-    Interval limits; // in the field's unit
+    PlotRange limits; // in the field's unit
     bool beyond_low = false, beyond_high = false;
 };
 

@@ -22,8 +22,8 @@ constexpr double bar_gap = 28.0;
 constexpr double bar_width = 26.0;
 
 struct Extent {
-    Interval x{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    Interval y = x;
+    PlotRange x{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    PlotRange y = x;
 
     void include(const std::vector<DomainCorners>& domains)
     {
@@ -50,25 +50,25 @@ Extent visible_extent(const FieldPicture& picture)
     return extent;
 }
 
-Interval widen(const Interval& interval, double width)
+PlotRange widen(const PlotRange& interval, double width)
 {
     const double more = std::max(0.0, 0.5 * (width - interval.width()));
     return {interval.low - more, interval.high + more};
 }
 
 /// The extremes, or where they are far out the quantiles at 0.5 and 99.5 per cent.
-Interval bulk_of(std::vector<double> values)
+PlotRange bulk_of(std::vector<double> values)
 {
     std::sort(values.begin(), values.end());
-    const Interval all{values.front(), values.back()};
+    const PlotRange all{values.front(), values.back()};
     const std::size_t cut = values.size() / 200;
-    const Interval bulk{values[cut], values[values.size() - 1 - cut]};
+    const PlotRange bulk{values[cut], values[values.size() - 1 - cut]};
     const double reach = 0.5 * bulk.width();
     return {all.low < bulk.low - reach ? bulk.low : all.low,
             all.high > bulk.high + reach ? bulk.high : all.high};
 }
 
-Interval automatic_limits(const Interval& values, ColourMap colours)
+PlotRange automatic_limits(const PlotRange& values, ColourMap colours)
 {
     if (colours == ColourMap::diverging) {
         const double largest = std::max(std::abs(values.low), std::abs(values.high));
@@ -109,10 +109,10 @@ ColourRange choose_colour_range(const FieldPicture& picture)
     std::vector<double> values;
     std::copy_if(picture.values.begin(), picture.values.end(), std::back_inserter(values),
                  [](double value) { return std::isfinite(value); });
-    if (values.empty()) return {picture.range.value_or(Interval{0.0, 1.0}), false, false};
+    if (values.empty()) return {picture.range.value_or(PlotRange{0.0, 1.0}), false, false};
 
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    const Interval extremes{*low, *high};
+    const PlotRange extremes{*low, *high};
     ColourRange range;
     range.limits = picture.range ? *picture.range : automatic_limits(bulk_of(values), picture.colours);
     const double slack = 1e-6 * range.limits.width();

@@ -165,7 +165,7 @@ void make_folder(const fs::path& folder)
 
 } // namespace
 
-Interval parse_range(std::string_view text)
+PlotRange parse_range(std::string_view text)
 {
     const auto parse = [text](std::string_view part) {
         double value = 0.0;

@@ -14,16 +14,16 @@
 namespace quicksand {
 
 struct PictureRequest {
-    std::filesystem::path output;  // a .png file or a folder; empty: RESULTS/pictures
-    std::string field;             // empty: the default set and the plots of probes and history
-    std::optional<double> time;    // the nearest frame is drawn [s]; none: the last one
-    std::optional<Interval> range; // of the colours, in the field's SI unit; none: automatic
-    double exaggeration = 1.0;     // of the displacements drawn [-]
+    std::filesystem::path output;   // a .png file or a folder; empty: RESULTS/pictures
+    std::string field;              // empty: the default set and the plots of probes and history
+    std::optional<double> time;     // the nearest frame is drawn [s]; none: the last one
+    std::optional<PlotRange> range; // of the colours, in the field's SI unit; none: automatic
+    double exaggeration = 1.0;      // of the displacements drawn [-]
     std::function<void(const std::string&)> notify; // told what differs from the request; may be empty
 };
 
 /// "0:9e3" as an interval. Throws InputError.
-Interval parse_range(std::string_view text);
+PlotRange parse_range(std::string_view text);
 
 /// Fields of a frame that can be drawn: scalars, and vectors by their magnitude.
 std::vector<std::string> drawable_fields(const ParticleFrame& frame);

@@ -49,7 +49,7 @@ Prefix prefix_for(double magnitude)
 
 } // namespace
 
-Ticks nice_ticks(const Interval& interval, int at_most)
+Ticks nice_ticks(const PlotRange& interval, int at_most)
 {
     Ticks ticks;
     if (!(interval.width() > 0.0)) {
@@ -69,7 +69,7 @@ Ticks nice_ticks(const Interval& interval, int at_most)
     return ticks;
 }
 
-Interval round_limits(const Interval& interval)
+PlotRange round_limits(const PlotRange& interval)
 {
     const double largest = std::max(std::abs(interval.low), std::abs(interval.high));
     if (interval.width() <= 1e-9 * largest || largest == 0.0) {

@@ -8,7 +8,7 @@
 namespace quicksand {
 
 /// A closed range of values, low <= high.
-struct Interval {
+struct PlotRange {
     double low = 0.0, high = 1.0;
     double width() const { return high - low; }
 };
@@ -21,10 +21,10 @@ struct Ticks {
 };
 
 /// At most `at_most` (>= 2) ticks inside the interval.
-Ticks nice_ticks(const Interval& interval, int at_most);
+Ticks nice_ticks(const PlotRange& interval, int at_most);
 
 /// The interval widened to round limits; an empty one is opened around its value.
-Interval round_limits(const Interval& interval);
+PlotRange round_limits(const PlotRange& interval);
 
 /// "-0.25" with a true minus sign, "0" for what rounds to zero.
 std::string tick_label(double value, int decimals);

@@ -98,10 +98,10 @@ TEST(DrawResults, RefusesWhatMakesNoSense)
     EXPECT_FALSE(std::filesystem::exists(folder / "pictures"));
 
     request.field = "";
-    request.range = Interval{0.0, 1.0};
+    request.range = PlotRange{0.0, 1.0};
     EXPECT_NE(refusal(folder.path(), request).find("--field"), std::string::npos);
     request.field = "ru";
-    request.range = Interval{1.0, 0.0};
+    request.range = PlotRange{1.0, 0.0};
     EXPECT_NE(refusal(folder.path(), request).find("the range 1:0 is empty"), std::string::npos);
     request = {};
     request.output = "a.png";

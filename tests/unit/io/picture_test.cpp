@@ -28,7 +28,7 @@ FieldPicture two_particles()
     picture.values = {0.0, 8000.0};
     picture.quantity = "Excess pore pressure";
     picture.unit = "Pa";
-    picture.range = Interval{0.0, 8000.0};
+    picture.range = PlotRange{0.0, 8000.0};
     return picture;
 }
 

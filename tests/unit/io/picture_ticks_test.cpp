@@ -38,7 +38,7 @@ TEST(RoundLimits, WidenToRoundNumbersAndOpenAnEmptyInterval)
 {
     EXPECT_DOUBLE_EQ(round_limits({0.0, 8937.0}).high, 9000.0);
     EXPECT_DOUBLE_EQ(round_limits({-0.031, 0.0}).low, -0.035);
-    const Interval around = round_limits({5.0, 5.0});
+    const PlotRange around = round_limits({5.0, 5.0});
     EXPECT_LT(around.low, 5.0);
     EXPECT_GT(around.high, 5.0);
     EXPECT_DOUBLE_EQ(round_limits({0.0, 0.0}).width(), 2.0);
