@@ -20,7 +20,8 @@ constexpr const char* description =
 constexpr const char* footer =
     "Start with:  quicksand demo      (two minutes, then open its files)\n"
     "             quicksand new dike my_dike\n"
-    "Exit codes:  0 good, 2 input, 3 numerical, 4 files and disk, 5 a bug of ours\n"
+    "Exit codes:  0 good, 2 input, 3 numerical, 4 files and disk, 5 a bug of ours,\n"
+    "             6 verify: an error is above its limit\n"
     "Help on a command:  quicksand COMMAND --help";
 
 /// A command's parser and what to do once it has been parsed.
@@ -53,6 +54,14 @@ void add_threads(CLI::App& parser, int& threads)
         ->type_name("N");
 }
 
+void add_overrides(CLI::App& parser, std::vector<std::string>& overrides)
+{
+    parser.add_option("--set", overrides, "Replace a key of the scene: --set motion.amplitude=\"0.2 g\"")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
 void add_scene(CLI::App& parser, SceneChoice& choice)
 {
     parser.add_option("SCENE", choice.scene, "Scene file, or a folder that holds scene.toml")->required();
@@ -60,11 +69,7 @@ void add_scene(CLI::App& parser, SceneChoice& choice)
     parser.add_option("--until", choice.until, "End of the run in s, in place of run.end_time")
         ->check(CLI::PositiveNumber)
         ->type_name("T");
-    parser
-        .add_option("--set", choice.overrides, "Replace a key of the scene: --set motion.amplitude=\"0.2 g\"")
-        ->type_name("KEY=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_overrides(parser, choice.overrides);
 }
 
 void add_run(CLI::App& program, Commands& commands)
@@ -197,6 +202,26 @@ void add_bench(CLI::App& program, Commands& commands)
     commands.push_back({parser, [words] { return measure_kernel(words->threads); }});
 }
 
+void add_verify(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<VerifyChoice>(
+        program, commands, "verify", "Measure errors and orders on problems with known solutions",
+        verify_problems);
+    parser->add_option("PROBLEM", choice->problems,
+                       "Names in examples/verification, or scenes with [verification]; all when not given");
+    parser->add_flag("--short", choice->shortened, "Only the coarse grids, in less than a minute");
+    add_overrides(*parser, choice->overrides);
+    parser
+        ->add_option("--threads", choice->threads,
+                     "Runs at the same time; all of the machine's when not given")
+        ->check(CLI::Range(1, 1024))
+        ->type_name("N");
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Folder of the table and the figures; results/verification when not given")
+        ->type_name("DIR");
+}
+
 void add_demo(CLI::App& program, Commands& commands)
 {
     const auto [parser, choice] = add_command<DemoChoice>(
@@ -219,6 +244,7 @@ Commands add_commands(CLI::App& program)
     add_probe(program, commands);
     add_picture(program, commands);
     add_demo(program, commands);
+    add_verify(program, commands);
     add_bench(program, commands);
     commands.push_back({program.add_subcommand("version", "Print the version"), print_version});
     return commands;

@@ -13,10 +13,11 @@ namespace quicksand {
 /// Exit codes, fixed for scripts.
 enum class ExitCode {
     good = 0,
-    input = 2,     // the user's input cannot be run
-    numerical = 3, // the run went bad
-    files = 4,     // files, disk or memory
-    bug = 5,       // our own
+    input = 2,      // the user's input cannot be run
+    numerical = 3,  // the run went bad
+    files = 4,      // files, disk or memory
+    bug = 5,        // our own
+    inaccurate = 6, // verify: an error or an order misses its limit
 };
 
 /// A scene and what the command line changes of it.
@@ -78,6 +79,14 @@ struct DemoChoice {
     int threads = 0;
 };
 
+struct VerifyChoice {
+    std::vector<std::string> problems;  // names in examples/verification, scene files or folders; empty: all
+    std::vector<std::string> overrides; // --set key=value
+    bool shortened = false;
+    std::filesystem::path directory = "results/verification";
+    int threads = 0; // runs at the same time, 0: as many as the machine has threads [-]
+};
+
 ExitCode run_scene(const RunChoice& choice);
 ExitCode check_scene(const CheckChoice& choice);
 ExitCode assess_stability(const StabilityChoice& choice);
@@ -87,6 +96,7 @@ ExitCode extract_probe(const ProbeChoice& choice);
 ExitCode draw_pictures(const PictureChoice& choice);
 ExitCode measure_kernel(int threads);
 ExitCode run_demo(const DemoChoice& choice);
+ExitCode verify_problems(const VerifyChoice& choice);
 ExitCode print_version();
 
 } // namespace quicksand

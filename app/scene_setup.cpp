@@ -8,8 +8,6 @@
 
 namespace quicksand {
 
-namespace {
-
 namespace fs = std::filesystem;
 
 fs::path find_scene_file(const fs::path& scene)
@@ -25,8 +23,6 @@ fs::path find_scene_file(const fs::path& scene)
     throw InputError("the folder " + scene.string() +
                      " holds no scene.toml\nhint: name the scene file itself");
 }
-
-} // namespace
 
 SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal)
 {

@@ -21,6 +21,9 @@ struct SceneSetup {
 /// InputError.
 SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal);
 
+/// The scene file itself, or the scene.toml of a folder. Throws InputError where there is none.
+std::filesystem::path find_scene_file(const std::filesystem::path& scene);
+
 /// results/<folder of the scene>; of a scene that is not called scene.toml, results/<its name>.
 std::filesystem::path default_results(const std::filesystem::path& scene_file);
 

@@ -3,12 +3,14 @@
 #include "io/atomic_file.hpp"
 #include "io/picture_gnuplot.hpp"
 #include "io/picture_ticks.hpp"
+#include "solver/failure.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 namespace quicksand {
 namespace {
@@ -17,7 +19,8 @@ namespace {
 constexpr double stack_width = 1200.0, stack_panel = 170.0, stack_alone = 430.0, stack_gap = 46.0;
 constexpr double beside_width = 600.0, beside_panel = 560.0;
 constexpr double left_margin = 112.0, right_margin = 36.0, top_margin = 120.0, bottom_margin = 76.0;
-constexpr double key_margin = 210.0; // right of the axes where the key stands beside them
+// Right of the axes where the key stands beside them: its samples, and a letter of a name.
+constexpr double key_samples = 64.0, key_letter = 8.3, least_key = 210.0;
 
 struct Box {
     double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0; // from the upper left corner [pixel]
@@ -28,13 +31,23 @@ struct Sheet {
     std::vector<Box> boxes;           // of the panels
 };
 
+double margin_for_keys(const LinePlot& plot)
+{
+    double margin = right_margin;
+    for (const PlotPanel& panel : plot.panels) {
+        if (!panel.key_beside) continue;
+        margin = std::max(margin, least_key);
+        for (const PlotCurve& curve : panel.curves)
+            margin = std::max(margin, key_samples + key_letter * static_cast<double>(curve.name.size()));
+    }
+    return margin;
+}
+
 Sheet lay_out(const LinePlot& plot)
 {
     Sheet sheet;
     const auto count = static_cast<double>(plot.panels.size());
-    const bool key_beside = std::any_of(plot.panels.begin(), plot.panels.end(),
-                                        [](const PlotPanel& panel) { return panel.key_beside; });
-    const double right = key_beside ? key_margin : right_margin;
+    const double right = margin_for_keys(plot);
     if (plot.arrangement == PlotArrangement::stacked) {
         const double panel = count > 1.0 ? stack_panel : stack_alone;
         sheet.width = stack_width;
@@ -112,6 +125,33 @@ std::string y_label(const PlotPanel& panel, const Box& box, bool stacked, const 
                        box.left / sheet.width, 1.0 - (box.top - 13.0) / sheet.height);
 }
 
+/// Ticks at the values of x themselves, which are few: the grids of a series.
+std::string logarithmic_axes(const std::vector<PlotCurve>& curves)
+{
+    std::set<double> values;
+    for (const PlotCurve& curve : curves) values.insert(curve.x.begin(), curve.x.end());
+    std::string ticks;
+    for (const double value : values) ticks += (ticks.empty() ? "" : ",") + number(value);
+    constexpr double room = 1.15; // beside the first and the last
+    return fmt::format("set logscale xy 10\nset xrange [{}:{}]\nset xtics ({})\nset ytics autofreq\n"
+                       "set format y '%g'\nset mytics 10\n",
+                       number(*values.begin() / room), number(*values.rbegin() * room), ticks);
+}
+
+std::string style_of(const PlotCurve& curve)
+{
+    const std::string colour = hex_code(curve.colour);
+    switch (curve.style) {
+    case CurveStyle::line:
+        return fmt::format("lines lw 1.8 lc rgb '{}'", colour);
+    case CurveStyle::line_with_points:
+        return fmt::format("linespoints lw 1.8 pt 7 ps 1.1 lc rgb '{}'", colour);
+    case CurveStyle::dashed:
+        return fmt::format("lines lw 1.2 dashtype 2 lc rgb '{}'", colour);
+    }
+    ENSURE(false);
+}
+
 std::string panel_commands(const LinePlot& plot, std::size_t p, const Sheet& sheet)
 {
     const PlotPanel& panel = plot.panels[p];
@@ -125,18 +165,22 @@ std::string panel_commands(const LinePlot& plot, std::size_t p, const Sheet& she
     script += fmt::format("set format x {}\n", shows_x ? "'%g'" : "''");
     script += fmt::format("set xlabel {} offset 0,-0.3\n", shows_x ? quoted(panel.x_label) : "''");
     script += y_label(panel, box, stacked, sheet);
-    script += tick_step("y", panel.curves, &PlotCurve::y, stacked && plot.panels.size() > 1 ? 5 : 9);
-    if (!stacked) script += tick_step("x", panel.curves, &PlotCurve::x, 6);
+    if (panel.scale == PlotScale::logarithmic) {
+        script += logarithmic_axes(panel.curves);
+    } else {
+        script += tick_step("y", panel.curves, &PlotCurve::y, stacked && plot.panels.size() > 1 ? 5 : 9);
+        if (!stacked) script += tick_step("x", panel.curves, &PlotCurve::x, 6);
+    }
     script += panel.key_beside ? "set key at graph 1.03, graph 1.0 left top vertical Left reverse samplen 2\n"
                                : "set key at graph 1.0, graph 1.01 right bottom horizontal samplen 2\n";
     std::string separator = "plot ";
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
         const PlotCurve& curve = panel.curves[c];
-        script += fmt::format("{}$curve_{}_{} using 1:2 with lines lw 1.8 lc rgb '{}' {}", separator, p, c,
-                              hex_code(curve.colour),
+        script += fmt::format("{}$curve_{}_{} using 1:2 with {} {}", separator, p, c, style_of(curve),
                               curve.name.empty() ? "notitle" : "title " + quoted(curve.name));
         separator = ", \\\n     ";
     }
+    if (panel.scale == PlotScale::logarithmic) script += "\nunset logscale xy\nset autoscale";
     return script + "\nunset label 1\nunset label 2\nunset label 3\n";
 }
 

@@ -9,18 +9,24 @@
 
 namespace quicksand {
 
+enum class CurveStyle { line, line_with_points, dashed };
+
 /// One curve; NaN leaves a gap.
 struct PlotCurve {
     std::string name; // in the key; "" for none
     Colour colour;
     std::vector<double> x, y; // in the units of the panel's labels
+    CurveStyle style = CurveStyle::line;
 };
+
+enum class PlotScale { linear, logarithmic };
 
 /// One pair of axes.
 struct PlotPanel {
     std::string x_label, y_label; // with units
     std::vector<PlotCurve> curves;
-    bool key_beside = false; // the key right of the axes instead of above them
+    bool key_beside = false;             // the key right of the axes instead of above them
+    PlotScale scale = PlotScale::linear; // of both axes
 };
 
 enum class PlotArrangement { stacked, side_by_side };

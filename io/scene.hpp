@@ -75,6 +75,19 @@ struct SceneOutput {
     double checkpoint_interval = 0.0; // between checkpoints [s of wall time]
 };
 
+/// What `verify` is to measure on the scene, and how good it has to be.
+struct SceneVerification {
+    std::string problem;               // name of a study
+    double length = 0.0;               // along which cells are counted [m]
+    std::vector<int> cells;            // along it, one run each, coarse to fine [-]
+    std::vector<int> short_cells;      // of the shortened verification, some of `cells` [-]
+    std::vector<std::string> one_cell; // parameters of the drawing that are one cell long
+    std::map<std::string, std::vector<double>>
+        limits;                                    // largest error by quantity, one for each of `cells` [-]
+    std::map<std::string, double> orders;          // least order by quantity [-]
+    SourcePlace place, limits_place, orders_place; // of the table and of two of its keys
+};
+
 struct Scene {
     std::filesystem::path file;
     std::string text; // as read, for the manifest's hash and the copy in the results
@@ -106,7 +119,8 @@ struct Scene {
     std::vector<SceneProbe> probes;
     double end_time = 0.0; // [s]
     SceneOutput output;
-    std::vector<std::string> accepted; // key paths whose warnings the user has accepted
+    std::optional<SceneVerification> verification; // none: no problem with a known solution
+    std::vector<std::string> accepted;             // key paths whose warnings the user has accepted
 };
 
 } // namespace quicksand

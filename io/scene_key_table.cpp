@@ -1,4 +1,5 @@
 #include "io/scene_schema.hpp"
+#include "solver/verification/study.hpp"
 
 #include <array>
 
@@ -251,6 +252,33 @@ std::vector<SceneKey> run_keys()
     };
 }
 
+std::vector<SceneKey> verification_keys()
+{
+    std::vector<std::string_view> problems;
+    for (const Study& study : studies()) problems.push_back(study.name);
+    return {
+        {.pattern = "verification", .type = table, .default_note = "nothing to verify",
+         .doc = "A problem with a known solution, for quicksand verify."},
+        {.pattern = "verification.problem", .type = word, .required = true, .words = problems,
+         .doc = "The study that runs the scene and knows its solution."},
+        {.pattern = "verification.length", .dimension = Dimension::length, .required = true,
+         .allowed = positive, .doc = "Length along which cells are counted."},
+        {.pattern = "verification.cells", .type = count_list, .required = true, .allowed = {1.0, 100'000.0},
+         .doc = "Cells along the length, one run each, from coarse to fine."},
+        {.pattern = "verification.short_cells", .type = count_list,
+         .default_note = "the first of cells", .allowed = {1.0, 100'000.0},
+         .doc = "Those of cells that quicksand verify --short runs."},
+        {.pattern = "verification.one_cell", .type = text_list, .default_value = std::vector<std::string>{},
+         .doc = "DefineConstant values of the drawing that are one cell long, as the width of a column."},
+        {.pattern = "verification.limits", .type = list_table,
+         .default_value = std::map<std::string, std::vector<double>>{}, .allowed = positive,
+         .doc = "Largest error of a quantity, one for each of cells: \"quantity\" = [0.02, 0.005]."},
+        {.pattern = "verification.orders", .type = number_table,
+         .default_value = std::map<std::string, double>{}, .plausible = {0.5, 4.0},
+         .doc = "Least order of convergence of a quantity: \"quantity\" = 1.8."},
+    };
+}
+
 // clang-format on
 
 std::vector<SceneKey> all_keys()
@@ -268,7 +296,7 @@ std::vector<SceneKey> all_keys()
          .doc = "Keys whose warnings you have read and accept, as [\"materials.sand.porosity\"]."},
     };
     for (const auto& part : {geometry_keys(), analysis_keys(), ground_keys(), material_keys(),
-                             condition_keys(), motion_keys(), run_keys()}) {
+                             condition_keys(), motion_keys(), run_keys(), verification_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
     return keys;

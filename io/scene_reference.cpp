@@ -26,11 +26,15 @@ std::string type_text(const SceneKey& key)
         return "[whole number, whole number]";
     case ValueType::number_table:
         return "table of numbers";
+    case ValueType::list_table:
+        return "table of lists of numbers";
     case ValueType::text_list:
         return "list of texts";
     case ValueType::number_list:
     case ValueType::quantity_list:
         return "list of numbers";
+    case ValueType::count_list:
+        return "list of whole numbers";
     case ValueType::word:
         break;
     }
@@ -82,6 +86,16 @@ std::string shown_path(std::string_view pattern)
 bool is_table(const SceneKey& key)
 {
     return key.type == ValueType::table || key.type == ValueType::named_tables;
+}
+
+template <class Number>
+std::string list_of(const std::vector<Number>& numbers)
+{
+    std::string list;
+    for (const Number value : numbers) {
+        list += (list.empty() ? "" : ", ") + number_text(static_cast<double>(value));
+    }
+    return "[" + list + "]";
 }
 
 struct Property {
@@ -145,6 +159,15 @@ std::string value_text(const SceneValue& value)
             }
             return text.empty() ? "{}" : "{" + text + " }";
         }
+        std::string operator()(const std::map<std::string, std::vector<double>>& lists) const
+        {
+            std::string text;
+            for (const auto& [name, numbers] : lists) {
+                text += (text.empty() ? " " : ", ") + join_path({name}) + " = " + list_of(numbers);
+            }
+            return text.empty() ? "{}" : "{" + text + " }";
+        }
+        std::string operator()(const std::vector<int>& counts) const { return list_of(counts); }
         std::string operator()(const std::vector<std::string>& texts) const
         {
             std::string list;

@@ -20,7 +20,8 @@ namespace quicksand {
 
 /// A value of a scene key, in SI units.
 using SceneValue = std::variant<double, std::int64_t, std::string, Vector2, std::pair<int, int>,
-                                std::map<std::string, double>, std::vector<std::string>, std::vector<double>>;
+                                std::map<std::string, double>, std::vector<std::string>, std::vector<double>,
+                                std::vector<int>, std::map<std::string, std::vector<double>>>;
 
 enum class ValueType {
     table,        // [grid]
@@ -33,9 +34,11 @@ enum class ValueType {
     point,        // [x, y]
     count_pair,   // two integers
     number_table, // NAME = number
+    list_table,   // NAME = [number, ...]
     text_list,
     number_list,   // numbers or quantities of the key's dimension
     quantity_list, // numbers or quantities of any dimension, as written
+    count_list,    // [whole number, ...]
 };
 
 struct Interval {

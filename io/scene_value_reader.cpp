@@ -33,9 +33,11 @@ private:
     std::optional<SceneValue> read_word(const DocumentNode& node);
     std::optional<SceneValue> read_pair(const DocumentNode& node);
     std::optional<SceneValue> read_number_table(const DocumentNode& node);
+    std::optional<SceneValue> read_list_table(const DocumentNode& node);
     std::optional<SceneValue> read_text_list(const DocumentNode& node);
     std::optional<SceneValue> read_number_list(const DocumentNode& node);
     std::optional<SceneValue> read_quantity_list(const DocumentNode& node);
+    std::optional<SceneValue> read_count_list(const DocumentNode& node);
 
     bool check_range(double value, const DocumentNode& node, const ReadNumber* read);
     void check_plausibility(const ReadNumber& number, const DocumentNode& node);
@@ -258,6 +260,46 @@ std::optional<SceneValue> ValueReader::read_number_table(const DocumentNode& nod
     return numbers;
 }
 
+std::optional<SceneValue> ValueReader::read_list_table(const DocumentNode& node)
+{
+    if (node.kind != Kind::table) {
+        refuse_type(node, "a table of lists of numbers, as { settlement = [0.01, 0.005] }");
+        return std::nullopt;
+    }
+    std::map<std::string, std::vector<double>> lists;
+    bool good = true;
+    for (const DocumentNode& child : node.children) {
+        ValueReader reader(key_, path_ + "." + join_path({child.name}), findings_);
+        if (child.kind != Kind::array) {
+            reader.refuse_type(child, "a list of numbers, as [0.01, 0.005]");
+            good = false;
+            continue;
+        }
+        for (const DocumentNode& item : child.children) {
+            const auto number = reader.read_number(item);
+            good = good && number;
+            lists[child.name].push_back(number.value_or(0.0));
+        }
+    }
+    if (!good) return std::nullopt;
+    return lists;
+}
+
+std::optional<SceneValue> ValueReader::read_count_list(const DocumentNode& node)
+{
+    if (node.kind != Kind::array || node.children.empty()) {
+        refuse_type(node, "a list of whole numbers, as [10, 20, 40]");
+        return std::nullopt;
+    }
+    std::vector<int> counts;
+    for (const DocumentNode& child : node.children) {
+        const auto count = read_integer(child);
+        if (!count) return std::nullopt;
+        counts.push_back(static_cast<int>(*count));
+    }
+    return counts;
+}
+
 std::optional<SceneValue> ValueReader::read_text_list(const DocumentNode& node)
 {
     std::vector<std::string> texts;
@@ -323,12 +365,16 @@ std::optional<SceneValue> ValueReader::read(const DocumentNode& node)
         return read_pair(node);
     case ValueType::number_table:
         return read_number_table(node);
+    case ValueType::list_table:
+        return read_list_table(node);
     case ValueType::text_list:
         return read_text_list(node);
     case ValueType::number_list:
         return read_number_list(node);
     case ValueType::quantity_list:
         return read_quantity_list(node);
+    case ValueType::count_list:
+        return read_count_list(node);
     case ValueType::table:
     case ValueType::named_tables:
         break;

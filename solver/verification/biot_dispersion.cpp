@@ -132,7 +132,7 @@ double inverse_quality_factor(Complex wave_number)
     return -squared.imag() / squared.real();
 }
 
-WaveSpeeds undragged_wave_speeds(const SaturatedSoil& soil)
+UndraggedSpeeds undragged_speeds(const SaturatedSoil& soil)
 {
     const Eigen::Matrix2d K = soil.longitudinal_stiffness();
     const double r1 = soil.partial_density_solid(), r2 = soil.partial_density_fluid();

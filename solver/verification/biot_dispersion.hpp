@@ -49,10 +49,10 @@ double attenuation(Complex wave_number);
 double inverse_quality_factor(Complex wave_number);
 
 /// Wave speeds without drag, the limit of high frequency [m/s].
-struct WaveSpeeds {
+struct UndraggedSpeeds {
     double fast, slow, shear;
 };
-WaveSpeeds undragged_wave_speeds(const SaturatedSoil& soil);
+UndraggedSpeeds undragged_speeds(const SaturatedSoil& soil);
 
 /// Complex frequencies s of the standing longitudinal waves of a real wave number [1/s]: the fast wave with
 /// Im s > 0 (its conjugate is a mode too), and two that are real where the slow wave cannot travel: `slow`

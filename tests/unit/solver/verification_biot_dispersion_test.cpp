@@ -52,8 +52,8 @@ TEST(BiotDispersion, PhaseSpeedsArePublished)
     EXPECT_NEAR(phase_speed(wave_numbers(soil, omega_of(180)).fast, omega_of(180)), 1678.45, 0.005);
     EXPECT_NEAR(phase_speed(wave_numbers(soil, omega_of(1e4)).fast, omega_of(1e4)), 1773.8, 0.05);
     EXPECT_NEAR(phase_speed(wave_numbers(soil, omega_of(50)).slow, omega_of(50)), 45.65, 0.005);
-    EXPECT_NEAR(undragged_wave_speeds(soil).fast, 1838.9, 0.05);
-    EXPECT_NEAR(undragged_wave_speeds(soil).slow, 388.0, 0.5);
+    EXPECT_NEAR(undragged_speeds(soil).fast, 1838.9, 0.05);
+    EXPECT_NEAR(undragged_speeds(soil).slow, 388.0, 0.5);
 }
 
 TEST(BiotDispersion, ShearDampingByDragIsPublished)
@@ -100,7 +100,7 @@ TEST(BiotDispersion, LowFrequenciesAreUndrainedWaveAndConsolidation)
 TEST(BiotDispersion, HighFrequenciesLoseTheDrag)
 {
     const SaturatedSoil soil;
-    const WaveSpeeds limits = undragged_wave_speeds(soil);
+    const UndraggedSpeeds limits = undragged_speeds(soil);
     const double w = omega_of(1e7);
     const WaveNumbers waves = wave_numbers(soil, w);
     EXPECT_NEAR(phase_speed(waves.fast, w) / limits.fast, 1.0, 1e-5);

@@ -144,7 +144,7 @@ StaggeredColumn integrate(const TransientColumn& column, double until, int cells
     const SaturatedSoil& soil = column.soil;
     const double h = column.height / cells, n = soil.porosity, C = soil.drag();
     const double r1 = soil.partial_density_solid(), r2 = soil.partial_density_fluid();
-    const auto steps = static_cast<int>(until / (0.5 * h / undragged_wave_speeds(soil).fast));
+    const auto steps = static_cast<int>(until / (0.5 * h / undragged_speeds(soil).fast));
     const double dt = until / steps;
     const auto N = static_cast<std::size_t>(cells);
     StaggeredColumn state{std::vector<double>(N + 1), std::vector<double>(N + 1), std::vector<double>(N),

@@ -1,0 +1,62 @@
+#include "io/verification_figure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+std::string name_of(const Convergence& result)
+{
+    const double order = measured_order(result);
+    return result.quantity + (std::isfinite(order) ? fmt::format(", order {:.2f}", order) : "");
+}
+
+/// A line of a slope from the largest error on the coarsest grid.
+PlotCurve slope_line(const std::vector<Convergence>& problem, int slope)
+{
+    PlotCurve line;
+    line.name = fmt::format("slope {}", slope);
+    line.colour = {0.5, 0.5, 0.5};
+    line.style = CurveStyle::dashed;
+    double largest = 0.0;
+    for (const Convergence& result : problem) largest = std::max(largest, result.errors.front());
+    const std::vector<int>& cells = problem.front().cells;
+    for (const int count : cells) {
+        line.x.push_back(count);
+        line.y.push_back(largest * std::pow(static_cast<double>(cells.front()) / count, slope));
+    }
+    return line;
+}
+
+} // namespace
+
+LinePlot convergence_plot(const std::vector<Convergence>& problem)
+{
+    LinePlot plot;
+    plot.title = problem.front().problem + ": error against resolution";
+    plot.note = "reference: " + problem.front().reference;
+    plot.arrangement = PlotArrangement::side_by_side;
+    PlotPanel panel;
+    panel.x_label = "cells";
+    panel.y_label = "error";
+    panel.key_beside = true;
+    panel.scale = PlotScale::logarithmic;
+    for (std::size_t k = 0; k < problem.size(); ++k) {
+        PlotCurve curve;
+        curve.name = name_of(problem[k]);
+        curve.colour = curve_colour(k, problem.size());
+        curve.style = CurveStyle::line_with_points;
+        curve.x.assign(problem[k].cells.begin(), problem[k].cells.end());
+        curve.y = problem[k].errors;
+        panel.curves.push_back(std::move(curve));
+    }
+    for (const int slope : {1, 2}) panel.curves.push_back(slope_line(problem, slope));
+    plot.panels = {std::move(panel)};
+    return plot;
+}
+
+} // namespace quicksand

@@ -1,0 +1,14 @@
+// Error against resolution of one verified problem, as a figure with logarithmic axes.
+#pragma once
+
+#include "io/line_plot.hpp"
+#include "solver/verification/convergence.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+/// The curves of one problem, with dashed lines of slope 1 and 2 from the coarsest grid.
+LinePlot convergence_plot(const std::vector<Convergence>& problem);
+
+} // namespace quicksand

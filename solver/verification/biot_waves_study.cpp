@@ -1,0 +1,54 @@
+#include "solver/verification/biot_waves_study.hpp"
+
+#include "solver/failure.hpp"
+#include "solver/simulation.hpp"
+#include "solver/verification/column_mode.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace quicksand {
+
+namespace {
+
+/// Complex frequency of the mode in a run over a period, or over its time of decay.
+Complex measure(const Problem& problem, const ColumnMode& mode, State state)
+{
+    const bool travels = std::abs(mode.s.imag()) > 1e-9 * std::abs(mode.s);
+    const double duration =
+        travels ? 2.0 * std::numbers::pi / std::abs(mode.s.imag()) : 1.0 / std::abs(mode.s);
+    start_mode(mode, state.particles);
+    const Complex before = measure_mode(mode, state.particles);
+    run(problem, state.time + duration, {}, state);
+    return measured_frequency(mode, before, measure_mode(mode, state.particles), duration);
+}
+
+void add_errors(const char* wave, const ColumnMode& mode, Complex measured, std::vector<StudyError>& errors)
+{
+    if (std::abs(mode.s.imag()) > 1e-9 * std::abs(mode.s)) {
+        errors.push_back({std::string(wave) + " wave, speed", "relative",
+                          std::abs(measured.imag() / mode.s.imag() - 1.0)});
+    }
+    errors.push_back(
+        {std::string(wave) + " wave, decay", "relative", std::abs(measured.real() / mode.s.real() - 1.0)});
+}
+
+} // namespace
+
+std::vector<StudyError> biot_waves_study(const Problem& problem, State state)
+{
+    const Layer layer = read_layer(problem, state);
+    if (!is_closed(problem, layer.top)) {
+        throw InputError("the verification needs a column whose top is fixed and impervious");
+    }
+    const double xi = 2.0 * std::numbers::pi / layer.height();
+    const LongitudinalModes exact = longitudinal_modes(layer.soil, xi);
+    std::vector<StudyError> errors;
+    for (const auto& [name, s] : {std::pair("fast", exact.fast), std::pair("slow", exact.slow)}) {
+        const ColumnMode mode = column_mode(layer, xi, s);
+        add_errors(name, mode, measure(problem, mode, state), errors);
+    }
+    return errors;
+}
+
+} // namespace quicksand

@@ -1,0 +1,13 @@
+// Standing fast and slow waves of a closed column, against the Biot dispersion relation.
+#pragma once
+
+#include "solver/verification/study.hpp"
+
+namespace quicksand {
+
+/// Relative errors of the speed (the imaginary part of the complex frequency) and the decay (its real part)
+/// of the fast and of the slow wave that are one column long; of the decay alone where the slow wave cannot
+/// travel. One material between a base and a top that are both fixed and impervious, without weight.
+std::vector<StudyError> biot_waves_study(const Problem& problem, State state);
+
+} // namespace quicksand

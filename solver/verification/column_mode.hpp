@@ -1,0 +1,40 @@
+// Standing plane waves of a saturated column above a fixed impervious base, as initial states of a run and as
+// what is measured of it. With the height y above the base,
+//   (v_s, v_w) = (a, b) sin(xi y) e^{s t},   (sigma', p) = (c, d) cos(xi y) e^{s t};
+// xi = pi / (2 H) under a free and drained top, xi = m pi / H under a wall.
+#pragma once
+
+#include "solver/state.hpp"
+#include "solver/verification/biot_dispersion.hpp"
+#include "solver/verification/layer.hpp"
+
+#include <Eigen/Core>
+
+namespace quicksand {
+
+/// Amplitudes a, b [m/s] and c, d [Pa].
+using ModeAmplitudes = Eigen::Vector4cd;
+
+struct ColumnMode {
+    double base = 0.0;        // y of the base [m]
+    double wave_number = 0.0; // xi [1/m]
+    Complex s;                // complex frequency [1/s]
+    ModeAmplitudes shape;     // eigenvector, largest pressure 1 Pa
+    ModeAmplitudes dual;      // dual^T y is the mode's part in amplitudes y, 1 for the shape itself
+};
+
+/// The mode of this wave number whose complex frequency is nearest to `s`.
+ColumnMode column_mode(const Layer& layer, double wave_number, Complex s);
+
+/// Give particles at rest the velocities, stresses and pressures of Re(mode).
+void start_mode(const ColumnMode& mode, Particles& particles);
+
+/// Part of the mode in the present state, by projection of the particles on sin and cos of their reference
+/// height [-]; 1 for Re(shape) of a mode that does not travel, 1/2 of the shape and its conjugate otherwise.
+Complex measure_mode(const ColumnMode& mode, const Particles& particles);
+
+/// Complex frequency measured over a duration in which the part went from `before` to `after`; its phase is
+/// taken nearest to the exact one's [1/s].
+Complex measured_frequency(const ColumnMode& mode, Complex before, Complex after, double duration);
+
+} // namespace quicksand

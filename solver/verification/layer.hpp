@@ -1,0 +1,36 @@
+// A horizontal layer of one soil, as the studies of columns find it in a problem and its state.
+#pragma once
+
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+#include "solver/verification/saturated_soil.hpp"
+
+#include <functional>
+
+namespace quicksand {
+
+struct Layer {
+    SaturatedSoil soil;
+    double base = 0.0; // y of its lower face [m]
+    double top = 0.0;  // y of its upper face [m]
+
+    double height() const { return top - base; } // H [m]
+};
+
+/// The layer that the particles fill. Throws InputError where the problem is dry, has more than one material
+/// or one that is not linear elastic.
+Layer read_layer(const Problem& problem, const State& state);
+
+/// The soil of a linear elastic material under water. Throws InputError for another law.
+SaturatedSoil read_soil(const Material& material, const Water& water);
+
+/// Whether a wall, fixed or roller and impervious, lies along a face at height y.
+bool is_closed(const Problem& problem, double y);
+
+/// sqrt(sum V_p (value(p) - exact(p))^2 / sum V_p), by the particles' volumes.
+double root_mean_square(const Particles& particles, const std::function<double(std::size_t)>& difference);
+
+/// The particle that lay highest at the reference; its displacement tells of the surface.
+std::size_t highest_particle(const Particles& particles);
+
+} // namespace quicksand

@@ -1,0 +1,45 @@
+// What can be wrong with a call of verify, and with a scene as a problem to verify.
+#include "tests/examples/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quicksand {
+namespace {
+
+using namespace testing_program;
+
+void expect_refusal(const std::string& arguments, const std::string& text)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("verify " + arguments + " -o " + (folder / "out").string());
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n" << outcome.output;
+}
+
+TEST(Verify, AMisspeltProblemIsGuessed)
+{
+    expect_refusal("biot_wave", "there is no problem 'biot_wave' to verify\nexpected: biot_waves");
+    expect_refusal("biot_wave", "hint: did you mean biot_waves?");
+}
+
+TEST(Verify, ASceneWithoutAProblemIsNamed)
+{
+    expect_refusal(example("column"), "column/scene.toml holds no table [verification]");
+}
+
+TEST(Verify, ALimitOfAnUnknownQuantityIsNamedWithThoseMeasured)
+{
+    expect_refusal("biot_waves --short --set 'verification.limits.\"slow speed\"=[1, 1, 1]'",
+                   "biot_waves measures no \"slow speed\"\nexpected: \"fast wave, speed\"");
+}
+
+TEST(Verify, AProblemThatItsStudyDoesNotKnowIsRefused)
+{
+    expect_refusal("biot_waves --short --set boundaries.surface.soil=free",
+                   "biot_waves: the verification needs a column whose top is fixed and impervious");
+    expect_refusal("permeability --short --set boundaries.surface.soil=fixed",
+                   "permeability: the verification needs a column with a free and drained top");
+}
+
+} // namespace
+} // namespace quicksand
