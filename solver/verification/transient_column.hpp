@@ -38,4 +38,14 @@ struct ColumnMotion {
 std::vector<ColumnMotion> column_motion(const TransientColumn& column, double x,
                                         const std::vector<double>& times);
 
+/// A load linear between times and constant after the last one, both from zero at t = 0 [s], [Pa].
+struct LoadPolygon {
+    std::vector<double> times, values;
+};
+
+/// The same motion for another load. Its accuracy follows the kinks of the load: about 1e-4 of it for a
+/// single linear ramp, 1e-6 for a finely sampled smooth one.
+std::vector<ColumnMotion> column_motion(const SaturatedSoil& soil, double height, const LoadPolygon& load,
+                                        double x, const std::vector<double>& times);
+
 } // namespace quicksand

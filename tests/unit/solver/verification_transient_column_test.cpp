@@ -188,5 +188,34 @@ TEST(TransientColumn, AgreesWithAStaggeredGrid)
     }
 }
 
+TEST(TransientColumn, UnderAFinePolygonIsThatUnderTheSmoothRamp)
+{
+    const TransientColumn column = column_of(1e-4, 2e-3);
+    LoadPolygon polygon;
+    for (int k = 0; k <= 200; ++k) {
+        polygon.times.push_back(column.ramp_duration * k / 200);
+        polygon.values.push_back(ramp_of(column, polygon.times.back()));
+    }
+    const std::vector<double> times = {1e-3, 2e-3, 4e-3};
+    const auto smooth = column_motion(column, 0.1, times);
+    const auto sampled = column_motion(column.soil, column.height, polygon, 0.1, times);
+    for (std::size_t k = 0; k < times.size(); ++k) {
+        EXPECT_NEAR(sampled[k].pore_pressure, smooth[k].pore_pressure, 1e-4 * column.load);
+        EXPECT_NEAR(sampled[k].displacement_solid / smooth[k].displacement_solid, 1.0, 1e-4);
+    }
+}
+
+TEST(TransientColumn, UnderALinearRampIsTheSameShiftedInTime)
+{
+    // the load 0 -> 1 over 2 ms is that of two ramps of half the height, the second 1 ms later
+    const TransientColumn column = column_of(1e-4, 1.0);
+    const LoadPolygon whole{{0.0, 2e-3}, {0.0, 1.0}}, half{{0.0, 1e-3}, {0.0, 0.5}};
+    const auto at_once = column_motion(column.soil, column.height, whole, 0.1, {3e-3})[0];
+    const auto parts = column_motion(column.soil, column.height, half, 0.1, {2e-3, 3e-3});
+    EXPECT_NEAR(parts[0].pore_pressure + parts[1].pore_pressure, at_once.pore_pressure, 5e-4);
+    EXPECT_NEAR((parts[0].displacement_solid + parts[1].displacement_solid) / at_once.displacement_solid, 1.0,
+                1e-4);
+}
+
 } // namespace
 } // namespace quicksand
