@@ -123,6 +123,23 @@ void add_keys(CLI::App& program, Commands& commands)
         add_command<KeysChoice>(program, commands, "keys", "List the keys of a scene", list_keys);
     parser->add_option("PATTERN", choice->pattern, "Only keys that contain this text");
     parser->add_flag("--markdown", choice->markdown, "As the reference page");
+    parser->add_flag("--element", choice->of_element_tests, "The keys of element tests");
+}
+
+void add_element(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<ElementChoice>(
+        program, commands, "element", "Test a soil in the element laboratory: simple shear and others",
+        run_element_tests);
+    parser->add_option("TEST", choice->file, "File of tests, or a folder that holds test.toml")->required();
+    parser->add_option("--set", choice->overrides, "Replace a key of the file: --set materials.sand.n1_60=10")
+        ->type_name("KEY=VALUE")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Results folder, replaced if there; results/<file> when not given")
+        ->type_name("DIR");
 }
 
 void add_new(CLI::App& program, Commands& commands)
@@ -240,6 +257,7 @@ Commands add_commands(CLI::App& program)
     add_check(program, commands);
     add_stability(program, commands);
     add_new(program, commands);
+    add_element(program, commands);
     add_keys(program, commands);
     add_probe(program, commands);
     add_picture(program, commands);

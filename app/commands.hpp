@@ -50,6 +50,13 @@ struct StabilityChoice {
 struct KeysChoice {
     std::string pattern; // part of a key, empty: all
     bool markdown = false;
+    bool of_element_tests = false; // instead of a scene's
+};
+
+struct ElementChoice {
+    std::filesystem::path file;         // of tests, or a folder with test.toml
+    std::vector<std::string> overrides; // --set key=value
+    std::filesystem::path directory;    // empty: results/<name of the file>
 };
 
 struct NewChoice {
@@ -91,6 +98,7 @@ ExitCode run_scene(const RunChoice& choice);
 ExitCode check_scene(const CheckChoice& choice);
 ExitCode assess_stability(const StabilityChoice& choice);
 ExitCode list_keys(const KeysChoice& choice);
+ExitCode run_element_tests(const ElementChoice& choice);
 ExitCode create_scene(const NewChoice& choice);
 ExitCode extract_probe(const ProbeChoice& choice);
 ExitCode draw_pictures(const PictureChoice& choice);

@@ -1,4 +1,5 @@
 #include "app/commands.hpp"
+#include "io/element_keys.hpp"
 #include "io/scene_schema.hpp"
 #include "solver/failure.hpp"
 
@@ -8,14 +9,16 @@ namespace quicksand {
 
 ExitCode list_keys(const KeysChoice& choice)
 {
+    const KeyTable& table = choice.of_element_tests ? element_key_table() : scene_key_table();
     if (choice.markdown) {
-        std::cout << keys_markdown(scene_key_table());
+        std::cout << keys_markdown(table);
         return ExitCode::good;
     }
-    const std::string keys = describe_keys(scene_key_table(), choice.pattern);
+    const std::string keys = describe_keys(table, choice.pattern);
     if (keys.empty()) {
-        throw InputError("no key of a scene contains '" + choice.pattern +
-                         "'\nhint: quicksand keys lists all");
+        throw InputError("no key of a " + std::string(table.file) + " contains '" + choice.pattern +
+                         "'\nhint: quicksand keys" + (choice.of_element_tests ? " --element" : "") +
+                         " lists all");
     }
     std::cout << keys;
     return ExitCode::good;

@@ -69,7 +69,8 @@ std::string quote(std::string_view line, const SourcePlace& place)
            std::string(width - 1, '~') + "\n";
 }
 
-void render_finding(const Diagnostic& finding, std::string_view source, std::ostream& text)
+void render_finding(const Diagnostic& finding, std::string_view source, const std::string& file,
+                    std::ostream& text)
 {
     const SourcePlace& place = finding.place;
     text << place.file.string();
@@ -82,7 +83,7 @@ void render_finding(const Diagnostic& finding, std::string_view source, std::ost
     if (finding.severity == Severity::warning && !finding.key.empty()) {
         const char quote_mark = finding.key.find('"') == std::string::npos ? '"' : '\'';
         text << "to accept it: accept = [" << quote_mark << finding.key << quote_mark
-             << "] at the top of the scene\n";
+             << "] at the top of the " << file << '\n';
     }
 }
 
@@ -165,7 +166,7 @@ std::string Diagnostics::render(std::string_view source) const
         const bool is_error = finding->severity == Severity::error;
         const int count = is_error ? ++errors : ++warnings[finding->kind];
         if (count <= (is_error ? most_errors : most_warnings_of_a_kind))
-            render_finding(*finding, source, text);
+            render_finding(*finding, source, file_, text);
     }
     if (errors > most_errors) text << count_of(errors - most_errors, "error") << '\n';
     for (const auto& [kind, count] : warnings) {

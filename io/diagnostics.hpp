@@ -36,6 +36,9 @@ Diagnostic warning_at(SourcePlace place, std::string key, std::string kind, std:
 /// A batch of findings about one source text.
 class Diagnostics {
 public:
+    /// `file` is what the source is called in the messages.
+    explicit Diagnostics(std::string_view file = "scene") : file_(file) {}
+
     void add(Diagnostic diagnostic) { findings_.push_back(std::move(diagnostic)); }
     void add(const Diagnostics& others);
     /// Remove the warnings about these keys.
@@ -49,6 +52,7 @@ public:
     std::string render(std::string_view source) const;
 
 private:
+    std::string file_;
     std::vector<Diagnostic> findings_;
 };
 

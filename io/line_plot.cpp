@@ -64,23 +64,6 @@ Sheet lay_out(const LinePlot& plot)
     return sheet;
 }
 
-/// In gnuplot's single quotes nothing but the quote itself is special.
-std::string quoted(const std::string& text)
-{
-    std::string result = "'";
-    for (const char letter : text) {
-        if (letter == '\n' || letter == '\r') continue;
-        result += letter;
-        if (letter == '\'') result += letter;
-    }
-    return result + "'";
-}
-
-std::string number(double value)
-{
-    return std::isfinite(value) ? fmt::format("{:.7g}", value) : "NaN";
-}
-
 std::string data_blocks(const LinePlot& plot)
 {
     std::string script;
@@ -89,7 +72,7 @@ std::string data_blocks(const LinePlot& plot)
             const PlotCurve& curve = plot.panels[p].curves[c];
             script += fmt::format("$curve_{}_{} << end_of_data\n", p, c);
             for (std::size_t k = 0; k < std::min(curve.x.size(), curve.y.size()); ++k)
-                script += fmt::format("{} {}\n", number(curve.x[k]), number(curve.y[k]));
+                script += fmt::format("{} {}\n", gnuplot_number(curve.x[k]), gnuplot_number(curve.y[k]));
             script += "end_of_data\n";
         }
     return script;
@@ -98,8 +81,9 @@ std::string data_blocks(const LinePlot& plot)
 std::string heading(const LinePlot& plot, const Sheet& sheet)
 {
     const auto label = [&](int tag, const std::string& text, double from_top, const char* style) {
-        return fmt::format("set label {} {} at screen {:.5f}, screen {:.5f} left {}\n", tag, quoted(text),
-                           left_margin / sheet.width, 1.0 - from_top / sheet.height, style);
+        return fmt::format("set label {} {} at screen {:.5f}, screen {:.5f} left {}\n", tag,
+                           gnuplot_text(text), left_margin / sheet.width, 1.0 - from_top / sheet.height,
+                           style);
     };
     return label(1, plot.title, 34.0, "font ':Bold,16'") +
            label(2, plot.note, 62.0, "font ',11' textcolor rgb '#606060'");
@@ -120,8 +104,8 @@ std::string tick_step(const char* axis, const std::vector<PlotCurve>& curves,
 /// Where panels are stacked the y label lies above its axes, where long ones have room; else beside them.
 std::string y_label(const PlotPanel& panel, const Box& box, bool stacked, const Sheet& sheet)
 {
-    if (!stacked) return fmt::format("set ylabel {}\n", quoted(panel.y_label));
-    return fmt::format("set label 3 {} at screen {:.5f}, screen {:.5f} left\n", quoted(panel.y_label),
+    if (!stacked) return fmt::format("set ylabel {}\n", gnuplot_text(panel.y_label));
+    return fmt::format("set label 3 {} at screen {:.5f}, screen {:.5f} left\n", gnuplot_text(panel.y_label),
                        box.left / sheet.width, 1.0 - (box.top - 13.0) / sheet.height);
 }
 
@@ -163,7 +147,7 @@ std::string panel_commands(const LinePlot& plot, std::size_t p, const Sheet& she
                                      box.left / sheet.width, box.right / sheet.width,
                                      1.0 - box.top / sheet.height, 1.0 - box.bottom / sheet.height);
     script += fmt::format("set format x {}\n", shows_x ? "'%g'" : "''");
-    script += fmt::format("set xlabel {} offset 0,-0.3\n", shows_x ? quoted(panel.x_label) : "''");
+    script += fmt::format("set xlabel {} offset 0,-0.3\n", shows_x ? gnuplot_text(panel.x_label) : "''");
     script += y_label(panel, box, stacked, sheet);
     if (panel.scale == PlotScale::logarithmic) {
         script += logarithmic_axes(panel.curves);
@@ -177,7 +161,7 @@ std::string panel_commands(const LinePlot& plot, std::size_t p, const Sheet& she
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
         const PlotCurve& curve = panel.curves[c];
         script += fmt::format("{}$curve_{}_{} using 1:2 with {} {}", separator, p, c, style_of(curve),
-                              curve.name.empty() ? "notitle" : "title " + quoted(curve.name));
+                              curve.name.empty() ? "notitle" : "title " + gnuplot_text(curve.name));
         separator = ", \\\n     ";
     }
     if (panel.scale == PlotScale::logarithmic) script += "\nunset logscale xy\nset autoscale";
@@ -208,7 +192,7 @@ std::string plot_script(const LinePlot& plot, const std::filesystem::path& png)
                                      "set terminal pngcairo noenhanced size {:.0f},{:.0f} "
                                      "font 'DejaVu Sans,12' background rgb '#ffffff'\n"
                                      "set output {}\n",
-                                     sheet.width, sheet.height, quoted(png.string()));
+                                     sheet.width, sheet.height, gnuplot_text(png.string()));
     script += "set minussign\n"
               "set border 15 lw 1 lc rgb '#303030'\n"
               "set tics out nomirror scale 0.6 textcolor rgb '#1a1a1a'\n"

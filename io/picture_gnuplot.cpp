@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -70,6 +71,23 @@ std::string last_words(std::FILE* messages)
 }
 
 } // namespace
+
+std::string gnuplot_text(const std::string& text)
+{
+    // Nothing but the quote itself is special.
+    std::string result = "'";
+    for (const char letter : text) {
+        if (letter == '\n' || letter == '\r') continue;
+        result += letter;
+        if (letter == '\'') result += letter;
+    }
+    return result + "'";
+}
+
+std::string gnuplot_number(double value)
+{
+    return std::isfinite(value) ? fmt::format("{:.7g}", value) : "NaN";
+}
 
 void run_gnuplot(const std::string& script, const std::filesystem::path& picture)
 {

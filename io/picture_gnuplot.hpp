@@ -10,4 +10,10 @@ namespace quicksand {
 /// then with its last words.
 void run_gnuplot(const std::string& script, const std::filesystem::path& picture);
 
+/// Text in gnuplot's single quotes, on one line.
+std::string gnuplot_text(const std::string& text);
+
+/// "NaN" leaves a gap.
+std::string gnuplot_number(double value);
+
 } // namespace quicksand

@@ -98,7 +98,8 @@ std::optional<std::string> read_text_file(const std::filesystem::path& file, con
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (!std::filesystem::exists(status)) {
-        return refuse("does not exist", place.line > 0 ? "the path is relative to the scene file" : "");
+        return refuse("does not exist",
+                      place.line > 0 ? "the path is relative to the file that names it" : "");
     }
     if (std::filesystem::is_directory(status)) return refuse("is a folder, not a file", "name a file in it");
     if (!std::filesystem::is_regular_file(status)) return refuse("is not a regular file", "");

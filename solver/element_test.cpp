@@ -104,11 +104,19 @@ Specimen consolidate(const UbcSand& law, const Consolidation& start)
     specimen.state.tau_xy = start.static_shear;
     begin_shaking(law, specimen.state);
     if (specimen.state.eta_max > law.eta_f) {
-        throw InputError(
-            "element test: the specimen fails in consolidation; bring k0 nearer to 1 or reduce the "
-            "static shear");
+        std::ostringstream what;
+        what.precision(3);
+        what << "the specimen fails in consolidation: its stress ratio t/s = " << specimen.state.eta_max
+             << " is above the failure limit sin phi_f = " << law.eta_f;
+        throw InputError(what.str());
     }
     return specimen;
+}
+
+double ElementPoint::deviator_stress() const
+{
+    const double p = mean_stress(), x = sigma_x - p, y = sigma_y - p, z = sigma_z - p;
+    return std::sqrt(1.5 * (x * x + y * y + z * z + 2.0 * tau * tau));
 }
 
 void strain(double strain_x, double strain_y, double shear, Specimen& specimen)

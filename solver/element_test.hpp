@@ -27,6 +27,8 @@ struct ElementPoint {
     double ru = 0.0;                                    // excess pore pressure over sigma'_v0 [-]
 
     double volumetric_strain() const { return strain_x + strain_y; }
+    double mean_stress() const { return (sigma_x + sigma_y + sigma_z) / 3.0; } // p' [Pa]
+    double deviator_stress() const;                                            // q = sqrt(3 J_2) [Pa]
 };
 
 using ElementPath = std::vector<ElementPoint>;
@@ -41,7 +43,8 @@ struct Specimen {
     double initial_vertical_stress = 0.0;               // sigma'_v0 [Pa]
 };
 
-/// A consolidated specimen, its memory as at the start of shaking.
+/// A consolidated specimen, its memory as at the start of shaking. Throws InputError when its stresses are
+/// beyond the failure limit.
 Specimen consolidate(const UbcSand& law, const Consolidation& start);
 
 void strain(double strain_x, double strain_y, double shear, Specimen& specimen);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace quicksand {
 
@@ -11,10 +12,11 @@ namespace {
 
 // The law is integrated to first order: with this step the mean stress at the peaks is right to 0.2 %.
 constexpr double stress_step = 0.004;  // elastic stress of a step over tau_a [-]
+constexpr double largest_csr = 2.0;    // up to which strength is searched [-]
 constexpr double leg_tolerance = 1e-3; // of a stress step, within which a leg has ended [-]
 
 // Distances between points of the path.
-constexpr double tau_resolution = 0.01;   // over tau_a [-]
+constexpr double tau_resolution = 0.02;   // over tau_a [-]
 constexpr double gamma_resolution = 2e-4; // [-]
 
 /// A leg runs from one reversal to the next; leg 0 is the first quarter cycle.
@@ -31,9 +33,15 @@ double cycle_of(const Leg& leg, double value)
     return leg.number == 0 ? 0.25 * share : 0.5 * leg.number - 0.25 + 0.5 * share;
 }
 
+/// Half cycles are counted at the reversals.
+double cycles_of(const Leg& leg)
+{
+    return 0.5 * leg.number;
+}
+
 void note_events(const Leg& leg, const ElementPoint& point, CyclicTest& test)
 {
-    const double cycles = 0.5 * leg.number;
+    const double cycles = cycles_of(leg);
     const auto note = [&](bool happens, std::optional<double>& event) {
         if (happens && !event) event = cycles;
     };
@@ -74,7 +82,8 @@ bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Speci
         const ElementPoint point = record(specimen, cycle_of(leg, specimen.state.tau_xy));
         note_events(leg, point, test);
         ends = leg.direction() * (leg.to - point.tau) <= leg_tolerance * tau_step;
-        stops = std::abs(point.gamma) > loading.largest_gamma || (loading.stop_at_ru && test.cycles_to_ru_95);
+        stops = std::abs(point.gamma) > loading.largest_gamma ||
+                (test.cycles_to_ru_95 && cycles_of(leg) - *test.cycles_to_ru_95 >= loading.cycles_after);
         if (ends || stops || worth_recording(point, test.path.back(), amplitude)) test.path.push_back(point);
     }
     return !stops;
@@ -83,9 +92,9 @@ bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Speci
 /// Least CSR that reaches ru > 0.95 within N cycles, by halves of the range in log CSR.
 double least_csr(const UbcSand& law, const Consolidation& start, double cycles)
 {
-    double below = 0.01, above = 2.0;
+    double below = 0.01, above = largest_csr;
     while (above / below > 1.002) {
-        const StressCycles loading = {std::sqrt(below * above), cycles, 0.5, true};
+        const StressCycles loading = {std::sqrt(below * above), cycles, 0.5, 0.0};
         const bool reached = shear_cyclically(law, start, loading).cycles_to_ru_95.value_or(1e9) <= cycles;
         (reached ? above : below) = loading.csr;
     }
@@ -130,11 +139,38 @@ CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, cons
             std::ceil(loading.steps_per_leg * std::abs(to - leg.from) / (2.0 * loading.gamma));
         for (double k = 0.0; k < steps; k += 1.0) {
             strain(0.0, 0.0, (to - leg.from) / steps, specimen);
-            test.path.push_back(record(specimen, cycle_of(leg, specimen.gamma)));
-            note_events(leg, test.path.back(), test);
+            const ElementPoint point = record(specimen, cycle_of(leg, specimen.gamma));
+            note_events(leg, point, test);
+            if (std::fmod(k + 1.0, 4.0) == 0.0 || k + 1.0 == steps) test.path.push_back(point);
         }
     }
     return test;
+}
+
+std::vector<CycleSummary> summarize_cycles(const ElementPath& path)
+{
+    // peaks are at 0.25, 1.25, ...; the loop between two of them is closed by a straight line
+    std::vector<CycleSummary> cycles;
+    std::size_t begin = 0;
+    while (begin < path.size() && path[begin].cycle < 0.25 - 1e-6) ++begin;
+    for (int cycle = 1; begin < path.size(); ++cycle) {
+        std::size_t end = begin;
+        const ElementPoint* trough = &path[begin];
+        double work = 0.0, ru = path[begin].ru;
+        while (end + 1 < path.size() && path[end].cycle < cycle + 0.25 - 1e-6) {
+            ++end;
+            work += 0.5 * (path[end].tau + path[end - 1].tau) * (path[end].gamma - path[end - 1].gamma);
+            ru = std::max(ru, path[end].ru);
+            if (path[end].gamma < trough->gamma) trough = &path[end];
+        }
+        if (path[end].cycle < cycle + 0.25 - 1e-6) break;
+        const ElementPoint &peak = path[begin], &next = path[end];
+        work -= 0.5 * (next.tau + peak.tau) * (next.gamma - peak.gamma);
+        const double gamma = 0.5 * (peak.gamma - trough->gamma), tau = 0.5 * (peak.tau - trough->tau);
+        cycles.push_back({cycle, gamma, tau / gamma, work / (2.0 * std::numbers::pi * tau * gamma), ru});
+        begin = end;
+    }
+    return cycles;
 }
 
 std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, double cycles)
@@ -155,6 +191,14 @@ double csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycle
     if (cycles <= fewer) return strong;
     const double weak = middle_csr(law, start, more);
     return interpolate_csr({{weak, more}, {strong, fewer}}, cycles).value_or(strong);
+}
+
+std::optional<CyclicStrength> cyclic_strength(const UbcSand& law, const Consolidation& start)
+{
+    const double csr_10 = csr_to_ru_95(law, start, 10.0);
+    if (csr_10 > 0.99 * largest_csr) return std::nullopt;
+    const double csr_15 = csr_to_ru_95(law, start, 15.0), csr_30 = csr_to_ru_95(law, start, 30.0);
+    return CyclicStrength{csr_15, std::log(csr_10 / csr_30) / std::log(3.0)};
 }
 
 } // namespace quicksand

@@ -14,14 +14,14 @@ struct StressCycles {
     double csr = 0.15;          // tau_a / sigma'_v0 [-]
     double cycles = 100.0;      // the test ends after this many, or at [-]
     double largest_gamma = 0.1; // this single-amplitude shear strain [-]
-    bool stop_at_ru = false;    // end at ru > 0.95 already
+    double cycles_after = 1e9;  // after ru > 0.95 it goes on for this many only [-]
 };
 
 /// Shear between -gamma_a and gamma_a, upward first.
 struct StrainCycles {
     double gamma = 0.001;         // gamma_a [-]
     double cycles = 10.0;         // [-]
-    double steps_per_leg = 400.0; // steps from peak to peak [-]
+    double steps_per_leg = 400.0; // steps from peak to peak; every fourth is a point of the path [-]
 };
 
 /// Half cycles are counted at reversals: an event between the reversals 2N and 2N + 1 is at N cycles.
@@ -34,6 +34,17 @@ struct CyclicTest {
 
 CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StressCycles& loading);
 CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StrainCycles& loading);
+
+/// A whole cycle from the peak of one to that of the next, for modulus and damping.
+struct CycleSummary {
+    int cycle;             // 1, 2, ... [-]
+    double gamma;          // half the peak-to-peak shear strain [-]
+    double secant_modulus; // peak-to-peak stress over strain [Pa]
+    double damping_ratio;  // loop area over 4 pi times the triangle below the secant [-]
+    double ru;             // largest within the cycle [-]
+};
+
+std::vector<CycleSummary> summarize_cycles(const ElementPath& path);
 
 /// A point of the cyclic strength curve.
 struct StrengthPoint {
@@ -48,5 +59,14 @@ std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, 
 /// CSR that reaches ru > 0.95 in N cycles, to 0.2 %. Cycles are counted in halves, so that a range of CSR has
 /// the same count: its middle is taken, and log-log interpolation between the halves.
 double csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles);
+
+/// The cyclic strength curve in two numbers.
+struct CyclicStrength {
+    double csr_15; // CSR to ru > 0.95 in 15 cycles [-]
+    double slope;  // b of CSR ~ N^-b, from 10 to 30 cycles [-]
+};
+
+/// None where ru > 0.95 is not reached at CSR of 2, as under a static shear that is never reversed.
+std::optional<CyclicStrength> cyclic_strength(const UbcSand& law, const Consolidation& start);
 
 } // namespace quicksand

@@ -103,7 +103,7 @@ R"_(
 scene.toml:46:8: error[file]: 'record.csv' does not exist
    46 | file = "record.csv"
       |        ^~~~~~~~~~~~
-hint: the path is relative to the scene file
+hint: the path is relative to the file that names it
 )_"},
 SceneMistake{"BoxesOnAMesh",
     "particles_per_cell = [3, 3]",
