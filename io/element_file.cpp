@@ -55,6 +55,24 @@ std::vector<ElementLoading> read_loadings(const SceneValues& values, const std::
     return loadings;
 }
 
+/// The least stress of the model is also the least of a test.
+void check_stresses(const SceneValues& values, const std::string& test,
+                    const std::vector<ElementSpecimen>& specimens, Diagnostics& findings)
+{
+    const std::string path = test + ".stresses";
+    double floor = 0.0;
+    for (const ElementSpecimen& specimen : specimens) floor = std::max(floor, specimen.soil.stress_floor);
+    for (const double stress : values.find<std::vector<double>>(path).value_or(std::vector<double>())) {
+        if (stress >= floor) continue;
+        findings.add(
+            error_at(values.place(path), "range",
+                     path + " has " + quantity_text(stress, Dimension::pressure) +
+                         ", which is below the least stress of the model",
+                     "at least " + quantity_text(floor, Dimension::pressure) + ", the stress_floor"));
+        return;
+    }
+}
+
 LiquefactionCriterion criterion_of(const std::string& word)
 {
     if (word == "strain_3_percent") return LiquefactionCriterion::strain_3_percent;
@@ -90,6 +108,16 @@ const NamedTable* find_material(const SceneValues& values, const std::string& te
     return nullptr;
 }
 
+std::string consolidation_hint(const ElementSpecimen& specimen)
+{
+    const Consolidation& start = specimen.start;
+    if (0.5 * (1.0 + start.k0) * start.vertical_stress < specimen.soil.stress_floor) {
+        return "raise vertical_stress, or lower stress_floor";
+    }
+    return start.static_shear != 0.0 ? "reduce static_shear_ratio, or bring k0 nearer to 1"
+                                     : "bring k0 nearer to 1";
+}
+
 /// Soil and initial stresses; that they can be is checked by consolidating.
 ElementSpecimen read_specimen(SceneValues& values, const NamedTable& material, const NamedTable& test,
                               const SourcePlace& place, Diagnostics& findings)
@@ -106,10 +134,7 @@ ElementSpecimen read_specimen(SceneValues& values, const NamedTable& material, c
     try {
         consolidate(make_ubcsand(specimen.soil), specimen.start);
     } catch (const InputError& error) {
-        findings.add(error_at(place, "consolidation", error.what(), "",
-                              specimen.start.static_shear != 0.0
-                                  ? "reduce static_shear_ratio, or bring k0 nearer to 1"
-                                  : "bring k0 nearer to 1"));
+        findings.add(error_at(place, "consolidation", error.what(), "", consolidation_hint(specimen)));
     }
     return specimen;
 }
@@ -168,6 +193,7 @@ ElementTest read_test(const DocumentNode& document, SceneValues& values, const N
     test.varied = values.text(table.path + ".vary");
     test.specimens = read_specimens(document, values, *material, table, findings);
     test.loadings = read_loadings(values, table.path);
+    check_stresses(values, table.path, test.specimens, findings);
     test.criterion = criterion_of(values.text(table.path + ".criterion"));
     if (const std::string data = values.text(table.path + ".data"); !data.empty()) {
         const std::string path = table.path + ".data", label = values.text(table.path + ".data_label");

@@ -132,12 +132,15 @@ SheetPanel labelled(SheetPanel panel, const char* heading, const char* x_label, 
     return panel;
 }
 
-/// Straight lines from the origin at a slope, up and down.
-void add_guides(double slope, double end, const char* name, bool downward, SheetPanel& panel)
+/// The failure limit, up and for cyclic tests down: shear stress = sin phi_f (x + a) [kPa].
+void add_failure(const UbcSand& law, double end, const char* name, bool downward, SheetPanel& panel)
 {
-    panel.curves.push_back({{name, guide_grey, {0.0, end}, {0.0, slope * end}}, SheetMark::guide});
-    if (downward)
-        panel.curves.push_back({{"", guide_grey, {0.0, end}, {0.0, -slope * end}}, SheetMark::guide});
+    const double slope = law.eta_f, at_zero = 1e-3 * law.eta_f * law.a;
+    panel.curves.push_back(
+        {{name, guide_grey, {0.0, end}, {at_zero, at_zero + slope * end}}, SheetMark::guide});
+    if (!downward) return;
+    panel.curves.push_back(
+        {{"", guide_grey, {0.0, end}, {-at_zero, -at_zero - slope * end}}, SheetMark::guide});
 }
 
 double largest_x(const SheetPanel& panel)
@@ -159,14 +162,14 @@ SheetPanel shear_path(const std::vector<const ElementRun*>& runs, const ElementO
     SheetPanel panel = labelled(curves_of(runs, outcome, sigma_v_kpa, tau_kpa), "Stress path",
                                 "Vertical effective stress σ'v [kPa]", "Shear stress τ [kPa]");
     if (cyclic) panel.curves.front().curve.name.clear(); // it is that of the loops
-    const double eta_f = make_ubcsand(outcome.specimen(*runs.front()).soil).eta_f;
+    const UbcSand law = make_ubcsand(outcome.specimen(*runs.front()).soil);
     double end = largest_x(panel);
     if (cyclic) { // the guides need not go far beyond the loops
         double tau = 0.0;
         for (const double y : panel.curves.front().curve.y) tau = std::max(tau, std::abs(y));
-        end = std::min(end, 1.4 * tau / eta_f);
+        end = std::min(end, 1.4 * tau / law.eta_f);
     }
-    add_guides(eta_f, end, "failure, τ = sin φf σ'v", cyclic, panel);
+    add_failure(law, end, "failure, τ = sin φf σ'v", cyclic, panel);
     return panel;
 }
 
@@ -319,8 +322,8 @@ std::vector<NamedPanel> biaxial_panels(const ElementOutcome& outcome, Drainage d
     const std::vector<const ElementRun*> shown = shown_runs(outcome);
     SheetPanel path = labelled(curves_of(shown, outcome, s_kpa, t_kpa), "Stress path",
                                "s' = (σ'v + σ'h)/2 [kPa]", "t = (σ'v − σ'h)/2 [kPa]");
-    add_guides(make_ubcsand(outcome.specimen(*shown.front()).soil).eta_f, largest_x(path),
-               "failure, t = sin φf s'", false, path);
+    add_failure(make_ubcsand(outcome.specimen(*shown.front()).soil), largest_x(path),
+                "failure, t = sin φf s'", false, path);
     std::vector<NamedPanel> panels = {
         {"stress_strain",
          labelled(curves_of(shown, outcome, vertical_strain_percent, deviator_kpa), "Stress and strain",

@@ -62,6 +62,16 @@ double mean_stress(const UbcSandState& state)
     return 0.5 * (state.sigma_x + state.sigma_y);
 }
 
+/// Below its floor the law knows no stress.
+void require_above_floor(const UbcSand& law, double mean_stress)
+{
+    if (mean_stress >= law.s_min) return;
+    std::ostringstream what;
+    what << "a mean stress of " << mean_stress << " Pa is below the least of the model, " << law.s_min
+         << " Pa (stress_floor)";
+    throw InputError(what.str());
+}
+
 void check(const Consolidation& start)
 {
     if (!(start.vertical_stress > 0.0) || !(start.k0 > 0.0)) {
@@ -78,6 +88,7 @@ ElementPath load_through(const UbcSand& law, const Consolidation& start, const s
     ElementPath path = {record(specimen, 0.0)};
     for (const double target : targets) {
         if (!(target > 0.0)) throw InputError("element test: a stress to compress to must be positive");
+        require_above_floor(law, target);
         while (std::abs(stress(specimen.state) - target) > 1e-6 * target) {
             const double now = stress(specimen.state);
             const double next = now < target ? std::min(target, 1.01 * now) : std::max(target, now / 1.01);
@@ -95,6 +106,7 @@ Specimen consolidate(const UbcSand& law, const Consolidation& start)
 {
     check(start);
     const double vertical = start.vertical_stress, horizontal = start.k0 * start.vertical_stress;
+    require_above_floor(law, 0.5 * (vertical + horizontal));
     Specimen specimen;
     specimen.law = law;
     specimen.initial_vertical_stress = vertical;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 #include <numbers>
 
 namespace quicksand {
@@ -89,23 +91,55 @@ bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Speci
     return !stops;
 }
 
-/// Least CSR that reaches ru > 0.95 within N cycles, by halves of the range in log CSR.
-double least_csr(const UbcSand& law, const Consolidation& start, double cycles)
-{
-    double below = 0.01, above = largest_csr;
-    while (above / below > 1.002) {
-        const StressCycles loading = {std::sqrt(below * above), cycles, 0.5, 0.0};
-        const bool reached = shear_cyclically(law, start, loading).cycles_to_ru_95.value_or(1e9) <= cycles;
-        (reached ? above : below) = loading.csr;
+/// Strengths of one specimen. The searches for several numbers of cycles halve the same range of CSR, so that
+/// they share their tests.
+class StrengthSearch {
+public:
+    StrengthSearch(const UbcSand& law, const Consolidation& start, double most_cycles)
+        : law_(law), start_(start), most_cycles_(most_cycles)
+    {
     }
-    return above;
-}
 
-/// Middle of the range of CSR that reaches ru > 0.95 at N cycles, a whole number of halves.
-double middle_csr(const UbcSand& law, const Consolidation& start, double cycles)
-{
-    return std::sqrt(least_csr(law, start, cycles) * least_csr(law, start, cycles - 0.5));
-}
+    /// CSR to ru > 0.95 in N cycles; log-log interpolation between the halves.
+    double csr_at(double cycles)
+    {
+        const double fewer = std::max(0.5, std::floor(2.0 * cycles) / 2.0), more = fewer + 0.5;
+        const double strong = middle(fewer);
+        if (cycles <= fewer) return strong;
+        const double weak = middle(more);
+        return interpolate_csr({{weak, more}, {strong, fewer}}, cycles).value_or(strong);
+    }
+
+private:
+    /// Cycles to ru > 0.95, without end where they are more than most_cycles.
+    double cycles_at(double csr)
+    {
+        const auto known = known_.find(csr);
+        if (known != known_.end()) return known->second;
+        const StressCycles loading = {csr, most_cycles_, 0.5, 0.0};
+        const auto cycles = shear_cyclically(law_, start_, loading).cycles_to_ru_95;
+        return known_[csr] = cycles.value_or(std::numeric_limits<double>::infinity());
+    }
+
+    /// Least CSR that reaches ru > 0.95 within N cycles.
+    double least(double cycles)
+    {
+        double below = 0.01, above = largest_csr;
+        while (above / below > 1.002) {
+            const double csr = std::sqrt(below * above);
+            (cycles_at(csr) <= cycles ? above : below) = csr;
+        }
+        return above;
+    }
+
+    /// Middle of the range of CSR that reaches ru > 0.95 at N cycles, a whole number of halves.
+    double middle(double cycles) { return std::sqrt(least(cycles) * least(cycles - 0.5)); }
+
+    const UbcSand& law_;
+    const Consolidation& start_;
+    double most_cycles_;
+    std::map<double, double> known_; // cycles by CSR
+};
 
 } // namespace
 
@@ -186,18 +220,15 @@ std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, 
 
 double csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles)
 {
-    const double fewer = std::max(0.5, std::floor(2.0 * cycles) / 2.0), more = fewer + 0.5;
-    const double strong = middle_csr(law, start, fewer);
-    if (cycles <= fewer) return strong;
-    const double weak = middle_csr(law, start, more);
-    return interpolate_csr({{weak, more}, {strong, fewer}}, cycles).value_or(strong);
+    return StrengthSearch(law, start, cycles + 0.5).csr_at(cycles);
 }
 
 std::optional<CyclicStrength> cyclic_strength(const UbcSand& law, const Consolidation& start)
 {
-    const double csr_10 = csr_to_ru_95(law, start, 10.0);
+    StrengthSearch search(law, start, 30.0);
+    const double csr_10 = search.csr_at(10.0);
     if (csr_10 > 0.99 * largest_csr) return std::nullopt;
-    const double csr_15 = csr_to_ru_95(law, start, 15.0), csr_30 = csr_to_ru_95(law, start, 30.0);
+    const double csr_15 = search.csr_at(15.0), csr_30 = search.csr_at(30.0);
     return CyclicStrength{csr_15, std::log(csr_10 / csr_30) / std::log(3.0)};
 }
 

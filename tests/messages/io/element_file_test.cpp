@@ -124,6 +124,35 @@ test.toml:8:1: error[consolidation]: the specimen fails in consolidation: its st
       | ^~~~~~~~~~~~~~~~
 hint: reduce static_shear_ratio, or bring k0 nearer to 1
 )_"},
+SceneMistake{"SpecimenBelowTheLeastStress",
+    "n1_60 = 13.9",
+    "n1_60 = 13.9\nstress_floor = \"80 kPa\"",
+R"_(
+test.toml:7:16: warning[plausibility]: materials.sand.stress_floor = 80000 Pa is unusually large
+    7 | stress_floor = "80 kPa"
+      |                ^~~~~~~~
+expected: usually 10 to 5000 Pa
+to accept it: accept = ["materials.sand.stress_floor"] at the top of the test file
+test.toml:9:1: error[consolidation]: a mean stress of 75000 Pa is below the least of the model, 80000 Pa (stress_floor)
+    9 | [tests.strength]
+      | ^~~~~~~~~~~~~~~~
+hint: raise vertical_stress, or lower stress_floor
+)_"},
+SceneMistake{"StressBelowTheLeast",
+    "[tests.strength]",
+    "[tests.compression]\nkind = \"oedometer\"\nstresses = [4e5, 400]\n[tests.strength]",
+R"_(
+test.toml:10:12: error[range]: tests.compression.stresses has 400 Pa, which is below the least stress of the model
+   10 | stresses = [4e5, 400]
+      |            ^~~~~~~~~~
+expected: at least 500 Pa, the stress_floor
+test.toml:10:18: warning[plausibility]: tests.compression.stresses = 400 Pa is unusually small
+   10 | stresses = [4e5, 400]
+      |                  ^~~
+expected: usually 1000 to 1e7 Pa
+hint: did you mean "400 kPa"?
+to accept it: accept = ["tests.compression.stresses"] at the top of the test file
+)_"},
 SceneMistake{"UnknownMaterial",
     "k0 = 0.5",
     "material = \"snad\"",
