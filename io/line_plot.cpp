@@ -115,11 +115,12 @@ std::string logarithmic_axes(const std::vector<PlotCurve>& curves)
     std::set<double> values;
     for (const PlotCurve& curve : curves) values.insert(curve.x.begin(), curve.x.end());
     std::string ticks;
-    for (const double value : values) ticks += (ticks.empty() ? "" : ",") + number(value);
+    for (const double value : values) ticks += (ticks.empty() ? "" : ",") + gnuplot_number(value);
     constexpr double room = 1.15; // beside the first and the last
     return fmt::format("set logscale xy 10\nset xrange [{}:{}]\nset xtics ({})\nset ytics autofreq\n"
                        "set format y '%g'\nset mytics 10\n",
-                       number(*values.begin() / room), number(*values.rbegin() * room), ticks);
+                       gnuplot_number(*values.begin() / room), gnuplot_number(*values.rbegin() * room),
+                       ticks);
 }
 
 std::string style_of(const PlotCurve& curve)
