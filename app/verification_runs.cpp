@@ -65,7 +65,7 @@ void execute(VerificationRun& run)
         run.failure = std::current_exception();
     }
     run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    run.assembled = {}; // its memory is not needed any more
+    run.assembled = AssembledCase(); // its memory is not needed any more
 }
 
 /// The runs by their expected cost: particles times steps, which grow as the cells.
