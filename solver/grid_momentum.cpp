@@ -104,6 +104,23 @@ TwoPhaseMotion solve_slanted(const TwoPhaseSums& node, const NodeImpulses& impul
     return {solid.x(), solid.y(), fluid.x(), fluid.y(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 }
 
+double node_porosity(const Problem& problem, const TwoPhaseSums& node)
+{
+    return node.mass_fluid / (problem.water->density * node.volume);
+}
+
+/// Impulses of a force of the pressure over a unit of time, shared by grains and water.
+NodeImpulses unit_pressure_impulses(double porosity, const Vector2& force)
+{
+    return {(1.0 - porosity) * force, porosity * force};
+}
+
+Vector2 flux_of(double porosity, const TwoPhaseMotion& motion)
+{
+    return {(1.0 - porosity) * motion.solid_x + porosity * motion.fluid_x,
+            (1.0 - porosity) * motion.solid_y + porosity * motion.fluid_y};
+}
+
 template <class Sums, class Add>
 void add_tied(const NodeConditions& conditions, std::vector<Sums>& sums, Add&& add)
 {
@@ -176,6 +193,38 @@ void solve_two_phase_momentum(const Problem& problem, const NodeConditions& cond
         const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, node);
         motion[wall.node] = solve_slanted(node, impulses, dt, wall);
         set_flux_and_change(problem, node, motion[wall.node]);
+    }
+}
+
+void set_pressure_compliances(const Problem& problem, const NodeConditions& conditions, double dt,
+                              const std::vector<TwoPhaseSums>& sums, NodeCompliances& compliances)
+{
+    compliances.xx.assign(sums.size(), 0.0);
+    compliances.xy.assign(sums.size(), 0.0);
+    compliances.yy.assign(sums.size(), 0.0);
+    const auto count = static_cast<std::int64_t>(sums.size());
+#pragma omp parallel for schedule(static) if (sums.size() > least_parallel_work)
+    for (std::int64_t k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        if (!sums[i].active()) continue;
+        // x and y do not mix without a slanted wall, so that one force in both directions tells both
+        const double n = node_porosity(problem, sums[i]);
+        const Vector2 flux = flux_of(n, solve_aligned(sums[i], unit_pressure_impulses(n, Vector2(1.0, 1.0)),
+                                                      dt, conditions.of_node[i]));
+        compliances.xx[i] = flux.x();
+        compliances.yy[i] = flux.y();
+    }
+    for (const SlantedNode& wall : conditions.slanted) {
+        const TwoPhaseSums& node = sums[wall.node];
+        if (!node.active() || conditions.of_node[wall.node] != 0) continue;
+        const double n = node_porosity(problem, node);
+        const Vector2 x =
+            flux_of(n, solve_slanted(node, unit_pressure_impulses(n, Vector2::UnitX()), dt, wall));
+        const Vector2 y =
+            flux_of(n, solve_slanted(node, unit_pressure_impulses(n, Vector2::UnitY()), dt, wall));
+        compliances.xx[wall.node] = x.x();
+        compliances.xy[wall.node] = x.y();
+        compliances.yy[wall.node] = y.y();
     }
 }
 

@@ -9,6 +9,11 @@
 
 namespace quicksand {
 
+/// Flux per force and time of the nodes; symmetric 2 x 2, off-diagonal only at slanted walls [m/kg].
+struct NodeCompliances {
+    std::vector<double> xx, xy, yy;
+};
+
 /// Velocities of the two phases in one direction [m/s].
 struct PhaseVelocities {
     double solid, fluid;
@@ -39,6 +44,11 @@ void spread_tied_motion(const NodeConditions& conditions, std::vector<Motion>& m
 void solve_two_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
                               double acceleration, const std::vector<TwoPhaseSums>& sums,
                               std::vector<TwoPhaseMotion>& motion);
+
+/// What a unit force of the pressure on each node does to its flux (1-n) v_s + n v_w in a unit of time, with
+/// drag over dt and the velocity conditions inside; zero at nodes without soil.
+void set_pressure_compliances(const Problem& problem, const NodeConditions& conditions, double dt,
+                              const std::vector<TwoPhaseSums>& sums, NodeCompliances& compliances);
 
 /// Velocities at t + dt of a body that moves as one phase. `damping` is the local damping factor: the part of
 /// a node's force that is taken away while it accelerates the node, and added while it brakes it [-].

@@ -53,6 +53,7 @@ struct Particles {
     Gradients velocity_gradient_fluid; // L_w [1/s]
     Scalars porosity;                  // n [-]
     Scalars pore_pressure;             // excess over the static water pressure, compression positive [Pa]
+    Scalars pore_pressure_rate; // of the cell in the last semi-implicit step, none in explicit runs [Pa/s]
     Scalars initial_vertical_effective_stress; // sigma'_v0 at the start of shaking, compression positive [Pa]
 
     std::size_t size() const { return identifier.size(); }
@@ -95,6 +96,7 @@ void for_each_array(ParticleSet& particles, Visitor&& visit)
               "velocity_gradient_fluid_yy", particles.velocity_gradient_fluid);
     visit("porosity", particles.porosity);
     visit("pore_pressure", particles.pore_pressure);
+    visit("pore_pressure_rate", particles.pore_pressure_rate);
     visit("initial_vertical_effective_stress", particles.initial_vertical_effective_stress);
 }
 

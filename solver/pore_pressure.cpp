@@ -8,31 +8,41 @@ namespace quicksand {
 
 namespace {
 
-/// Where the particles are in the equations [m].
-const Vectors& place_in_equations(const Problem& problem, const Particles& particles)
+/// Call work(slot, first, last) for the cells of a tile that hold soil, with their entries of the lists.
+template <class Work>
+void for_each_filled_cell(const CellLists& lists, const Tile& tile, Work&& work)
 {
-    return problem.strain == StrainForm::small ? particles.reference_position : particles.position;
+    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
+        const auto slot = static_cast<std::size_t>(c);
+        const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
+        const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
+        if (first != last) work(slot, first, last);
+    }
+}
+
+/// gamma_w, where moving up or down changes the static pressure [N/m3].
+double static_gradient(const Problem& problem)
+{
+    return problem.strain == StrainForm::large ? problem.water->density * problem.gravity : 0.0;
 }
 
 /// Sums over the particles of one cell.
 struct CellSums {
-    double volume = 0.0, pores = 0.0;     // [m3/m]
-    double pressure = 0.0, outflow = 0.0; // [Pa m3/m], [m3/s per metre]
-    double rise = 0.0;                    // volume times v_y [m4/s per metre]
-    Vector2 moment = Vector2::Zero();     // volume times position [m4/m]
+    double volume = 0.0;              // [m3/m]
+    double pressure = 0.0;            // [Pa m3/m]
+    double rise = 0.0;                // volume times v_y [m4/s per metre]
+    Vector2 moment = Vector2::Zero(); // volume times position [m4/m]
 };
 
 CellSums sum_cell(const CellLists& lists, std::size_t first, std::size_t last, const Particles& particles,
-                  const Vectors& place, const Scalars& flux_divergence)
+                  const Vectors& place)
 {
     CellSums sums;
     for (std::size_t k = first; k < last; ++k) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const double V = particles.volume[p];
         sums.volume += V;
-        sums.pores += V * particles.porosity[p];
         sums.pressure += V * particles.pore_pressure[p];
-        sums.outflow += V * flux_divergence[p];
         sums.rise += V * particles.velocity_solid.y[p];
         sums.moment += V * place[p];
     }
@@ -60,42 +70,67 @@ Vector2 pressure_slope(const BackgroundGrid& grid, const CellLists& lists, const
 
 } // namespace
 
-void update_pore_pressure(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
-                          const Scalars& flux_divergence, Particles& particles, CellMeans& means)
+void explicit_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                         const Particles& particles, const Scalars& flux_divergence, Scalars& increment)
 {
-    const Water& water = *problem.water;
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        double pores = 0.0, outflow = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            pores += particles.volume[p] * particles.porosity[p];
+            outflow += particles.volume[p] * flux_divergence[p];
+        }
+        increment[slot] = -dt * problem.water->bulk_modulus * outflow / pores;
+    });
+}
+
+void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                        const Particles& particles, Scalars& storage, Scalars& increment)
+{
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        double pores = 0.0, volume = 0.0, rate = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            const double V = particles.volume[p];
+            volume += V;
+            pores += V * particles.porosity[p];
+            rate += V * particles.pore_pressure_rate[p];
+        }
+        storage[slot] = pores / problem.water->bulk_modulus;
+        increment[slot] = dt * rate / volume;
+    });
+}
+
+void apply_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                      const Scalars& increment, Particles& particles, CellMeans& means)
+{
     const Vectors& place = place_in_equations(problem, particles);
-    // gamma_w, where moving up or down changes the static pressure [N/m3]
-    const double weight_density = problem.strain == StrainForm::large ? water.density * problem.gravity : 0.0;
-    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
-        const auto slot = static_cast<std::size_t>(c);
-        const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
-        const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
-        means.volume[slot] = 0.0;
-        if (first == last) continue;
-        const CellSums sums = sum_cell(lists, first, last, particles, place, flux_divergence);
+    const double weight_density = static_gradient(problem);
+    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c)
+        means.volume[static_cast<std::size_t>(c)] = 0.0;
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        const CellSums sums = sum_cell(lists, first, last, particles, place);
         means.volume[slot] = sums.volume;
         means.centre.set(slot, sums.moment / sums.volume);
-        means.pore_pressure[slot] = (sums.pressure + dt * weight_density * sums.rise) / sums.volume -
-                                    dt * water.bulk_modulus * sums.outflow / sums.pores;
-    }
+        means.pore_pressure[slot] =
+            (sums.pressure + dt * weight_density * sums.rise) / sums.volume + increment[slot];
+        if (particles.pore_pressure_rate.empty()) return;
+        for (std::size_t k = first; k < last; ++k)
+            particles.pore_pressure_rate[static_cast<std::size_t>(lists.order[k])] = increment[slot] / dt;
+    });
 }
 
 void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
                                const CellMeans& means, Particles& particles)
 {
     const Vectors& place = place_in_equations(problem, particles);
-    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
-        const auto slot = static_cast<std::size_t>(c);
-        const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
-        const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
-        if (first == last) continue;
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
         const Vector2 slope = pressure_slope(problem.grid, lists, means, slot), centre = means.centre[slot];
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
             particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre);
         }
-    }
+    });
 }
 
 } // namespace quicksand

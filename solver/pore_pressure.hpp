@@ -17,6 +17,12 @@
 
 namespace quicksand {
 
+/// Where the particles are in the equations: in small strain at their reference positions [m].
+inline const Vectors& place_in_equations(const Problem& problem, const Particles& particles)
+{
+    return problem.strain == StrainForm::small ? particles.reference_position : particles.position;
+}
+
 /// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
 struct CellMeans {
     Scalars volume;        // of soil [m3/m]
@@ -24,9 +30,18 @@ struct CellMeans {
     Vectors centre;        // of the soil in the cell [m]
 };
 
-/// Advance the pressure of a tile's cells and take the means.
-void update_pore_pressure(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
-                          const Scalars& flux_divergence, Particles& particles, CellMeans& means);
+/// dp of a tile's cells in an explicit step, from the divergence of the flux at the particles.
+void explicit_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                         const Particles& particles, const Scalars& flux_divergence, Scalars& increment);
+
+/// For the semi-implicit step: storage n V / K_w of a tile's cells, and as guess of their increments what the
+/// last step's rate gives.
+void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                        const Particles& particles, Scalars& storage, Scalars& increment);
+
+/// Advance the pressure of a tile's cells by the increments and by what their rise adds, and take the means.
+void apply_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                      const Scalars& increment, Particles& particles, CellMeans& means);
 
 /// Give the particles of a tile the plane through their cell's mean, by least squares to the up to eight
 /// neighbours that hold soil.

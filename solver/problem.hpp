@@ -85,11 +85,18 @@ enum class StrainForm {
     small, // all on the reference shape: the equations of linear consolidation and dynamics
 };
 
+/// How the two-phase step goes forward in time.
+enum class TimeScheme {
+    explicit_steps, // every balance from the old state; sound of the water limits dt
+    semi_implicit,  // the water's pressure and drag implicit together; waves of the skeleton limit dt
+};
+
 /// Immutable inputs of a run. Without `water` the scene is dry.
 struct Problem {
     BackgroundGrid grid;
     Interpolation interpolation = Interpolation::cpdi;
     StrainForm strain = StrainForm::large;
+    TimeScheme scheme = TimeScheme::explicit_steps; // of a saturated body
     std::vector<Material> materials;
     std::vector<std::string> region_names;
     std::optional<Water> water;

@@ -28,6 +28,19 @@ private:
     TwoPhaseWorkspace work_;
 };
 
+class SemiImplicitStepper {
+public:
+    explicit SemiImplicitStepper(const Problem& problem) : work_(make_semi_implicit_workspace(problem)) {}
+    void advance(const Problem& problem, double dt, State& state)
+    {
+        advance_semi_implicit_step(problem, dt, state, work_);
+    }
+    std::int64_t limited_domains() const { return work_.limited_domains; }
+
+private:
+    SemiImplicitWorkspace work_;
+};
+
 class DryStepper {
 public:
     explicit DryStepper(const Problem& problem) : work_(make_single_phase_workspace(problem)) {}
@@ -95,7 +108,9 @@ void run_with(const Problem& problem, double end_time, const std::vector<Observe
 void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
          const std::function<bool()>& stop_requested)
 {
-    if (problem.water) {
+    if (problem.water && problem.scheme == TimeScheme::semi_implicit) {
+        run_with<SemiImplicitStepper>(problem, end_time, observers, state, stop_requested);
+    } else if (problem.water) {
         run_with<TwoPhaseStepper>(problem, end_time, observers, state, stop_requested);
     } else {
         run_with<DryStepper>(problem, end_time, observers, state, stop_requested);

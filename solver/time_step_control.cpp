@@ -16,6 +16,9 @@ constexpr double wave_safety = 0.65;
 // Local damping adds up to 70 % to a braking force, which raises frequencies by a third; 0.65 grows, 0.45
 // settles.
 constexpr double relaxation_safety = 0.45;
+constexpr double semi_implicit_safety =
+    0.6;                              // of the limits of the slow P wave and the dragged shear wave [-]
+constexpr double shear_safety = 0.85; // shear waves on a bilinear grid [-]
 constexpr double motion_safety = 0.2; // of a cell per step [-]
 
 /// What of the particles' state decides the step.
@@ -66,9 +69,9 @@ Extremes find_extremes(const Problem& problem, const Particles& particles)
     return extremes;
 }
 
-/// The fastest of a wave over all materials and their extreme porosities.
-template <class Speed>
-TimeStep wave_limit(const Problem& problem, const Extremes& extremes, double safety, Speed&& speed)
+/// The least of limit(material, P-wave modulus, porosity) over all materials and their extreme porosities.
+template <class Limit>
+TimeStep least_limit(const Problem& problem, const Extremes& extremes, Limit&& limit_of)
 {
     TimeStep limit;
     limit.dt = std::numeric_limits<double>::infinity();
@@ -77,13 +80,41 @@ TimeStep wave_limit(const Problem& problem, const Extremes& extremes, double saf
         const MaterialExtremes& extreme = extremes.materials[m];
         if (extreme.min_porosity > extreme.max_porosity) continue; // no particle of this material
         for (const double porosity : {extreme.min_porosity, extreme.max_porosity}) {
-            const WaveSpeeds speeds =
-                wave_speeds(material, extreme.stiffest_modulus, problem.water, porosity);
-            const double dt = safety * problem.grid.cell_size / speed(speeds);
+            const double dt = limit_of(material, extreme.stiffest_modulus, porosity);
             if (dt < limit.dt) limit = {dt, TimeStepLimiter::wave, material.name};
         }
     }
     return limit;
+}
+
+/// The fastest of a wave decides.
+template <class Speed>
+TimeStep wave_limit(const Problem& problem, const Extremes& extremes, double safety, Speed&& speed)
+{
+    return least_limit(problem, extremes, [&](const Material& material, double modulus, double porosity) {
+        return safety * problem.grid.cell_size /
+               speed(wave_speeds(material, modulus, problem.water, porosity));
+    });
+}
+
+/// dt of the slow P wave where the pressure is implicit: the skeleton moves without changing the pressure.
+double slow_wave_limit(double modulus, double drag, double n, double r_s, double r_w, double h)
+{
+    const double a = 4.0 * modulus / (h * h), half_b = drag / (n * n);
+    const double mass = r_s + (1.0 - n) * (1.0 - n) / (n * n) * r_w;
+    return (half_b + std::sqrt(half_b * half_b + 4.0 * a * mass)) / a;
+}
+
+/// dt of the shear wave whose water is dragged along: between those of the grains alone and of the mixture.
+double dragged_shear_limit(double G, double drag, double r_s, double r_w, double h)
+{
+    double low = h * std::sqrt(r_s / G), high = h * std::sqrt((r_s + r_w) / G);
+    for (int halving = 0; halving < 40; ++halving) {
+        const double dt = 0.5 * (low + high), x = 2.0 * dt * drag;
+        const bool stable = 4.0 * G / (h * h) * dt * dt <= 4.0 * r_s + 4.0 * r_w * x / (4.0 * r_w + x);
+        (stable ? low : high) = dt;
+    }
+    return low;
 }
 
 TimeStep limit_motion(const Problem& problem, const Extremes& extremes, TimeStep limit)
@@ -91,6 +122,21 @@ TimeStep limit_motion(const Problem& problem, const Extremes& extremes, TimeStep
     if (problem.strain == StrainForm::small) return limit; // no particle moves through the grid
     const double dt = motion_safety * problem.grid.cell_size / extremes.max_speed;
     return dt < limit.dt ? TimeStep{dt, TimeStepLimiter::motion, ""} : limit;
+}
+
+/// The slow P wave and the shear wave of every material.
+TimeStep semi_implicit_limit(const Problem& problem, const Extremes& extremes)
+{
+    const double h = problem.grid.cell_size;
+    return least_limit(problem, extremes, [&](const Material& material, double modulus, double n) {
+        const double shear_share = std::visit(
+            [](const auto& law) { return shear_modulus(law) / constrained_modulus(law); }, material.law);
+        const double r_s = (1.0 - n) * material.grain_density, r_w = n * problem.water->density;
+        const double drag = drag_coefficient(material, *problem.water, n);
+        return semi_implicit_safety *
+               std::min(slow_wave_limit(modulus, drag, n, r_s, r_w, h),
+                        shear_safety * dragged_shear_limit(shear_share * modulus, drag, r_s, r_w, h));
+    });
 }
 
 } // namespace
@@ -132,6 +178,8 @@ WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const 
 TimeStep stable_time_step(const Problem& problem, const Particles& particles)
 {
     const Extremes extremes = find_extremes(problem, particles);
+    if (problem.water && problem.scheme == TimeScheme::semi_implicit)
+        return limit_motion(problem, extremes, semi_implicit_limit(problem, extremes));
     const TimeStep wave = wave_limit(problem, extremes, wave_safety, [&](const WaveSpeeds& speeds) {
         return problem.water ? speeds.fast : speeds.skeleton;
     });

@@ -1,11 +1,14 @@
 #include "solver/two_phase_step.hpp"
 
+#include "solver/failure.hpp"
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
 #include "solver/ledger.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/particle_to_grid.hpp"
 #include "solver/surface_loads.hpp"
+
+#include <string>
 
 namespace quicksand {
 
@@ -20,14 +23,108 @@ void scatter(const Problem& problem, double load_time, const Particles& particle
     scatter_surface_loads(problem, load_time, particles, work.places, work.sums);
 }
 
-void solve_momentum(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
+void solve_velocities(const Problem& problem, double dt, const State& state, TwoPhaseWorkspace& work)
 {
-    gather_tied_sums(work.conditions, work.sums);
     const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
     solve_two_phase_momentum(problem, work.conditions, dt, acceleration, work.sums, work.motion);
-    if (state.ledger)
-        enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.motion, *state.ledger);
     spread_tied_motion(work.conditions, work.motion);
+}
+
+void enter_works(const Problem& problem, double dt, const TwoPhaseWorkspace& work, State& state)
+{
+    if (!state.ledger) return;
+    const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
+    enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.motion, *state.ledger);
+}
+
+void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
+{
+    Particles& particles = state.particles;
+    const double share = dt / (dt + work.noise_time);
+    for_each_tile(work.lists, [&](const Tile& tile) {
+        gather_two_phase(problem, dt, share, work.lists, tile, work.patches_of(tile), work.motion, particles,
+                         work.grid_velocity, work.flux_divergence);
+    });
+    if (state.ledger) enter_outflow(dt, particles, work.flux_divergence, *state.ledger);
+}
+
+void update_explicit_pressure(const Problem& problem, double dt, Particles& particles,
+                              TwoPhaseWorkspace& work)
+{
+    for_each_tile(work.lists, [&](const Tile& tile) {
+        explicit_increments(problem, dt, work.lists, tile, particles, work.flux_divergence,
+                            work.pressure_increment);
+        apply_increments(problem, dt, work.lists, tile, work.pressure_increment, particles, work.cell_means);
+    });
+    for_each_tile(work.lists, [&](const Tile& tile) {
+        reconstruct_pore_pressure(problem, work.lists, tile, work.cell_means, particles);
+    });
+}
+
+void update_solved_pressure(const Problem& problem, double dt, Particles& particles,
+                            SemiImplicitWorkspace& work)
+{
+    for_each_tile(work.lists, [&](const Tile& tile) {
+        apply_increments(problem, dt, work.lists, tile, work.pressure.increment, particles, work.cell_means);
+    });
+    for_each_tile(work.lists, [&](const Tile& tile) {
+        reconstruct_pore_pressure(problem, work.lists, tile, work.cell_means, particles);
+    });
+}
+
+[[noreturn]] void fail_to_solve(const PressureSolve& pressure, double dt, const State& state)
+{
+    FailureRecord record;
+    record.phase = "pressure";
+    record.what = "the pressure of the cells does not converge in " + std::to_string(pressure.iterations) +
+                  " iterations";
+    record.causes = "the run has become unstable: look at the last good frame for the place where it began";
+    record.step = state.step;
+    record.time = state.time;
+    record.time_step = dt;
+    throw NumericalError(record);
+}
+
+/// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes.
+void solve_pressure(const Problem& problem, double dt, const State& state, SemiImplicitWorkspace& work)
+{
+    PressureSolve& pressure = work.pressure;
+    const Particles& particles = state.particles;
+    for_each_tile(work.lists, [&](const Tile& tile) {
+        assemble_divergence(problem.grid, place_in_equations(problem, particles), particles.volume,
+                            work.lists, tile, work.patches_of(tile),
+                            pressure.divergence[static_cast<std::size_t>(tile.number)]);
+        prepare_increments(problem, dt, work.lists, tile, particles, pressure.storage, pressure.increment);
+    });
+    set_pressure_compliances(problem, work.conditions, dt, work.sums, pressure.compliance);
+    for (std::size_t i = 0; i < work.motion.size(); ++i) {
+        pressure.flux_x[i] = work.motion[i].flux_x;
+        pressure.flux_y[i] = work.motion[i].flux_y;
+    }
+    if (!solve_increments(problem.grid, work.lists, work.conditions, dt, work.controls, pressure))
+        fail_to_solve(pressure, dt, state);
+    set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
+    for (std::size_t i = 0; i < work.sums.size(); ++i) {
+        work.sums[i].pressure_force_x += pressure.force_x[i];
+        work.sums[i].pressure_force_y += pressure.force_y[i];
+        pressure.force_x[i] = pressure.force_y[i] = 0.0;
+    }
+}
+
+void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
+{
+    timed(work.timers, Phase::motion, [&] {
+        const auto velocity = [&](std::size_t i) {
+            return Vector2(work.motion[i].solid_x, work.motion[i].solid_y);
+        };
+        move_particles(problem, dt, work.grid_velocity, velocity, state);
+    });
+    timed(work.timers, Phase::stress, [&] {
+        update_stress_of_cells(problem, dt, work.lists, state.particles, work.average);
+        shorten_carried_gradients(problem.grid.cell_size, state.particles);
+    });
+    state.time += dt;
+    ++state.step;
 }
 
 } // namespace
@@ -42,6 +139,15 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
     work.cell_means.pore_pressure.resize(problem.grid.cell_count());
     work.cell_means.centre.x.resize(problem.grid.cell_count());
     work.cell_means.centre.y.resize(problem.grid.cell_count());
+    work.pressure_increment.resize(problem.grid.cell_count());
+    return work;
+}
+
+SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem)
+{
+    SemiImplicitWorkspace work{make_two_phase_workspace(problem), {}, {}};
+    work.pressure =
+        make_pressure_solve(work.lists.tile_count, problem.grid.cell_count(), problem.grid.node_count());
     return work;
 }
 
@@ -51,36 +157,35 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     work.flux_divergence.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, load_time(state, dt), particles, work); });
-    timed(work.timers, Phase::momentum, [&] { solve_momentum(problem, dt, state, work); });
-    timed(work.timers, Phase::gather, [&] {
-        const double share = dt / (dt + work.noise_time);
-        for_each_tile(work.lists, [&](const Tile& tile) {
-            gather_two_phase(problem, dt, share, work.lists, tile, work.patches_of(tile), work.motion,
-                             particles, work.grid_velocity, work.flux_divergence);
-        });
+    timed(work.timers, Phase::momentum, [&] {
+        gather_tied_sums(work.conditions, work.sums);
+        solve_velocities(problem, dt, state, work);
+        enter_works(problem, dt, work, state);
     });
-    timed(work.timers, Phase::pore_pressure, [&] {
-        if (state.ledger) enter_outflow(dt, particles, work.flux_divergence, *state.ledger);
-        for_each_tile(work.lists, [&](const Tile& tile) {
-            update_pore_pressure(problem, dt, work.lists, tile, work.flux_divergence, particles,
-                                 work.cell_means);
-        });
-        for_each_tile(work.lists, [&](const Tile& tile) {
-            reconstruct_pore_pressure(problem, work.lists, tile, work.cell_means, particles);
-        });
+    timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
+    timed(work.timers, Phase::pore_pressure, [&] { update_explicit_pressure(problem, dt, particles, work); });
+    move_and_deform(problem, dt, state, work);
+}
+
+void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work)
+{
+    Particles& particles = state.particles;
+    work.flux_divergence.resize(particles.size());
+    particles.pore_pressure_rate.resize(particles.size());
+    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter(problem, load_time(state, dt), particles, work); });
+    timed(work.timers, Phase::momentum, [&] {
+        gather_tied_sums(work.conditions, work.sums);
+        solve_velocities(problem, dt, state, work);
     });
-    timed(work.timers, Phase::motion, [&] {
-        const auto velocity = [&](std::size_t i) {
-            return Vector2(work.motion[i].solid_x, work.motion[i].solid_y);
-        };
-        move_particles(problem, dt, work.grid_velocity, velocity, state);
+    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, state, work); });
+    timed(work.timers, Phase::momentum, [&] {
+        solve_velocities(problem, dt, state, work);
+        enter_works(problem, dt, work, state);
     });
-    timed(work.timers, Phase::stress, [&] {
-        update_stress_of_cells(problem, dt, work.lists, particles, work.average);
-        shorten_carried_gradients(problem.grid.cell_size, particles);
-    });
-    state.time += dt;
-    ++state.step;
+    timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
+    timed(work.timers, Phase::pore_pressure, [&] { update_solved_pressure(problem, dt, particles, work); });
+    move_and_deform(problem, dt, state, work);
 }
 
 } // namespace quicksand

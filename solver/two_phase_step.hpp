@@ -3,6 +3,7 @@
 
 #include "solver/nodes.hpp"
 #include "solver/pore_pressure.hpp"
+#include "solver/pressure_solve.hpp"
 #include "solver/step_workspace.hpp"
 
 #include <vector>
@@ -12,8 +13,15 @@ namespace quicksand {
 struct TwoPhaseWorkspace : StepWorkspace {
     std::vector<TwoPhaseSums> sums;
     std::vector<TwoPhaseMotion> motion;
-    Scalars flux_divergence; // [1/s]
-    CellMeans cell_means;    // of the pore pressure
+    Scalars flux_divergence;    // [1/s]
+    Scalars pressure_increment; // of the cells [Pa]
+    CellMeans cell_means;       // of the pore pressure
+};
+
+/// What the semi-implicit step needs besides.
+struct SemiImplicitWorkspace : TwoPhaseWorkspace {
+    PressureSolve pressure;
+    PressureSolveControls controls;
 };
 
 TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
@@ -31,5 +39,14 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
 ///
 /// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
 void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work);
+
+SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem);
+
+/// The same step with the water's pressure implicit: between 3 and 4 the increments of the cells' pressure
+/// are solved for with drag and walls inside (pressure_solve.hpp), and the momentum balances again with their
+/// force; 5 takes these increments. Waves of the water no longer limit dt.
+///
+/// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
+void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work);
 
 } // namespace quicksand

@@ -1,0 +1,202 @@
+#include "solver/pressure_solve.hpp"
+
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+/// Call work(divergence, stencil, slot) for the cells of a tile that hold soil.
+template <class Work>
+void for_each_stencil(const PressureSolve& solve, const Tile& tile, Work&& work)
+{
+    const TileDivergence& divergence = solve.divergence[static_cast<std::size_t>(tile.number)];
+    for (const CellStencil& stencil : divergence.stencils)
+        work(divergence, stencil, static_cast<std::size_t>(stencil.cell));
+}
+
+/// Sum of work(tile) over the tiles, the same bits for any number of threads.
+template <class Work>
+double sum_over_tiles(const CellLists& lists, PressureSolve& solve, Work&& work)
+{
+    for_each_tile(
+        lists, [&](const Tile& tile) { solve.partial[static_cast<std::size_t>(tile.number)] = work(tile); });
+    double sum = 0.0;
+    for (const double part : solve.partial) sum += part;
+    return sum;
+}
+
+void gather_tied_forces(const NodeConditions& conditions, PressureSolve& solve)
+{
+    for (const TiedNodes& tie : conditions.tied) {
+        solve.force_x[tie.master] += solve.force_x[tie.node];
+        solve.force_y[tie.master] += solve.force_y[tie.node];
+    }
+}
+
+/// flux = W force at the nodes, tied nodes with the flux of their masters; the forces are zero afterwards.
+void respond(const NodeConditions& conditions, PressureSolve& solve)
+{
+    gather_tied_forces(conditions, solve);
+    const NodeCompliances& W = solve.compliance;
+    const auto count = static_cast<std::int64_t>(solve.force_x.size());
+#pragma omp parallel for schedule(static) if (solve.force_x.size() > least_parallel_work)
+    for (std::int64_t k = 0; k < count; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        const double x = solve.force_x[i], y = solve.force_y[i];
+        solve.flux_x[i] = W.xx[i] * x + W.xy[i] * y;
+        solve.flux_y[i] = W.xy[i] * x + W.yy[i] * y;
+        solve.force_x[i] = 0.0;
+        solve.force_y[i] = 0.0;
+    }
+    for (const TiedNodes& tie : conditions.tied) {
+        solve.flux_x[tie.node] = solve.flux_x[tie.master];
+        solve.flux_y[tie.node] = solve.flux_y[tie.master];
+    }
+}
+
+/// force += D^T pressure. The forces must be zero before.
+void scatter_pressure(const BackgroundGrid& grid, const CellLists& lists, const Scalars& pressure,
+                      PressureSolve& solve)
+{
+    for_each_tile_by_colour(lists, [&](const Tile& tile) {
+        add_pressure_forces(solve.divergence[static_cast<std::size_t>(tile.number)], grid.nodes_x(), pressure,
+                            solve.force_x, solve.force_y);
+    });
+}
+
+/// product = L pressure; returns pressure . product.
+double multiply(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
+                double dt, const Scalars& pressure, PressureSolve& solve)
+{
+    scatter_pressure(grid, lists, pressure, solve);
+    respond(conditions, solve);
+    return sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        const TileDivergence& divergence = solve.divergence[static_cast<std::size_t>(tile.number)];
+        outflows(divergence, grid.nodes_x(), solve.flux_x, solve.flux_y, solve.product);
+        double sum = 0.0;
+        for (const CellStencil& stencil : divergence.stencils) {
+            const auto c = static_cast<std::size_t>(stencil.cell);
+            solve.product[c] = solve.storage[c] * pressure[c] + dt * dt * solve.product[c];
+            sum += pressure[c] * solve.product[c];
+        }
+        return sum;
+    });
+}
+
+/// Diagonal of L; where nodes are tied to others that the same cell touches it is a little off, which costs
+/// the preconditioner nothing.
+void set_diagonal(const BackgroundGrid& grid, const CellLists& lists, double dt, PressureSolve& solve)
+{
+    const NodeCompliances& W = solve.compliance;
+    const auto nodes_x = static_cast<std::size_t>(grid.nodes_x());
+    for_each_tile(lists, [&](const Tile& tile) {
+        for_each_stencil(solve, tile, [&](const TileDivergence& D, const CellStencil& cell, std::size_t c) {
+            double sum = 0.0;
+            auto k = static_cast<std::size_t>(cell.first);
+            for (std::size_t b = 0; b < static_cast<std::size_t>(cell.height); ++b) {
+                std::size_t i = static_cast<std::size_t>(cell.base) + b * nodes_x;
+                for (std::int16_t a = 0; a < cell.width; ++a, ++k, ++i) {
+                    sum += D.x[k] * (W.xx[i] * D.x[k] + 2.0 * W.xy[i] * D.y[k]) + D.y[k] * W.yy[i] * D.y[k];
+                }
+            }
+            solve.diagonal[c] = solve.storage[c] + dt * dt * sum;
+        });
+    });
+}
+
+/// residual = right-hand side - product, preconditioned and as first direction; returns residual . M^-1
+/// residual.
+double start_residual(const CellLists& lists, PressureSolve& solve)
+{
+    return sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        double sum = 0.0;
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            solve.residual[c] = solve.right_hand_side[c] - solve.product[c];
+            solve.direction[c] = solve.residual[c] / solve.diagonal[c];
+            sum += solve.residual[c] * solve.direction[c];
+        });
+        return sum;
+    });
+}
+
+/// Step along the direction; returns residual . M^-1 residual.
+double step_along(const CellLists& lists, double alpha, PressureSolve& solve)
+{
+    return sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        double sum = 0.0;
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            solve.increment[c] += alpha * solve.direction[c];
+            solve.residual[c] -= alpha * solve.product[c];
+            sum += solve.residual[c] * (solve.residual[c] / solve.diagonal[c]);
+        });
+        return sum;
+    });
+}
+
+void turn_direction(const CellLists& lists, double beta, PressureSolve& solve)
+{
+    for_each_tile(lists, [&](const Tile& tile) {
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            solve.direction[c] = solve.residual[c] / solve.diagonal[c] + beta * solve.direction[c];
+        });
+    });
+}
+
+} // namespace
+
+PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::size_t nodes)
+{
+    PressureSolve solve;
+    solve.divergence.resize(tiles);
+    solve.partial.assign(tiles, 0.0);
+    for (Scalars* by_cell : {&solve.storage, &solve.increment, &solve.right_hand_side, &solve.diagonal,
+                             &solve.residual, &solve.direction, &solve.product})
+        by_cell->assign(cells, 0.0);
+    for (Scalars* by_node : {&solve.force_x, &solve.force_y, &solve.flux_x, &solve.flux_y})
+        by_node->assign(nodes, 0.0);
+    return solve;
+}
+
+double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, double dt,
+                           PressureSolve& solve)
+{
+    return sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        const TileDivergence& divergence = solve.divergence[static_cast<std::size_t>(tile.number)];
+        outflows(divergence, grid.nodes_x(), solve.flux_x, solve.flux_y, solve.right_hand_side);
+        double sum = 0.0;
+        for (const CellStencil& stencil : divergence.stencils) {
+            const auto c = static_cast<std::size_t>(stencil.cell);
+            solve.right_hand_side[c] *= -dt;
+            sum += solve.right_hand_side[c] * (solve.right_hand_side[c] / solve.diagonal[c]);
+        }
+        return sum;
+    });
+}
+
+bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
+                      double dt, const PressureSolveControls& controls, PressureSolve& solve)
+{
+    set_diagonal(grid, lists, dt, solve);
+    const double scale = set_right_hand_side(grid, lists, dt, solve);
+    const double target = controls.tolerance * controls.tolerance * scale;
+    multiply(grid, lists, conditions, dt, solve.increment, solve);
+    double residual = start_residual(lists, solve);
+    for (solve.iterations = 0; residual > target; ++solve.iterations) {
+        if (solve.iterations == controls.max_iterations) return false;
+        const double curvature = multiply(grid, lists, conditions, dt, solve.direction, solve);
+        const double next = step_along(lists, residual / curvature, solve);
+        turn_direction(lists, next / residual, solve);
+        residual = next;
+    }
+    return std::isfinite(residual);
+}
+
+void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
+                          const NodeConditions& conditions, PressureSolve& solve)
+{
+    scatter_pressure(grid, lists, solve.increment, solve);
+    gather_tied_forces(conditions, solve);
+}
+
+} // namespace quicksand

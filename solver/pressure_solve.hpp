@@ -1,0 +1,58 @@
+// The implicit pressure of the semi-implicit step: one symmetric positive definite solve for the increments
+// of the cells' pressure.
+//
+//   sum_c' L_cc' dp_c' = - dt sum_i D_ci . flux*_i
+//   L_cc' = delta_cc' n_c V_c / K_w + dt^2 sum_i D_ci . W_i D_c'i
+//
+// flux* is the flux with the old pressure, and W_i = beta^T A_i^-1 beta, beta = (1-n_i, n_i), what a unit
+// force of the pressure on node i does to its flux in a unit of time, drag (and held velocities) included.
+// Backward Euler in pressure and relative velocity: sound of any speed is stable, and a wave of the pressure
+// is damped with a ratio of about omega dt / 2. Solved by conjugate gradients with the diagonal as
+// preconditioner; the guess is the last step's rate of pressure.
+#pragma once
+
+#include "solver/boundary_conditions.hpp"
+#include "solver/cell_divergence.hpp"
+#include "solver/grid_momentum.hpp"
+#include "solver/particles.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// Unknowns and work arrays, by slot of the cell lists (only cells with soil are touched) and by node.
+struct PressureSolve {
+    std::vector<TileDivergence> divergence; // per tile
+    NodeCompliances compliance;
+    Scalars storage;             // n_c V_c / K_w [m2/Pa per metre]
+    Scalars increment;           // dp: the guess, then the solution [Pa]
+    Scalars flux_x, flux_y;      // of the nodes, flux* at first [m/s]
+    Scalars force_x, force_y;    // of the increments on the nodes, zero before and after a solve [N/m]
+    Scalars right_hand_side;     // [m2 per metre]
+    Scalars diagonal, residual;  // of L [m2/Pa per metre] and of its equations
+    Scalars direction, product;  // of the conjugate gradients
+    Scalars partial;             // sums of the tiles
+    std::int32_t iterations = 0; // of the last solve [-]
+};
+
+struct PressureSolveControls {
+    /// Residual / right-hand side, both weighted by the diagonal. The time step's own error is some omega dt,
+    /// a few per mille; 1e-3 changes pressures by 1e-5 of their range against 1e-6, at a third of the
+    /// iterations [-].
+    double tolerance = 1e-3;
+    std::int32_t max_iterations = 500; // then the solve has failed
+};
+
+PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::size_t nodes);
+
+/// Solve for `increment`, from its present value as guess, with `flux_x, flux_y` = flux*. Returns whether it
+/// converged.
+bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
+                      double dt, const PressureSolveControls& controls, PressureSolve& solve);
+
+/// Set the forces to those of the increments; masters of tied nodes have theirs, too.
+void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
+                          const NodeConditions& conditions, PressureSolve& solve);
+
+} // namespace quicksand

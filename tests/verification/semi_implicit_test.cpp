@@ -1,0 +1,162 @@
+// The semi-implicit step: the same equations as the explicit step, at a larger step.
+#include "solver/failure.hpp"
+#include "solver/two_phase_step.hpp"
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+constexpr double h = 0.0075; // cell size of the patches [m]
+
+Problem patch(double conductivity)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, h, 9, 10};
+    Material sand = stiff_sand();
+    sand.hydraulic_conductivity = conductivity;
+    problem.materials = {sand};
+    problem.water = water_to(1.0);
+    problem.gravity = 0.0;
+    problem.scheme = TimeScheme::semi_implicit;
+    problem.boundaries =
+        rectangle(0.0, 0.0, 9 * h, 0.0625, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
+    return problem;
+}
+
+State restless(const Problem& problem)
+{
+    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < 0.0625; }); // a third of the top row
+    std::mt19937 generator(1);
+    std::normal_distribution<double> speed(0.0, 1e-6);
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        state.particles.velocity_solid.set(p, {speed(generator), speed(generator)});
+        state.particles.velocity_fluid.set(p, {speed(generator), speed(generator)});
+    }
+    return state;
+}
+
+double energy_growth(const Problem& problem, double share)
+{
+    State state = restless(problem);
+    const double dt = share * stable_time_step(problem, state.particles).dt;
+    const double before = monitor(problem, state, {}).kinetic_energy;
+    SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
+    try {
+        for (int k = 0; k < 1500; ++k) advance_semi_implicit_step(problem, dt, state, work);
+    } catch (const NumericalError&) {
+        return std::numeric_limits<double>::infinity(); // blown off the grid
+    }
+    return monitor(problem, state, {}).kinetic_energy / before;
+}
+
+TEST(SemiImplicitStep, RandomMotionDecaysForEveryPermeability)
+{
+    for (const double conductivity : {1e-2, 1e-3, 1e-4, 1e-5, 1e-7})
+        EXPECT_LT(energy_growth(patch(conductivity), 1.0), 1e-2) << conductivity;
+}
+
+TEST(SemiImplicitStep, RandomMotionGrowsFarBeyondTheStep)
+{
+    EXPECT_GT(energy_growth(patch(1e-4), 1.6), 1.0);
+}
+
+TEST(SemiImplicitStep, IsSeveralTimesTheExplicitStep)
+{
+    Problem problem = patch(1e-4);
+    const State state = restless(problem);
+    const double semi_implicit = stable_time_step(problem, state.particles).dt;
+    problem.scheme = TimeScheme::explicit_steps;
+    EXPECT_GT(semi_implicit / stable_time_step(problem, state.particles).dt, 4.0);
+}
+
+/// A saturated block on a base shaken at 180 Hz, its sides free: pressures, drag and slopes all at work.
+Problem shaken_block()
+{
+    Problem problem = patch(1e-4);
+    problem.gravity = 1000.0;
+    problem.base_motion = SineMotion{200.0, 180.0, 1e9, 2.0};
+    problem.boundaries =
+        rectangle(h, 0.0, 8 * h, 0.0625, SoilCondition::fixed, SoilCondition::free, SoilCondition::free);
+    return problem;
+}
+
+/// State after `steps` steps of dt, at rest under no stress at first.
+State after(const Problem& problem, double dt, int steps)
+{
+    State state =
+        fill(problem, 3, [](const Vector2& x) { return x.x() > h && x.x() < 8 * h && x.y() < 0.0625; });
+    if (problem.scheme == TimeScheme::semi_implicit) {
+        SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
+        work.controls.tolerance = 1e-9;
+        for (int k = 0; k < steps; ++k) advance_semi_implicit_step(problem, dt, state, work);
+    } else {
+        TwoPhaseWorkspace work = make_two_phase_workspace(problem);
+        for (int k = 0; k < steps; ++k) advance_two_phase_step(problem, dt, state, work);
+    }
+    return state;
+}
+
+/// Root of the mean square difference of the pressures over that of the reference [-].
+double pressure_difference(const Particles& a, const Particles& reference)
+{
+    double difference = 0.0, scale = 0.0;
+    for (std::size_t p = 0; p < a.size(); ++p) {
+        difference += std::pow(a.pore_pressure[p] - reference.pore_pressure[p], 2);
+        scale += std::pow(reference.pore_pressure[p], 2);
+    }
+    return std::sqrt(difference / scale);
+}
+
+TEST(SemiImplicitStep, ConvergesToTheExplicitAnswerWithTheStep)
+{
+    Problem problem = shaken_block();
+    const double end = 2e-4; // s: the water's sound crosses the block five times
+    problem.scheme = TimeScheme::explicit_steps;
+    const State reference = after(problem, end / 3200, 3200);
+    problem.scheme = TimeScheme::semi_implicit;
+    double errors[3];
+    for (int k = 0; k < 3; ++k) {
+        const int steps = 800 << k;
+        errors[k] = pressure_difference(after(problem, end / steps, steps).particles, reference.particles);
+    }
+    EXPECT_LT(errors[2], 0.05);
+    EXPECT_GT(errors[0] / errors[1], 1.6); // first order in time
+    EXPECT_GT(errors[1] / errors[2], 1.6);
+}
+
+TEST(SemiImplicitStep, ALevelColumnStaysAtRest)
+{
+    Problem problem = centrifuge_column();
+    problem.scheme = TimeScheme::semi_implicit;
+    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < 0.3175; });
+    set_level_ground_stress(problem, 0.3175, 0.5, state);
+    SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
+    const double dt = stable_time_step(problem, state.particles).dt;
+    for (int k = 0; k < 200; ++k) advance_semi_implicit_step(problem, dt, state, work);
+    EXPECT_LT(monitor(problem, state, {}).max_velocity, 1e-12 * std::sqrt(problem.gravity * 0.3175));
+}
+
+TEST(SemiImplicitStep, GivesTheSameBitsForAnyNumberOfThreads)
+{
+    const Problem problem = shaken_block();
+    const int threads_before = thread_count();
+    const double dt = 1e-5;
+    set_thread_count(1);
+    const State one = after(problem, dt, 60);
+    set_thread_count(3);
+    const State three = after(problem, dt, 60);
+    set_thread_count(threads_before);
+    EXPECT_EQ(one.particles.pore_pressure, three.particles.pore_pressure);
+    EXPECT_EQ(one.particles.velocity_fluid.y, three.particles.velocity_fluid.y);
+}
+
+} // namespace
+} // namespace quicksand
