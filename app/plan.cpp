@@ -122,6 +122,8 @@ std::string describe_left_out(const Scene& scene)
               "pore water: dry soil moves as one phase and its particles carry no arrays for water");
     leave_out(scene.strain == StrainForm::small,
               "the update of domains, volumes and weights: small strain, on the drawn shape");
+    leave_out(scene.scheme == TimeScheme::semi_implicit,
+              "steps as short as the water's sound asks for: its pressure is implicit");
     leave_out(!scene.relaxation, "settling: the run starts from the K0 state as it is");
     leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is still");
     leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),

@@ -136,6 +136,7 @@ Problem make_problem(const Scene& scene, const Section& section)
     for (const Region& region : section.regions) problem.region_names.push_back(region.name);
     problem.interpolation = scene.interpolation;
     problem.strain = scene.strain;
+    problem.scheme = scene.scheme;
     problem.water = scene.water;
     problem.gravity = scene.gravity;
     problem.base_motion = scene.base_motion;

@@ -105,6 +105,7 @@ struct Scene {
 
     Interpolation interpolation = Interpolation::cpdi;
     StrainForm strain = StrainForm::large;
+    TimeScheme scheme = TimeScheme::explicit_steps;
 
     double gravity = standard_gravity; // [m/s2]
     std::optional<Water> water;        // none: a dry scene

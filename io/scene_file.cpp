@@ -32,6 +32,11 @@ constexpr std::array<std::pair<std::string_view, Interpolation>, 5> interpolatio
     {"cpgimp", Interpolation::cpgimp},
     {"linear", Interpolation::linear},
 }};
+constexpr std::array<std::pair<std::string_view, TimeScheme>, 2> scheme_words = {{
+    {"explicit", TimeScheme::explicit_steps},
+    {"semi_implicit", TimeScheme::semi_implicit},
+}};
+
 constexpr std::array<std::pair<std::string_view, StrainForm>, 2> strain_words = {{
     {"large", StrainForm::large},
     {"small", StrainForm::small},
@@ -87,6 +92,7 @@ void fill_ground(const SceneValues& values, Scene& scene)
 {
     scene.interpolation = word_of(interpolation_words, values.text("analysis.interpolation"));
     scene.strain = word_of(strain_words, values.text("analysis.strain"));
+    if (values.has_table("water")) scene.scheme = word_of(scheme_words, values.text("analysis.scheme"));
     scene.gravity = values.number("gravity.acceleration");
     if (values.has_table("water")) {
         scene.water = Water{values.number("water.density"), values.number("water.bulk_modulus"),

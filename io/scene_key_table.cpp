@@ -71,6 +71,10 @@ std::vector<SceneKey> analysis_keys()
          .doc = "Domains of the points: parallelograms, quadrilaterals, fixed or stretching boxes, or none."},
         {.pattern = "analysis.strain", .type = word, .default_value = "large", .words = {"large", "small"},
          .doc = "Whether the equations follow the motion, or stay on the drawn shape as in linear theory."},
+        {.pattern = "analysis.scheme", .type = word, .saturated_only = true, .default_value = "explicit",
+         .words = {"explicit", "semi_implicit"},
+         .doc = "Steps limited by the water's sound, or several times longer ones with the water's pressure "
+                "implicit."},
     };
 }
 
