@@ -98,7 +98,7 @@ ExitCode measure_kernel(int threads)
     SceneChoice choice;
     choice.scene = example_folder("dike");
     SceneSetup setup = set_up_scene(choice, journal);
-    begin_shaking(setup.assembled.state);
+    begin_shaking(setup.assembled.problem, setup.assembled.state);
     const std::vector<int> counts = threads > 0 ? std::vector<int>{threads} : std::vector<int>{1, 2};
     const std::size_t particles = setup.assembled.state.particles.size();
     journal.say(fmt::format("Two-phase step of the dike example, {} particles: median of {} runs of {} steps",

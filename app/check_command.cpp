@@ -36,7 +36,7 @@ void write_initial_frame(const AssembledCase& assembled, const ResultsFolder& fo
     Scene scene = assembled.scene;
     scene.output.probe_interval = scene.output.history_interval = scene.output.checkpoint_interval = 0.0;
     State state = assembled.state;
-    begin_shaking(state);
+    begin_shaking(assembled.problem, state);
     for (const auto& writer :
          make_output_observers(scene, assembled.problem, state, {folder.directory, "", false})) {
         writer->observe(assembled.problem, state, {Stage::shaking, 0, 0.0, {}, 0});
@@ -55,6 +55,7 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.say(describe_scene_keys(setup));
     journal.say(describe_soil(assembled));
     journal.say(describe_boundaries(assembled));
+    if (const std::string sands = describe_sands(assembled); !sands.empty()) journal.say(sands);
     journal.say(describe_time_step(assembled));
     const Forecast forecast = forecast_run(assembled, folder.directory / "trial");
     journal.say(describe_cost(forecast));

@@ -2,6 +2,7 @@
 
 #include "app/number_format.hpp"
 #include "io/output_observers.hpp"
+#include "solver/element_test_cyclic.hpp"
 #include "solver/monitors.hpp"
 #include "solver/simulation.hpp"
 
@@ -16,9 +17,8 @@ namespace {
 
 constexpr double cells_per_wavelength = 10.0; // of a shear wave that the grid carries well [-]
 
-std::string describe_waves(const Material& material, const Problem& problem)
+std::string describe_waves(const Material& material, const WaveSpeeds& waves, const Problem& problem)
 {
-    const WaveSpeeds waves = wave_speeds(material, problem.water, material.porosity);
     std::string text = fmt::format("  {:<16}", material.name);
     if (problem.water) {
         text += fmt::format("fast P {:.0f}, undrained P {:.0f}, slow P {:.0f}, ", waves.fast, waves.undrained,
@@ -29,7 +29,33 @@ std::string describe_waves(const Material& material, const Problem& problem)
                               waves.shear / (cells_per_wavelength * problem.grid.cell_size));
 }
 
+std::string describe_sand(const SceneMaterial& material, double k0)
+{
+    const auto& law = std::get<UbcSand>(material.material.law);
+    const double csr = csr_to_ru_95(law, {atmospheric_pressure, k0, 0.0}, 15.0);
+    const double sine = law.eta_f, least_k0 = (1.0 - sine) / (1.0 + sine);
+    std::string text = fmt::format("  {:<16}shear modulus {} MPa, drained bulk modulus {} MPa at 100 kPa\n",
+                                   material.material.name, short_number(1e-6 * shear_modulus(law)),
+                                   short_number(1e-6 * law.B_atm));
+    text += fmt::format("  {:<16}bears K0 from {} to {}; settles to K0 = {} below level ground\n", "",
+                        short_number(least_k0), short_number(1.0 / least_k0),
+                        short_number(law.static_poisson / (1.0 - law.static_poisson)));
+    return text +
+           fmt::format("  {:<16}liquefies (ru = 0.95) in 15 cycles of simple shear at a stress ratio of "
+                       "{}, at 100 kPa and K0 = {}\n",
+                       "", short_number(csr), short_number(k0));
+}
+
 } // namespace
+
+std::string describe_sands(const AssembledCase& assembled)
+{
+    std::string text;
+    for (const SceneMaterial& material : assembled.scene.materials) {
+        if (material.ubcsand) text += describe_sand(material, assembled.scene.k0);
+    }
+    return text.empty() ? text : "Sand that liquefies (its parameters are listed above)\n" + text;
+}
 
 std::string describe_scene_keys(const SceneSetup& setup)
 {
@@ -75,13 +101,17 @@ std::string describe_soil(const AssembledCase& assembled)
 std::string describe_time_step(const AssembledCase& assembled)
 {
     const Problem& problem = assembled.problem;
-    std::string text = "Waves\n";
-    for (const Material& material : problem.materials) text += describe_waves(material, problem);
+    std::string text = "Waves, where the soil is stiffest\n";
+    const std::vector<WaveSpeeds> waves = fastest_waves(problem, assembled.state.particles);
+    for (std::size_t m = 0; m < waves.size(); ++m) {
+        text += describe_waves(problem.materials[m], waves[m], problem);
+    }
     const TimeStep step = stable_time_step(problem, assembled.state.particles);
     text += fmt::format("Time step\n  {} s, limited by the {}{}\n", short_number(step.dt),
                         name_of(step.limiter), step.material.empty() ? "" : " in " + step.material);
     if (assembled.scene.relaxation) {
-        const TimeStep settling = stable_relaxation_step(problem, assembled.state.particles);
+        const TimeStep settling =
+            stable_relaxation_step(settling_problem(problem), assembled.state.particles);
         text +=
             fmt::format("  {} s while settling drained; out-of-balance force at the start {} of the weight\n",
                         short_number(settling.dt), short_number(out_of_balance(problem, assembled.state), 2));

@@ -17,6 +17,9 @@ std::string describe_soil(const AssembledCase& assembled);
 /// The conditions on every boundary curve, and the total force of every load.
 std::string describe_boundaries(const AssembledCase& assembled);
 
+/// What the parameters of UBCSAND mean; nothing without such a material.
+std::string describe_sands(const AssembledCase& assembled);
+
 /// Wave speeds, the time step and what limits it.
 std::string describe_time_step(const AssembledCase& assembled);
 

@@ -91,7 +91,13 @@ std::string say_where_good(const ResultsFolder& folder)
 void settle(Session& session)
 {
     if (!session.scene.relaxation) {
-        begin_shaking(session.state);
+        const std::size_t limited = begin_shaking(session.problem, session.state);
+        if (limited > 0) {
+            session.journal.say(fmt::format("The initial stress of {} particles was beyond what their sand "
+                                            "can carry, or below its stress "
+                                            "floor, and has been brought back to it.",
+                                            grouped(static_cast<long long>(limited))));
+        }
         return;
     }
     const RelaxationControls& controls = *session.scene.relaxation;
@@ -107,6 +113,10 @@ void settle(Session& session)
                     "{} mm, which counts as zero from here",
                     report.steps, duration_text(progress.elapsed()), short_number(report.out_of_balance, 2),
                     short_number(1e3 * report.max_displacement, 2)));
+    if (report.at_failure > 0) {
+        session.journal.say(fmt::format("{} particles have settled at the failure limit of their sand",
+                                        grouped(static_cast<long long>(report.at_failure))));
+    }
 }
 
 void shake(Session& session)

@@ -105,7 +105,7 @@ ExitCode assess_stability(const StabilityChoice& choice)
     StrengthReductionControls controls;
     controls.tolerance = choice.tolerance;
     controls.seismic_coefficient = choice.seismic_coefficient;
-    begin_shaking(assembled.state);
+    begin_shaking(assembled.problem, assembled.state);
     SafetyFactor safety =
         safety_factor(assembled.problem, controls, assembled.state,
                       [&](const StrengthTrial& trial) { journal.say(describe_trial(trial)); });

@@ -50,7 +50,7 @@ std::vector<double> observation_times(double interval, double end_time)
 double measure_step(const AssembledCase& assembled)
 {
     State state = assembled.state;
-    begin_shaking(state);
+    begin_shaking(assembled.problem, state);
     open_ledger(assembled.problem, state);
     StopWatch watch;
     std::int64_t steps = 0;
@@ -143,7 +143,7 @@ OutputForecast forecast_output(const AssembledCase& assembled, const fs::path& s
 {
     OutputForecast forecast;
     State state = assembled.state;
-    begin_shaking(state);
+    begin_shaking(assembled.problem, state);
     open_ledger(assembled.problem, state);
     fs::remove_all(scratch);
     fs::create_directories(scratch);

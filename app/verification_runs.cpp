@@ -59,7 +59,7 @@ void execute(VerificationRun& run)
 {
     const auto start = std::chrono::steady_clock::now();
     try {
-        begin_shaking(run.assembled.state);
+        begin_shaking(run.assembled.problem, run.assembled.state);
         run.errors = run.study->measure(run.assembled.problem, run.assembled.state);
     } catch (...) {
         run.failure = std::current_exception();

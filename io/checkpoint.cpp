@@ -13,7 +13,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <set>
+#include <map>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -235,19 +235,13 @@ State read_state(const Handle& file)
     return state;
 }
 
-/// The arrays must be complete: all of them, but for those of the water and of quadrilaterals together.
+/// The arrays must be complete: those of a group are all there, or none.
 void require_complete(const State& state)
 {
-    Particles expected;
-    resize(expected, state.particles.size(), state.particles.has_fluid());
-    if (!state.particles.twist.x.empty())
-        expected.twist.x = expected.twist.y = Scalars(state.particles.size(), 0.0);
-    std::set<std::string> present;
-    for_each_array(expected, [&](const char* name, const Scalars& values) {
-        if (!values.empty()) present.insert(name);
-    });
+    std::map<ArrayGroup, bool> present = {{ArrayGroup::always, true}};
     for_each_array(state.particles, [&](const char* name, const Scalars& values) {
-        if (values.empty() == present.contains(name)) throw Hdf5Failure{name};
+        const auto group = present.emplace(group_of(name), !values.empty()).first;
+        if (values.empty() == group->second) throw Hdf5Failure{name};
     });
     if (state.particles.material.size() != state.particles.size()) throw Hdf5Failure{"material"};
     if (state.particles.region.size() != state.particles.size()) throw Hdf5Failure{"region"};

@@ -3,6 +3,7 @@
 
 #include "solver/problem.hpp"
 #include "solver/simulation.hpp"
+#include "solver/ubcsand_parameters.hpp"
 
 #include <filesystem>
 #include <map>
@@ -35,6 +36,7 @@ struct MeshSampling {
 struct SceneMaterial {
     Material material;
     SourcePlace place;
+    std::optional<UbcSandParameters> ubcsand = std::nullopt; // of the law, when it is UBCSAND
 };
 
 struct SceneRegion {

@@ -29,7 +29,8 @@ public:
 private:
     void collect(const DocumentNode& table, const KeyPath& path, std::string_view pattern);
     void collect_child(const DocumentNode& child, const KeyPath& path);
-    void refuse_unknown(const DocumentNode& child, const KeyPath& table, std::string_view pattern);
+    void refuse_unknown(const DocumentNode& child, const DocumentNode& parent, const KeyPath& table,
+                        std::string_view pattern);
 
     void resolve_table(const Entry& table);
     void resolve_key(const SceneKey& key, const Entry& table);
@@ -75,11 +76,22 @@ std::string home_of(const KeyTable& keys, std::string_view name)
     return "";
 }
 
-void DocumentCheck::refuse_unknown(const DocumentNode& child, const KeyPath& table, std::string_view pattern)
+/// Whether the key is of use beside the words of its table, as far as these are given.
+bool applies(const SceneKey& key, const DocumentNode& table)
+{
+    if (key.when.sibling.empty()) return true;
+    const DocumentNode* sibling = table.find(key.when.sibling);
+    return sibling == nullptr || sibling->kind != Kind::text ||
+           std::find(key.when.words.begin(), key.when.words.end(), sibling->text) != key.when.words.end();
+}
+
+void DocumentCheck::refuse_unknown(const DocumentNode& child, const DocumentNode& parent,
+                                   const KeyPath& table, std::string_view pattern)
 {
     const bool child_is_table = child.kind == Kind::table;
     std::vector<std::string> known;
     for (const SceneKey* key : keys_of_table(table_, pattern)) {
+        if (!applies(*key, parent)) continue;
         if (!table.empty() || is_table(*key) == child_is_table) known.emplace_back(last_part(key->pattern));
     }
     const std::string nearest = nearest_name(child.name, known);
@@ -120,7 +132,7 @@ void DocumentCheck::collect(const DocumentNode& table, const KeyPath& path, std:
     for (const DocumentNode& child : table.children) {
         const KeyPath child_path = path + child.name;
         if (find_key(table_, child_path) == nullptr) {
-            refuse_unknown(child, path, pattern);
+            refuse_unknown(child, table, path, pattern);
             continue;
         }
         const bool named = pattern != "" && find_key(table_, path)->type == ValueType::named_tables;
@@ -214,6 +226,7 @@ void DocumentCheck::resolve_key(const SceneKey& key, const Entry& table)
     const std::string path = join_path(table.path + last_part(key.pattern));
     const auto entry = entries_.find(path);
     const DocumentNode* node = entry == entries_.end() ? nullptr : entry->second.node;
+    if (node != nullptr) values_.written.insert(path);
     if (!condition_holds(key, table.path, node)) return;
     if (node != nullptr) {
         if (auto value = read_value(key, path, *node, findings_)) put(key, path, std::move(*value), node);

@@ -29,7 +29,8 @@ struct NamedTable {
 /// The values of a file by their paths. Where the file has errors, some are missing.
 struct SceneValues {
     std::map<std::string, FoundValue> by_path;
-    std::map<std::string, SourcePlace> tables;            // given tables and the places of their headers
+    std::set<std::string> written;             // paths that the file holds, be their values good or bad
+    std::map<std::string, SourcePlace> tables; // given tables and the places of their headers
     std::map<std::string, std::vector<NamedTable>> named; // by "materials", in the order of the file
     std::vector<ResolvedKey> keys;                        // in the order of the reference
 

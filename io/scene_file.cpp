@@ -6,6 +6,7 @@
 #include "io/scene_motion.hpp"
 #include "io/scene_references.hpp"
 #include "io/scene_text.hpp"
+#include "io/scene_ubcsand.hpp"
 #include "io/scene_verification.hpp"
 #include "io/scene_words.hpp"
 #include "solver/failure.hpp"
@@ -205,6 +206,7 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     fill_ground(values, scene);
     fill_run(values, scene);
     scene.boundaries = read_boundaries(values, file.parent_path(), findings);
+    read_ubcsand_materials(values, scene, findings);
     scene.base_motion = read_motion(values, file.parent_path(), findings);
     scene.verification = read_verification(values, findings);
     check_geometry_file(values, scene.geometry_file, findings);

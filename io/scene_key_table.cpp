@@ -1,4 +1,5 @@
 #include "io/scene_schema.hpp"
+#include "io/ubcsand_keys.hpp"
 #include "solver/verification/study.hpp"
 
 #include <array>
@@ -17,11 +18,16 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 4> water_bes
     {{"free", "drained"}, {"fixed", "impervious"}, {"roller", "impervious"}, {"tied", "impervious"}}};
 
 const Condition free_only{"soil", {"free"}};
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> volumetric_strain_of_model = {
-    {{"linear_elastic", "particle"}, {"mohr_coulomb", "cell"}, {"neo_hookean", "particle"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> volumetric_strain_of_model = {
+    {{"linear_elastic", "particle"},
+     {"mohr_coulomb", "cell"},
+     {"ubcsand", "particle"},
+     {"neo_hookean", "particle"}}};
 
 const Condition elastic_models{"model", {"linear_elastic", "mohr_coulomb", "neo_hookean"}};
 const Condition mohr_coulomb_only{"model", {"mohr_coulomb"}};
+const Condition ubcsand_only{"model", {"ubcsand"}};
+const Condition frictional_models{"model", {"mohr_coulomb", "ubcsand"}};
 const Condition sine_only{"kind", {"sine"}};
 const Condition file_only{"kind", {"file"}};
 const Condition profile_only{"kind", {"profile"}};
@@ -104,17 +110,17 @@ std::vector<SceneKey> material_keys()
         {.pattern = "materials", .type = named_tables, .required = true, .doc = "The soils."},
         {.pattern = "materials.*", .type = table, .doc = "One soil, under a name of your choice."},
         {.pattern = "materials.*.model", .type = word, .required = true,
-         .words = {"linear_elastic", "mohr_coulomb", "neo_hookean"},
+         .words = {"linear_elastic", "mohr_coulomb", "ubcsand", "neo_hookean"},
          .doc = "Stress-strain law of the grain skeleton: elastic, elastic with the strength of friction and "
-                "cohesion, or elastic at large strain (for verification)."},
+                "cohesion, sand that liquefies, or elastic at large strain (for verification)."},
         {.pattern = "materials.*.shear_modulus", .dimension = Dimension::pressure, .required = true,
          .allowed = positive, .plausible = {1e5, 1e10}, .when = elastic_models,
          .doc = "Shear modulus G of the skeleton."},
         {.pattern = "materials.*.poisson_ratio", .required = true,
          .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.0, 0.49},
          .when = elastic_models, .doc = "Drained Poisson's ratio of the skeleton."},
-        {.pattern = "materials.*.cohesion", .dimension = Dimension::pressure, .required = true,
-         .allowed = not_negative, .plausible = {0.0, 1e6}, .when = mohr_coulomb_only,
+        {.pattern = "materials.*.cohesion", .dimension = Dimension::pressure, .default_value = 0.0,
+         .allowed = not_negative, .plausible = {0.0, 1e6}, .when = frictional_models,
          .doc = "Effective cohesion c; with friction_angle = 0 the undrained strength."},
         {.pattern = "materials.*.friction_angle", .dimension = Dimension::angle, .required = true,
          .allowed = {.lower = 0.0, .upper = 90.0, .upper_open = true}, .plausible = {0.0, 50.0},
@@ -145,6 +151,25 @@ std::vector<SceneKey> material_keys()
          .saturated_only = true,
          .default_value = standard_gravity, .allowed = positive, .plausible = {1.0, 2000.0},
          .doc = "Gravity at which the conductivity was measured; at 120 g a wrong pairing is a factor 120."},
+        {.pattern = "materials.*.static_poisson_ratio",
+         .default_value = UbcSandParameters().static_poisson_ratio,
+         .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.2, 0.45},
+         .when = ubcsand_only,
+         .doc = "Poisson's ratio in the relaxation; level ground settles to K0 = nu / (1 - nu), 1/3 to 0.5."},
+    };
+}
+
+/// The keys of UBCSAND, but for the cohesion that Mohr-Coulomb has too.
+std::vector<SceneKey> sand_keys()
+{
+    std::vector<SceneKey> keys = ubcsand_keys();
+    std::erase_if(keys, [](const SceneKey& key) { return last_part(key.pattern) == "cohesion"; });
+    return keys;
+}
+
+std::vector<SceneKey> region_keys()
+{
+    return {
         {.pattern = "regions", .type = named_tables, .required = true,
          .doc = "What the physical surfaces are made of."},
         {.pattern = "regions.*", .type = table, .doc = "One physical surface of the drawing, by its name."},
@@ -299,8 +324,9 @@ std::vector<SceneKey> all_keys()
          .default_value = std::vector<std::string>{},
          .doc = "Keys whose warnings you have read and accept, as [\"materials.sand.porosity\"]."},
     };
-    for (const auto& part : {geometry_keys(), analysis_keys(), ground_keys(), material_keys(),
-                             condition_keys(), motion_keys(), run_keys(), verification_keys()}) {
+    for (const auto& part :
+         {geometry_keys(), analysis_keys(), ground_keys(), material_keys(), sand_keys(), region_keys(),
+          condition_keys(), motion_keys(), run_keys(), verification_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
     return keys;

@@ -19,7 +19,7 @@ constexpr Interval friction{.lower = 0.0, .upper = 60.0, .lower_open = true, .up
 
 using Parameter = double UbcSandParameters::*;
 
-constexpr std::array<std::pair<const char*, Parameter>, 20> parameters = {{
+constexpr std::array<std::pair<const char*, Parameter>, 21> parameters = {{
     {"elastic_shear_number", &UbcSandParameters::elastic_shear_number},
     {"elastic_bulk_number", &UbcSandParameters::elastic_bulk_number},
     {"elastic_shear_exponent", &UbcSandParameters::elastic_shear_exponent},
@@ -35,6 +35,7 @@ constexpr std::array<std::pair<const char*, Parameter>, 20> parameters = {{
     {"secondary_start", &UbcSandParameters::secondary_start},
     {"secondary_growth", &UbcSandParameters::secondary_growth},
     {"reversal_tolerance", &UbcSandParameters::reversal_tolerance},
+    {"reversal_strain", &UbcSandParameters::reversal_strain},
     {"dilation_softening", &UbcSandParameters::dilation_softening},
     {"softened_factor", &UbcSandParameters::softened_factor},
     {"largest_ratio_step", &UbcSandParameters::largest_ratio_step},
@@ -50,7 +51,7 @@ std::optional<double> find_blow_count(const NamedTable& material, const SceneVal
 {
     std::vector<std::string> given;
     for (const char* key : density_keys) {
-        if (values.given(material.path + "." + key)) given.emplace_back(key);
+        if (values.written.contains(material.path + "." + key)) given.emplace_back(key);
     }
     const char* const choice = "one of n1_60, relative_density and preset";
     if (given.empty()) {
@@ -137,6 +138,9 @@ std::vector<SceneKey> ubcsand_keys()
          .doc = "s1, its growth per half cycle n; larger makes the cyclic strength curve flatter."},
         {.pattern = "materials.*.reversal_tolerance", .default_value = m.reversal_tolerance, .allowed = not_negative,
          .plausible = {0.0, 0.1}, .when = ubcsand_only, .doc = "Smallest change of the stress ratio that is a reversal."},
+        {.pattern = "materials.*.reversal_strain", .default_value = m.reversal_strain, .allowed = not_negative,
+         .plausible = {0.0, 1e-4}, .when = ubcsand_only,
+         .doc = "Smallest shear strain that is a reversal, above the linear range of sand [Vucetic 1994]."},
         {.pattern = "materials.*.dilation_softening", .default_value = m.dilation_softening, .allowed = not_negative,
          .plausible = {0.0, 5000.0}, .when = ubcsand_only,
          .doc = "The plastic modulus falls by exp(-dilation_softening times shear strain in dilation)."},

@@ -77,6 +77,26 @@ void turn_stress(double dt, std::size_t first, std::size_t last, Particles& part
     }
 }
 
+/// The remembered stress ratios of UBCSAND turn with the stress.
+void turn_memory(double dt, std::size_t first, std::size_t last, Particles& particles)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    const auto turn = [](double cos2, double sin2, double& x, double& y) {
+        const double turned = cos2 * x - sin2 * y;
+        y = sin2 * x + cos2 * y;
+        x = turned;
+    };
+    CycleMemory& cycles = particles.cycles;
+    for (std::size_t p = first; p < last; ++p) {
+        const double t = 0.25 * dt * (L.yx[p] - L.xy[p]); // as above
+        const double scale = 1.0 / (1.0 + t * t);
+        const double c = (1.0 - t * t) * scale, s = 2.0 * t * scale;
+        const double cos2 = c * c - s * s, sin2 = 2.0 * s * c;
+        turn(cos2, sin2, cycles.peak.x[p], cycles.peak.y[p]);
+        turn(cos2, sin2, cycles.origin.x[p], cycles.origin.y[p]);
+    }
+}
+
 /// Call update(law, first, last) for every run of particles of one material.
 template <class Update>
 void for_each_material_run(const Problem& problem, const Particles& particles, std::size_t first,
@@ -145,6 +165,9 @@ void update_effective_stress(const Problem& problem, double dt, Particles& parti
 {
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         if (problem.strain == StrainForm::large) turn_stress(dt, first, last, particles);
+        if (problem.strain == StrainForm::large && particles.has_cycles()) {
+            turn_memory(dt, first, last, particles);
+        }
         for_each_material_run(problem, particles, first, last,
                               [&](const auto& law, std::size_t run_first, std::size_t run_last) {
                                   update_stress(law, dt, run_first, run_last, particles);

@@ -3,17 +3,10 @@
 #include "solver/failure.hpp"
 
 #include <Eigen/LU>
-#include <string_view>
 
 namespace quicksand {
 
 namespace {
-
-bool belongs_to_fluid(std::string_view name)
-{
-    return name.starts_with("velocity_fluid") || name.starts_with("velocity_gradient_fluid") ||
-           name == "porosity" || name == "pore_pressure";
-}
 
 template <class Value>
 void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order, std::vector<Value>& buffer)
@@ -27,14 +20,32 @@ void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order,
 
 } // namespace
 
+ArrayGroup group_of(std::string_view name)
+{
+    if (name.starts_with("velocity_fluid") || name.starts_with("velocity_gradient_fluid") ||
+        name == "porosity" || name == "pore_pressure") {
+        return ArrayGroup::fluid;
+    }
+    if (name.starts_with("twist")) return ArrayGroup::twist;
+    return name.starts_with("cycles_") ? ArrayGroup::cycles : ArrayGroup::always;
+}
+
 void resize(Particles& particles, std::size_t count, bool saturated)
 {
     for_each_index_array(particles,
                          [&](const char*, std::vector<std::int32_t>& values) { values.assign(count, 0); });
     for_each_array(particles, [&](const char* name, Scalars& values) {
-        values.assign(saturated || !belongs_to_fluid(name) ? count : 0, 0.0);
+        const ArrayGroup group = group_of(name);
+        const bool present = group == ArrayGroup::always || (group == ArrayGroup::fluid && saturated);
+        values.assign(present ? count : 0, 0.0);
     });
-    particles.twist = {};
+}
+
+void add_cycle_memory(Particles& particles)
+{
+    for_each_array(particles, [&](const char* name, Scalars& values) {
+        if (group_of(name) == ArrayGroup::cycles) values.assign(particles.size(), 0.0);
+    });
 }
 
 void reorder(Particles& particles, const std::vector<std::int32_t>& order)

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 namespace quicksand {
@@ -25,6 +26,13 @@ struct Gradients {
 /// Plane-strain symmetric tensors with their out-of-plane component.
 struct SymmetricTensors {
     Scalars xx, yy, zz, xy;
+};
+
+/// Memory of the cycles of UBCSAND; meaning and signs as in UbcSandState [-].
+struct CycleMemory {
+    Scalars eta_max, branch;
+    Vectors peak, origin;
+    Scalars excursion, half_cycles, dilation, active_dilation;
 };
 
 /// In small strain the equations are set up on the reference shape; position and edges show the displaced
@@ -56,8 +64,11 @@ struct Particles {
     Scalars pore_pressure_rate; // of the cell in the last semi-implicit step, none in explicit runs [Pa/s]
     Scalars initial_vertical_effective_stress; // sigma'_v0 at the start of shaking, compression positive [Pa]
 
+    CycleMemory cycles; // none without a material of UBCSAND
+
     std::size_t size() const { return identifier.size(); }
     bool has_fluid() const { return !pore_pressure.empty(); }
+    bool has_cycles() const { return !cycles.branch.empty(); }
 };
 
 /// Call `visit(name, values)` for every array of doubles, in a fixed order. `ParticleSet` is Particles or
@@ -98,6 +109,14 @@ void for_each_array(ParticleSet& particles, Visitor&& visit)
     visit("pore_pressure", particles.pore_pressure);
     visit("pore_pressure_rate", particles.pore_pressure_rate);
     visit("initial_vertical_effective_stress", particles.initial_vertical_effective_stress);
+    visit("cycles_eta_max", particles.cycles.eta_max);
+    visit("cycles_branch", particles.cycles.branch);
+    vectors("cycles_peak_x", "cycles_peak_y", particles.cycles.peak);
+    visit("cycles_excursion", particles.cycles.excursion);
+    vectors("cycles_origin_x", "cycles_origin_y", particles.cycles.origin);
+    visit("cycles_half_cycles", particles.cycles.half_cycles);
+    visit("cycles_dilation", particles.cycles.dilation);
+    visit("cycles_active_dilation", particles.cycles.active_dilation);
 }
 
 /// As for_each_array, for the arrays of 32-bit integers.
@@ -109,8 +128,18 @@ void for_each_index_array(ParticleSet& particles, Visitor&& visit)
     visit("region", particles.region);
 }
 
-/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`, no twist.
+/// The arrays that come and go together.
+enum class ArrayGroup { always, fluid, twist, cycles };
+
+/// The group of an array by its name in for_each_array.
+ArrayGroup group_of(std::string_view name);
+
+/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`, no twist and no
+/// memory of cycles.
 void resize(Particles& particles, std::size_t count, bool saturated);
+
+/// Give every particle a memory of cycles, at zero.
+void add_cycle_memory(Particles& particles);
 
 /// Permute the particles: the new particle k is the old particle order[k].
 void reorder(Particles& particles, const std::vector<std::int32_t>& order);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <sstream>
+#include <string_view>
 
 namespace quicksand {
 
@@ -39,6 +40,40 @@ void set_at_rest(Particles& particles)
     });
 }
 
+bool has_cycle_memory(const Problem& problem)
+{
+    return std::any_of(problem.materials.begin(), problem.materials.end(), [](const Material& material) {
+        return std::holds_alternative<UbcSand>(material.law);
+    });
+}
+
+/// Call visit(sand, first, last) for every run of particles of one material of UBCSAND.
+template <class Visit>
+void for_each_sand_run(const Problem& problem, const Particles& particles, Visit&& visit)
+{
+    for (std::size_t first = 0, last = 0; first < particles.size(); first = last) {
+        last = first + 1;
+        while (last < particles.size() && particles.material[last] == particles.material[first]) ++last;
+        const auto m = static_cast<std::size_t>(particles.material[first]);
+        if (const auto* sand = std::get_if<UbcSand>(&problem.materials[m].law)) visit(*sand, first, last);
+    }
+}
+
+std::size_t count_at_failure(const Problem& problem, const Particles& particles)
+{
+    constexpr double rounding = 1e-9;
+    std::size_t count = 0;
+    for_each_sand_run(problem, particles, [&](const UbcSand& sand, std::size_t first, std::size_t last) {
+        const SymmetricTensors& stress = particles.stress;
+        for (std::size_t p = first; p < last; ++p) {
+            const double s = -0.5 * (stress.xx[p] + stress.yy[p]);
+            const double t = std::hypot(0.5 * (stress.xx[p] - stress.yy[p]), stress.xy[p]);
+            count += t >= (1.0 - rounding) * failure_shear(sand, s) ? 1U : 0U;
+        }
+    });
+    return count;
+}
+
 [[noreturn]] void fail_to_settle(const RelaxationControls& controls, double residual, double dt,
                                  const State& state)
 {
@@ -67,9 +102,24 @@ double out_of_balance(const Problem& problem, const State& state)
     return out_of_balance(problem, work);
 }
 
-RelaxationReport relax(const Problem& problem, const RelaxationControls& controls, State& state,
+Problem settling_problem(const Problem& problem)
+{
+    Problem settling = problem;
+    for (Material& material : settling.materials) {
+        const double buoyancy = problem.water ? problem.water->density : 0.0;
+        const double cell_weight = (1.0 - material.porosity) * (material.grain_density - buoyancy) *
+                                   problem.gravity * problem.grid.cell_size;
+        if (const auto* sand = std::get_if<UbcSand>(&material.law)) {
+            material.law = SettlingSand{*sand, cell_weight};
+        }
+    }
+    return settling;
+}
+
+RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls, State& state,
                        const std::function<void(std::int64_t, double)>& progress)
 {
+    const Problem problem = settling_problem(shaken);
     state.stage = Stage::relaxation;
     state.time = 0.0;
     state.step = 0;
@@ -87,10 +137,23 @@ RelaxationReport relax(const Problem& problem, const RelaxationControls& control
     }
     report.steps = state.step;
     report.max_displacement = monitor(problem, state, {}).max_displacement;
+    report.at_failure = count_at_failure(shaken, state.particles);
     set_at_rest(state.particles);
     if (problem.strain == StrainForm::small) return_to_reference(state.particles);
-    begin_shaking(state);
+    begin_shaking(shaken, state);
     return report;
+}
+
+std::size_t begin_shaking(const Problem& problem, State& state)
+{
+    std::size_t limited = 0;
+    if (has_cycle_memory(problem)) add_cycle_memory(state.particles);
+    for_each_sand_run(problem, state.particles,
+                      [&](const UbcSand& sand, std::size_t first, std::size_t last) {
+                          limited += start_memory(sand, first, last, state.particles);
+                      });
+    begin_shaking(state);
+    return limited;
 }
 
 void begin_shaking(State& state)

@@ -44,6 +44,7 @@ struct RelaxationReport {
     std::int64_t steps = 0;        // [-]
     double out_of_balance = 0.0;   // out-of-balance force / body force at the end [-]
     double max_displacement = 0.0; // how far the soil moved while settling [m]
+    std::size_t at_failure = 0;    // particles whose shear stress is the largest their sand can carry [-]
 };
 
 /// Out-of-balance force / body force of the state, all forces in the norm sum_i |f_i| over the free
@@ -55,7 +56,16 @@ double out_of_balance(const Problem& problem, const State& state);
 RelaxationReport relax(const Problem& problem, const RelaxationControls& controls, State& state,
                        const std::function<void(std::int64_t, double)>& progress = {});
 
-/// Freeze sigma'_v0 from the present stress and set the reference of displacements: the start of shaking.
+/// The problem while it settles under gravity: laws with a memory of cycles are replaced by what they are in
+/// a static stage.
+Problem settling_problem(const Problem& problem);
+
+/// The start of shaking: freeze sigma'_v0 from the present stress, set the reference of displacements, and
+/// let the memory of cycles begin where a material has one. Returns the number of particles whose stress was
+/// beyond what their material can carry and has been brought back to it.
+std::size_t begin_shaking(const Problem& problem, State& state);
+
+/// The same for a body whose laws have no memory.
 void begin_shaking(State& state);
 
 /// Run from state.time to end_time. Throws NumericalError. `stop_requested` is asked after every step.

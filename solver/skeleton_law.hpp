@@ -1,17 +1,20 @@
 // The constitutive laws of the grain skeleton behind one small interface.
 //
-// A law is a plain struct of parameters with three functions: `update_stress`, `constrained_modulus` and
-// `shear_modulus`. Laws are visited once per run of particles, never per particle.
+// A law is a plain struct of parameters with four functions: `update_stress`, `stiffest_modulus` of
+// particles, and `constrained_modulus` and `shear_modulus` where no particle is at hand (at one atmosphere
+// when they follow the stress). Laws are visited once per run of particles, never per particle.
 #pragma once
 
 #include "solver/linear_elastic.hpp"
 #include "solver/mohr_coulomb.hpp"
 #include "solver/neo_hookean.hpp"
+#include "solver/settling_sand.hpp"
+#include "solver/ubcsand_particles.hpp"
 
 #include <variant>
 
 namespace quicksand {
 
-using SkeletonLaw = std::variant<LinearElastic, NeoHookean, MohrCoulomb>;
+using SkeletonLaw = std::variant<LinearElastic, NeoHookean, MohrCoulomb, UbcSand, SettlingSand>;
 
 } // namespace quicksand

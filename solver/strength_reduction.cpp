@@ -2,6 +2,7 @@
 
 #include "solver/failure.hpp"
 #include "solver/held_shape.hpp"
+#include "solver/simulation.hpp"
 #include "solver/time_step_control.hpp"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ constexpr double growth = 1.25; // of the factor while the bracket is open
 
 struct HasStrength {
     bool operator()(const MohrCoulomb&) const { return true; }
+    bool operator()(const UbcSand&) const { return true; }
+    bool operator()(const SettlingSand&) const { return true; }
     template <class Law>
     bool operator()(const Law&) const
     {
@@ -131,9 +134,10 @@ bool has_strength(const Problem& problem)
 
 Problem with_reduced_strength(const Problem& problem, double factor)
 {
-    Problem weaker = problem;
+    Problem weaker = settling_problem(problem);
     for (Material& material : weaker.materials) {
         if (auto* law = std::get_if<MohrCoulomb>(&material.law)) *law = reduced(*law, factor);
+        if (auto* law = std::get_if<SettlingSand>(&material.law)) *law = reduced(*law, factor);
     }
     return weaker;
 }

@@ -151,7 +151,9 @@ WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const 
                        double porosity)
 {
     const double n = porosity, M = skeleton_modulus;
-    const double G = std::visit([](const auto& law) { return shear_modulus(law); }, material.law);
+    // a law whose stiffness follows the stress has both moduli in proportion
+    const double G = std::visit(
+        [&](const auto& law) { return shear_modulus(law) * (M / constrained_modulus(law)); }, material.law);
     WaveSpeeds speeds;
     if (!water) {
         const double density = (1.0 - n) * material.grain_density;
@@ -173,6 +175,19 @@ WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const 
     speeds.skeleton = std::sqrt(M / (r1 + r2));
     speeds.shear = std::sqrt(G / (r1 + r2));
     return speeds;
+}
+
+std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles)
+{
+    const Extremes extremes = find_extremes(problem, particles);
+    std::vector<WaveSpeeds> waves;
+    for (std::size_t m = 0; m < problem.materials.size(); ++m) {
+        const Material& material = problem.materials[m];
+        const double M = extremes.materials[m].stiffest_modulus;
+        waves.push_back(M > 0.0 ? wave_speeds(material, M, problem.water, material.porosity)
+                                : wave_speeds(material, problem.water, material.porosity));
+    }
+    return waves;
 }
 
 TimeStep stable_time_step(const Problem& problem, const Particles& particles)

@@ -5,6 +5,7 @@
 #include "solver/state.hpp"
 
 #include <string>
+#include <vector>
 
 namespace quicksand {
 
@@ -23,6 +24,10 @@ WaveSpeeds wave_speeds(const Material& material, const std::optional<Water>& wat
 /// The same with the skeleton's present P-wave modulus M [Pa].
 WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const std::optional<Water>& water,
                        double porosity);
+
+/// The speeds of every material where the present stress makes it stiffest, at its initial porosity; as
+/// without particles where there are none of it.
+std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles);
 
 enum class TimeStepLimiter { wave, motion, output };
 

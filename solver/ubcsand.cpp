@@ -57,9 +57,11 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.s0 = m.secondary_start;
     law.s1 = m.secondary_growth;
     law.tolerance_squared = m.reversal_tolerance * m.reversal_tolerance;
+    law.reversal_strain = m.reversal_strain;
     law.a_dil_log2 = m.dilation_softening * std::numbers::log2e;
     law.fac_post = m.softened_factor;
     law.s_min = m.stress_floor;
+    law.static_poisson = m.static_poisson_ratio;
     law.per_ratio_step = 1.0 / m.largest_ratio_step;
     law.per_stress_step = 1.0 / m.largest_stress_step;
     law.square_roots = law.ne == 0.5 && law.me == 0.5;
@@ -77,6 +79,8 @@ void begin_shaking(const UbcSand& law, UbcSandState& state)
     fresh.peak_x = 0.5 * (state.sigma_x - state.sigma_y) / sb;
     fresh.peak_y = state.tau_xy / sb;
     fresh.eta_max = std::sqrt(fresh.peak_x * fresh.peak_x + fresh.peak_y * fresh.peak_y);
+    fresh.origin_x = fresh.peak_x;
+    fresh.origin_y = fresh.peak_y;
     fresh.branch = ubcsand::loading;
     state = fresh;
 }

@@ -9,8 +9,8 @@
 //            arrays of points are tension positive, as everywhere else. Shear strain is engineering shear.
 // Limits     Start from a stress inside the failure limit (K_0 of 0.5; elastic gravity loading with these
 //            moduli gives 0.016). Turning of the principal stresses at constant ratio causes no plastic
-//            strain. A ripple during unloading, however small, counts as a half cycle, stiffens the next
-//            loadings and clears the softening of its branch: strain increments must be free of noise.
+//            strain. Ripples below the tolerances of a reversal are not counted, but strain plastically when
+//            they reload; larger ones are half cycles.
 #pragma once
 
 #include "solver/ubcsand_parameters.hpp"
@@ -28,9 +28,11 @@ struct UbcSand {
     double a;                    // c cot phi_f, shift of the mean stress [Pa]
     double h1, h2, s0, s1;       // factors of the plastic modulus [-]
     double tolerance_squared;    // reversal tolerance, squared [-]
+    double reversal_strain;      // shear strain that goes with it [-]
     double a_dil_log2;           // softening after dilation, as a power of 2 [-]
     double fac_post;             // least factor after dilation [-]
     double s_min;                // stress floor [Pa]
+    double static_poisson;       // nu while settling under gravity [-]
     double per_ratio_step;       // 1 / largest elastic change of the stress ratio in a substep [-]
     double per_stress_step;      // 1 / largest relative elastic change of s in a substep [-]
     bool square_roots;           // ne = me = 1/2
@@ -43,9 +45,12 @@ struct UbcSandState {
     double sigma_z = 0.0;         // [Pa]
     double tau_xy = 0.0;          // [Pa]
     double eta_max = 0.0;         // largest stress ratio so far [-]
-    double branch = 2.0;          // 0 just reversed, 1 far from the reversal, 2 loading
-    double peak_x = 0.0;          // r at the last reversal: (sigma_x - sigma_y)/2 over s [-]
-    double peak_y = 0.0;          //                         tau_xy over s [-]
+    double branch = 2.0;          // 0 just reversed, 1 far from the reversal, 2 loading, 3 just reloading
+    double peak_x = 0.0;          // r where the stress last turned: (sigma_x - sigma_y)/2 over s [-]
+    double peak_y = 0.0;          //                                 tau_xy over s [-]
+    double excursion = 0.0;       // shear strain since then, added up [-]
+    double origin_x = 0.0;        // r at the reversal with which the present branch began [-]
+    double origin_y = 0.0;        // [-]
     double half_cycles = 0.0;     // n, reversals that were followed by loading [-]
     double dilation = 0.0;        // g_dil, plastic shear strain in dilation [-]
     double active_dilation = 0.0; // its value at the last counted half cycle, which softens the branch [-]
@@ -69,9 +74,11 @@ void begin_shaking(const UbcSand& law, UbcSandState& state);
 ///  2  divide the increment into substeps; for each of them
 ///  3  elastic moduli at the present mean stress, not below the floor
 ///  4  elastic trial
-///  5  ratio of the yield locus: dragged along, or at the last reversal for a tiny excursion from it
+///  5  ratio of the yield locus: dragged along, or at the last reversal for a tiny excursion from it; an
+///     unloading or reloading that has gone the tolerance from where it turned is confirmed
 ///  6  the trial's mean stress is not below the floor
-///  7  inside the locus: elastic; the first such substep after loading is a reversal
+///  7  inside the locus: elastic; the first such substep after loading is a reversal, after a reloading that
+///     was not confirmed it takes the half cycle back: that was a ripple of the unloading
 ///  8  outside: a half cycle is counted, the plastic modulus follows from memory, the stress returns to the
 ///     hardened locus, to the failure line, or flows at the stress floor
 ///  9  out-of-plane stress; strain in dilation
@@ -92,15 +99,16 @@ double constrained_modulus(const UbcSand& law, const UbcSandState& state);
 
 /// Points as structure of arrays, tension positive. None of the arrays may overlap.
 struct UbcSandArrays {
-    const double *L_xx, *L_xy, *L_yx, *L_yy;               // velocity gradient [1/s]
-    double *stress_xx, *stress_yy, *stress_zz, *stress_xy; // effective stress [Pa]
-    double *eta_max, *branch, *peak_x, *peak_y;            // memory as in UbcSandState; peaks keep its signs
-    double *half_cycles, *dilation, *active_dilation;
+    const double *L_xx, *L_xy, *L_yx, *L_yy;                // velocity gradient [1/s]
+    double *stress_xx, *stress_yy, *stress_zz, *stress_xy;  // effective stress [Pa]
+    double *eta_max, *branch, *peak_x, *peak_y, *excursion; // memory as in UbcSandState and of its signs
+    double *origin_x, *origin_y, *half_cycles, *dilation, *active_dilation;
 
     UbcSandState state(std::size_t p) const
     {
-        return {-stress_xx[p], -stress_yy[p], -stress_zz[p],  -stress_xy[p], eta_max[p],        branch[p],
-                peak_x[p],     peak_y[p],     half_cycles[p], dilation[p],   active_dilation[p]};
+        return {-stress_xx[p], -stress_yy[p],  -stress_zz[p], -stress_xy[p],     eta_max[p],
+                branch[p],     peak_x[p],      peak_y[p],     excursion[p],      origin_x[p],
+                origin_y[p],   half_cycles[p], dilation[p],   active_dilation[p]};
     }
 
     void set(std::size_t p, const UbcSandState& state) const
@@ -109,19 +117,22 @@ struct UbcSandArrays {
         stress_xy[p] = -state.tau_xy;
         eta_max[p] = state.eta_max, branch[p] = state.branch;
         peak_x[p] = state.peak_x, peak_y[p] = state.peak_y;
+        excursion[p] = state.excursion;
+        origin_x[p] = state.origin_x, origin_y[p] = state.origin_y;
         half_cycles[p] = state.half_cycles;
         dilation[p] = state.dilation, active_dilation[p] = state.active_dilation;
     }
 };
 
-/// What the spin turns: a caller that turns the stresses of all laws itself leaves the memory to us.
-enum class Turn { stress_and_memory, memory };
+/// What the spin turns: a caller may turn the points itself, or not at all in small strain.
+enum class Turn { stress_and_memory, nothing };
 
 /// Advance the points [first, last) by dt; the same bits as `update` one by one.
 void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
             const UbcSandArrays& points);
 
-/// Largest constrained modulus of the points [first, last), for the time step [Pa].
-double stiffest_modulus(const UbcSand& law, std::size_t first, std::size_t last, const UbcSandArrays& points);
+/// Largest constrained modulus of the points [first, last) by their stresses, for the time step [Pa].
+double stiffest_modulus(const UbcSand& law, std::size_t first, std::size_t last, const double* stress_xx,
+                        const double* stress_yy);
 
 } // namespace quicksand

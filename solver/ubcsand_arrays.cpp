@@ -19,15 +19,16 @@ constexpr std::size_t width = 8; // lanes of a block [-]
 /// The points of a block, one array per quantity. Lanes beyond the last point are closed.
 struct Block {
     double sigma_x[width], sigma_y[width], sigma_z[width], tau_xy[width];
-    double eta_max[width], branch[width], peak_x[width], peak_y[width];
-    double half_cycles[width], dilation[width], active_dilation[width];
+    double eta_max[width], branch[width], peak_x[width], peak_y[width], excursion[width];
+    double origin_x[width], origin_y[width], half_cycles[width], dilation[width], active_dilation[width];
     double strain_x[width], strain_y[width], strain_xy[width]; // what remains
     double open[width];                                        // 1 until the last substep is done
 
     UbcSandState state(std::size_t k) const
     {
-        return {sigma_x[k], sigma_y[k], sigma_z[k],     tau_xy[k],   eta_max[k],        branch[k],
-                peak_x[k],  peak_y[k],  half_cycles[k], dilation[k], active_dilation[k]};
+        return {sigma_x[k],  sigma_y[k],     sigma_z[k],  tau_xy[k],         eta_max[k],
+                branch[k],   peak_x[k],      peak_y[k],   excursion[k],      origin_x[k],
+                origin_y[k], half_cycles[k], dilation[k], active_dilation[k]};
     }
 
     void set(std::size_t k, bool condition, const UbcSandState& state)
@@ -40,6 +41,9 @@ struct Block {
         branch[k] = select(condition, state.branch, branch[k]);
         peak_x[k] = select(condition, state.peak_x, peak_x[k]);
         peak_y[k] = select(condition, state.peak_y, peak_y[k]);
+        excursion[k] = select(condition, state.excursion, excursion[k]);
+        origin_x[k] = select(condition, state.origin_x, origin_x[k]);
+        origin_y[k] = select(condition, state.origin_y, origin_y[k]);
         half_cycles[k] = select(condition, state.half_cycles, half_cycles[k]);
         dilation[k] = select(condition, state.dilation, dilation[k]);
         active_dilation[k] = select(condition, state.active_dilation, active_dilation[k]);
@@ -49,13 +53,14 @@ struct Block {
 /// The trials of a block between their making and the return.
 struct TrialBlock {
     double G[width], E2[width], K[width], s[width], q_x[width], q_y[width], t[width], sigma_z[width];
-    double eta_y[width], branch[width], scale[width], plastic[width];
+    double shear[width], eta_y[width], r_x[width], r_y[width], branch[width], scale[width], plastic[width];
 
     void set(std::size_t k, const Trial& trial, bool is_plastic)
     {
         G[k] = trial.moduli.G, E2[k] = trial.moduli.E2, K[k] = trial.moduli.K;
         s[k] = trial.s, q_x[k] = trial.q_x, q_y[k] = trial.q_y, t[k] = trial.t, sigma_z[k] = trial.sigma_z;
-        eta_y[k] = trial.eta_y, branch[k] = trial.branch, scale[k] = trial.scale;
+        shear[k] = trial.shear, eta_y[k] = trial.eta_y, r_x[k] = trial.r_x, r_y[k] = trial.r_y;
+        branch[k] = trial.branch, scale[k] = trial.scale;
         plastic[k] = select(is_plastic, 1.0, 0.0);
     }
 
@@ -64,7 +69,8 @@ struct TrialBlock {
         Trial trial{};
         trial.moduli = {G[k], 0.0, E2[k], K[k]};
         trial.s = s[k], trial.q_x = q_x[k], trial.q_y = q_y[k], trial.t = t[k], trial.sigma_z = sigma_z[k];
-        trial.eta_y = eta_y[k], trial.branch = branch[k], trial.scale = scale[k];
+        trial.shear = shear[k], trial.eta_y = eta_y[k], trial.r_x = r_x[k], trial.r_y = r_y[k];
+        trial.branch = branch[k], trial.scale = scale[k];
         return trial;
     }
 };
@@ -122,13 +128,15 @@ inline void advance_lanes(const UbcSand& law, Block& block)
 inline void load(const UbcSandArrays& points, std::size_t p, std::size_t count, double dt, Turn turned,
                  Block& block)
 {
-    const bool turns_stress = turned == Turn::stress_and_memory;
+    const bool turns = turned == Turn::stress_and_memory;
     for (std::size_t k = 0; k < count; ++k) {
         UbcSandState state = points.state(p + k);
         const double L_xy = points.L_xy[p + k], L_yx = points.L_yx[p + k];
-        const Rotation rotation = rotation_of(0.5 * dt * (L_yx - L_xy));
-        turn_memory(rotation, state);
-        turn_stress({turns_stress ? rotation.cosine : 1.0, turns_stress ? rotation.sine : 0.0}, state);
+        if (turns) {
+            const Rotation rotation = rotation_of(0.5 * dt * (L_yx - L_xy));
+            turn_memory(rotation, state);
+            turn_stress(rotation, state);
+        }
         block.set(k, true, state);
         block.strain_x[k] = -dt * points.L_xx[p + k];
         block.strain_y[k] = -dt * points.L_yy[p + k];
@@ -182,12 +190,13 @@ void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, 
     }
 }
 
-double stiffest_modulus(const UbcSand& law, std::size_t first, std::size_t last, const UbcSandArrays& points)
+double stiffest_modulus(const UbcSand& law, std::size_t first, std::size_t last, const double* stress_xx,
+                        const double* stress_yy)
 {
     // the moduli grow with the stress, so the largest mean stress has the largest
     double s = law.s_min;
     for (std::size_t p = first; p < last; ++p) {
-        s = larger(s, -0.5 * (points.stress_xx[p] + points.stress_yy[p]));
+        s = larger(s, -0.5 * (stress_xx[p] + stress_yy[p]));
     }
     return law.square_roots ? elastic_moduli<true>(law, s).E1 : elastic_moduli<false>(law, s).E1;
 }

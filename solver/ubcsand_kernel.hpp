@@ -17,8 +17,11 @@
 
 namespace quicksand::ubcsand {
 
-/// How far a point is from its last reversal: doubles, so that vectors hold one kind of number.
-inline constexpr double just_reversed = 0.0, far_from_reversal = 1.0, loading = 2.0;
+/// Where a point is on its branch: doubles, so that vectors hold one kind of number. Unloading that has just
+/// begun may be an excursion of the loading before, reloading that has just begun one of the unloading
+/// before; either is confirmed when stress ratio and shear strain have gone their tolerances from where they
+/// turned.
+inline constexpr double just_reversed = 0.0, far_from_reversal = 1.0, loading = 2.0, reloading = 3.0;
 
 /// Both branches are evaluated in a vector; a name for that.
 inline double select(bool condition, double yes, double no)
@@ -61,6 +64,9 @@ inline void turn_memory(const Rotation& turn, UbcSandState& state)
     const double r_x = state.peak_x;
     state.peak_x = turn.cosine * r_x - turn.sine * state.peak_y;
     state.peak_y = turn.sine * r_x + turn.cosine * state.peak_y;
+    const double o_x = state.origin_x;
+    state.origin_x = turn.cosine * o_x - turn.sine * state.origin_y;
+    state.origin_y = turn.sine * o_x + turn.cosine * state.origin_y;
 }
 
 struct Moduli {
@@ -135,20 +141,27 @@ struct Trial {
     double s;           // not below the floor [Pa]
     double q_x, q_y, t; // [Pa]
     double sigma_z;     // [Pa]
+    double shear;       // the substep's largest shear strain [-]
     double eta_y;       // ratio of the locus [-]
     double r_x, r_y;    // before the substep [-]
-    double branch;      // before the substep, with the departure from the reversal noticed
+    double branch;      // before the substep, with the departure from where it turned noticed
     double scale;       // s_min or s before the substep, over P_a [-]
     bool plastic;
 };
 
 /// [5] Ratio of the yield locus: the present one in loading and on a branch that has left its reversal, the
-/// one at the reversal for a tiny excursion.
+/// one at the reversal for a tiny excursion. Leaving confirms the unloading or the reloading: by the ratio
+/// and, as liquefied sand has large ratios from the least strain, by the strain too or the other sense of
+/// shear.
 inline void place_locus(const UbcSand& m, const UbcSandState& state, Trial& trial)
 {
     const double away_x = trial.r_x - state.peak_x, away_y = trial.r_y - state.peak_y;
-    const bool departed = away_x * away_x + away_y * away_y >= m.tolerance_squared;
-    trial.branch = select((state.branch == just_reversed) & departed, far_from_reversal, state.branch);
+    const bool strained =
+        (state.excursion >= m.reversal_strain) | (trial.r_x * state.peak_x + trial.r_y * state.peak_y <= 0.0);
+    const bool departed = (away_x * away_x + away_y * away_y >= m.tolerance_squared) & strained;
+    const double confirmed = select(state.branch == just_reversed, far_from_reversal, loading);
+    const bool open = (state.branch == just_reversed) | (state.branch == reloading);
+    trial.branch = select(open & departed, confirmed, state.branch);
     const double eta_squared = trial.r_x * trial.r_x + trial.r_y * trial.r_y;
     const double peak_squared = state.peak_x * state.peak_x + state.peak_y * state.peak_y;
     const double held = select(trial.branch == just_reversed, larger(eta_squared, peak_squared), eta_squared);
@@ -169,9 +182,10 @@ inline Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Mo
     trial.scale = s * (1.0 / atmospheric_pressure);
 
     // [4] d s = K' d eps_v, d q = G (d eps_x - d eps_y, d gamma_xy); s as it is, be it below the floor
-    const double volumetric = strain.x + strain.y;
+    const double volumetric = strain.x + strain.y, difference = strain.x - strain.y;
     const double s_old = 0.5 * (state.sigma_x + state.sigma_y);
-    trial.q_x = q_x + moduli.G * (strain.x - strain.y);
+    trial.shear = std::sqrt(difference * difference + strain.xy * strain.xy);
+    trial.q_x = q_x + moduli.G * difference;
     trial.q_y = q_y + moduli.G * strain.xy;
     trial.t = std::sqrt(trial.q_x * trial.q_x + trial.q_y * trial.q_y);
     trial.sigma_z = state.sigma_z + moduli.E2 * volumetric;
@@ -192,24 +206,41 @@ inline void rebuild_stress(const UbcSand& m, const Trial& trial, double s, doubl
     state.tau_xy = trial.q_y * ratio;
 }
 
-/// [7] The elastic end: the first elastic substep after loading is a reversal, which is remembered. The locus
-/// never lies above the largest ratio, so that does not change.
+/// A confirmed unloading makes its reversal the origin of the present branch.
+inline void move_origin(const Trial& trial, UbcSandState& state)
+{
+    const bool confirmed = (state.branch == just_reversed) & (trial.branch == far_from_reversal);
+    state.origin_x = select(confirmed, state.peak_x, state.origin_x);
+    state.origin_y = select(confirmed, state.peak_y, state.origin_y);
+}
+
+/// [7] The elastic end: the first elastic substep after loading is a reversal, which is remembered; after a
+/// reloading that was not confirmed, the unloading goes on and the half cycle is taken back. The locus never
+/// lies above the largest ratio, so that does not change.
 inline void finish_elastic(const UbcSand& m, const Trial& trial, UbcSandState& state)
 {
-    const bool reversal = trial.branch == loading;
+    move_origin(trial, state);
+    const bool reversal = trial.branch == loading, ripple = trial.branch == reloading;
     state.peak_x = select(reversal, trial.r_x, state.peak_x);
     state.peak_y = select(reversal, trial.r_y, state.peak_y);
-    state.branch = select(reversal, just_reversed, trial.branch);
+    state.excursion = select(reversal, 0.0, state.excursion) + trial.shear;
+    state.half_cycles -= select(ripple, 1.0, 0.0);
+    state.branch = select(reversal, just_reversed, select(ripple, far_from_reversal, trial.branch));
     rebuild_stress(m, trial, trial.s, 1.0, trial.sigma_z, state);
 }
 
-/// [8] Loading again after a real reversal counts a half cycle.
+/// [8] Loading again after a real reversal counts a half cycle. Where it turned is remembered, by which a
+/// ripple of the unloading is told.
 inline void count_half_cycle(const Trial& trial, UbcSandState& state)
 {
+    move_origin(trial, state);
     const bool counts = trial.branch == far_from_reversal;
+    state.excursion = select(counts, 0.0, state.excursion) + trial.shear;
     state.half_cycles += select(counts, 1.0, 0.0);
     state.active_dilation = select(counts, state.dilation, state.active_dilation);
-    state.branch = loading;
+    state.peak_x = select(counts, trial.r_x, state.peak_x);
+    state.peak_y = select(counts, trial.r_y, state.peak_y);
+    state.branch = select(counts | (trial.branch == reloading), reloading, loading);
 }
 
 /// [8a, 8b] F: stiff on secondary loading, soft after a dilation once the branch has crossed the isotropic
@@ -218,7 +249,7 @@ inline double hardening_factor(const UbcSand& m, const Trial& trial, const UbcSa
 {
     const bool secondary = trial.eta_y < state.eta_max - 1e-9;
     const double F = select(secondary, m.h1 * m.h2 * (m.s0 + m.s1 * state.half_cycles), m.h1);
-    const bool crossed = trial.q_x * state.peak_x + trial.q_y * state.peak_y <= 0.0;
+    const bool crossed = trial.q_x * state.origin_x + trial.q_y * state.origin_y <= 0.0;
     const double loss = larger(-1000.0, -m.a_dil_log2 * state.active_dilation); // exp as a power of 2
     const double softened = larger(m.fac_post, F * exponential_2(loss));
     return select((state.active_dilation > 0.0) & crossed, softened, F);

@@ -100,8 +100,11 @@ void check(const UbcSandParameters& m)
     require_positive("secondary_start", m.secondary_start);
     require_not_negative("secondary_growth", m.secondary_growth);
     require_not_negative("reversal_tolerance", m.reversal_tolerance);
+    require_not_negative("reversal_strain", m.reversal_strain);
     require_not_negative("dilation_softening", m.dilation_softening);
     require_positive("softened_factor", m.softened_factor);
+    require(m.static_poisson_ratio >= 0.0 && m.static_poisson_ratio < 0.5, "static_poisson_ratio",
+            m.static_poisson_ratio, "from 0 to below 0.5");
     require_positive("largest_ratio_step", m.largest_ratio_step);
     require_positive("largest_stress_step", m.largest_stress_step);
     require_positive("stress_floor", m.stress_floor);

@@ -3,6 +3,10 @@
 // Sources    [BB11] the generic set of Beaty and Byrne (2011), report 904aR, as the literature repeats it
 //            [IB08] Idriss and Boulanger (2008): relative density; triggering curve at 15 cycles
 //            [own]  the memory of cycles, a reconstruction: h2 calibrated to [IB08], the others chosen
+// Reversals  A change of sense counts as a reversal from a shear strain of 2e-5 on: above the 1e-5 to which
+// sand
+//            is linear (Vucetic 1994), well below the 1e-4 from which it gains pore pressure (Dobry et al.
+//            1982).
 // Limits     Plane strain. The set is tied to a density: a soil that densifies keeps its parameters.
 #pragma once
 
@@ -34,8 +38,12 @@ struct UbcSandParameters {
     double secondary_start = 4.0;       // s0 [-]
     double secondary_growth = 0.5;      // s1 [-] per half cycle
     double reversal_tolerance = 0.02;   // smallest change of the stress ratio that counts as a reversal [-]
+    double reversal_strain = 2e-5;      // and smallest shear strain, see below [-]
     double dilation_softening = 1000.0; // a_dil [-]; F falls by exp(-a_dil x shear strain in dilation)
     double softened_factor = 0.05;      // least F after dilation [-]
+
+    // settling under gravity, see settling_sand.hpp [own]
+    double static_poisson_ratio = 1.0 / 3.0; // nu [-]; level ground settles to K_0 = nu/(1 - nu) = 0.5
 
     // numerics: the elastic changes of a substep [own]
     double largest_ratio_step = 0.004; // of the stress ratio [-]

@@ -1,7 +1,9 @@
 // The same bits for any number of threads, and from a copy of the state taken in mid-run.
-#include "tests/fixtures/soil_block.hpp"
+#include "tests/fixtures/sand_box.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace quicksand {
 namespace {
@@ -68,6 +70,24 @@ TEST(Determinism, ACopyTakenInMidRunGoesOnWithTheSameBits)
     EXPECT_EQ(copy.step, uninterrupted.step);
     EXPECT_EQ(copy.time, uninterrupted.time);
     expect_same_bits(copy.particles, uninterrupted.particles);
+}
+
+TEST(Determinism, ABoxOfUbcsandGoesOnFromACopyWithTheSameBits)
+{
+    const SandBox box;
+    const Problem problem = make_problem(box);
+    State uninterrupted = make_state(box, problem);
+    State interrupted = uninterrupted;
+    run(problem, 0.5, {}, uninterrupted);
+    const auto stop = [&] { return interrupted.step == 7000; };
+    run(problem, 0.5, {}, interrupted, stop);
+    ASSERT_LT(interrupted.time, 0.5);
+    State copy = interrupted;
+    run(problem, 0.5, {}, copy);
+    expect_same_bits(copy.particles, uninterrupted.particles);
+    EXPECT_GT(
+        *std::max_element(copy.particles.cycles.half_cycles.begin(), copy.particles.cycles.half_cycles.end()),
+        0.0);
 }
 
 } // namespace

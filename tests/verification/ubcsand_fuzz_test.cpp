@@ -88,9 +88,10 @@ double beyond_failure(const UbcSand& law, const UbcSandState& state)
 
 bool sound(const UbcSand& law, const UbcSandState& state)
 {
-    const double all[] = {state.sigma_x,     state.sigma_y,  state.sigma_z,        state.tau_xy,
-                          state.eta_max,     state.branch,   state.peak_x,         state.peak_y,
-                          state.half_cycles, state.dilation, state.active_dilation};
+    const double all[] = {state.sigma_x,   state.sigma_y,        state.sigma_z,  state.tau_xy,
+                          state.eta_max,   state.branch,         state.peak_x,   state.peak_y,
+                          state.excursion, state.origin_x,       state.origin_y, state.half_cycles,
+                          state.dilation,  state.active_dilation};
     for (const double value : all) {
         if (!std::isfinite(value)) return false;
     }

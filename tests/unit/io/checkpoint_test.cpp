@@ -14,10 +14,11 @@ using fixtures::TemporaryFolder;
 namespace {
 
 /// A state whose every number is another one.
-State varied_state(bool saturated)
+State varied_state(bool saturated, bool with_cycles = false)
 {
     const Problem problem = fixtures::small_problem(saturated);
     State state = fixtures::small_state(problem);
+    if (with_cycles) add_cycle_memory(state.particles);
     double value = 1.0 / 3.0;
     for_each_array(state.particles, [&](const char*, Scalars& values) {
         for (double& entry : values) entry += (value += 1.0 / 7.0);
@@ -65,9 +66,11 @@ TEST(Checkpoint, ReadsBackToTheSameBits)
 {
     const TemporaryFolder folder;
     for (const bool saturated : {true, false}) {
-        const State written = varied_state(saturated);
-        write_checkpoint(folder / "checkpoint/state.h5", written, "abc");
-        EXPECT_TRUE(same_bits(written, read_checkpoint(folder / "checkpoint/state.h5", "abc")));
+        for (const bool with_cycles : {true, false}) {
+            const State written = varied_state(saturated, with_cycles);
+            write_checkpoint(folder / "checkpoint/state.h5", written, "abc");
+            EXPECT_TRUE(same_bits(written, read_checkpoint(folder / "checkpoint/state.h5", "abc")));
+        }
     }
     EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
 }

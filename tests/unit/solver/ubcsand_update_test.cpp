@@ -70,7 +70,7 @@ TEST(UbcSand, TheFactorStiffensReloadingAndSoftensAfterDilation)
     UbcSandState state;
     state.eta_max = 0.4;
     state.half_cycles = 6.0;
-    state.peak_x = 0.3;
+    state.origin_x = 0.3;
     ubcsand::Trial trial{};
     trial.eta_y = 0.4;
     trial.q_x = -1.0;
@@ -119,9 +119,12 @@ TEST(UbcSand, OnlyARealReversalCountsAHalfCycle)
     update(law, shear(-5.0 * tiny), state);
     EXPECT_EQ(state.branch, ubcsand::far_from_reversal);
     update(law, shear(tiny), state);
-    EXPECT_EQ(state.branch, ubcsand::loading);
+    EXPECT_EQ(state.branch, ubcsand::reloading);
     EXPECT_EQ(state.half_cycles, 1.0);
     EXPECT_LT(mean(state), mean(peak));
+    update(law, shear(20.0 * tiny), state);
+    EXPECT_EQ(state.branch, ubcsand::loading);
+    EXPECT_EQ(state.half_cycles, 1.0);
 }
 
 TEST(UbcSand, FailureCarriesTheCohesionOfMohrAndCoulomb)

@@ -1,0 +1,92 @@
+// Ripples on the strain path of UBCSAND, as the waves of a grid make them: they must neither be counted as
+// half cycles nor keep the sand from liquefying.
+#include "solver/element_test_cyclic.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace quicksand {
+namespace {
+
+constexpr int steps_per_leg = 400;
+
+/// Shear strain of symmetric cycles in steps, from zero to gamma_a first.
+std::vector<double> cycles_of_strain(double amplitude, int half_cycles)
+{
+    std::vector<double> path;
+    for (int k = 0; k <= steps_per_leg * half_cycles; ++k) {
+        const double phase = static_cast<double>(k) / steps_per_leg; // half cycles so far
+        const double saw = std::abs(std::remainder(phase - 0.5, 2.0));
+        path.push_back(amplitude * (1.0 - 2.0 * saw));
+    }
+    return path;
+}
+
+/// The same path with every twentieth step taken back by a share of itself.
+std::vector<double> with_back_steps(const std::vector<double>& path, double share)
+{
+    std::vector<double> rippled;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+        rippled.push_back(path[k]);
+        if (k % 20 == 19) rippled.push_back(path[k] - share * (path[k] - path[k - 1]));
+    }
+    return rippled;
+}
+
+/// The same path with a sine of 21 times its frequency on it.
+std::vector<double> with_sine(const std::vector<double>& path, double amplitude)
+{
+    std::vector<double> rippled = path;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+        rippled[k] += amplitude * std::sin(21.0 * 3.141592653589793 * static_cast<double>(k) / steps_per_leg);
+    }
+    return rippled;
+}
+
+struct Outcome {
+    double half_cycles, ru;
+};
+
+/// Undrained simple shear of Nevada sand at 100 kPa, K0 = 0.5; ru is its largest.
+Outcome shear_along(const std::vector<double>& path)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    Specimen specimen = consolidate(law, {});
+    Outcome outcome{};
+    for (std::size_t k = 1; k < path.size(); ++k) {
+        strain(0.0, 0.0, path[k] - path[k - 1], specimen);
+        outcome.ru = std::max(outcome.ru, record(specimen, 0.0).ru);
+    }
+    outcome.half_cycles = specimen.state.half_cycles;
+    return outcome;
+}
+
+TEST(UbcSandNoise, BackStepsAreNoHalfCycles)
+{
+    for (const double amplitude : {3e-4, 5e-4, 2e-3}) {
+        const std::vector<double> path = cycles_of_strain(amplitude, 60);
+        const Outcome clean = shear_along(path);
+        EXPECT_NEAR(clean.half_cycles, 60.0, 1.0) << amplitude;
+        for (const double share : {0.1, 0.5}) {
+            const Outcome noisy = shear_along(with_back_steps(path, share));
+            EXPECT_NEAR(noisy.half_cycles, 60.0, 6.0) << amplitude << " " << share;
+            EXPECT_NEAR(noisy.ru, clean.ru, 0.01) << amplitude << " " << share;
+        }
+    }
+}
+
+TEST(UbcSandNoise, ASineOfTwoPercentIsNoHalfCycle)
+{
+    const std::vector<double> path = cycles_of_strain(5e-4, 20);
+    const Outcome clean = shear_along(path), noisy = shear_along(with_sine(path, 1e-5));
+    RecordProperty("half_cycles", std::to_string(noisy.half_cycles));
+    RecordProperty("ru", std::to_string(noisy.ru));
+    EXPECT_NEAR(noisy.half_cycles, clean.half_cycles, 2.0);
+    EXPECT_NEAR(noisy.ru, clean.ru, 0.02);
+}
+
+} // namespace
+} // namespace quicksand
