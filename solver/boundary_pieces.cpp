@@ -167,13 +167,27 @@ bool carries_something(const Boundary& boundary)
     return boundary.load.has_value();
 }
 
+/// Corners of the particle's domain where the equations have it: in small strain at the reference.
+std::array<Vector2, 4> domain_corners(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    return problem.strain == StrainForm::small ? reference_corners(particles, p)
+                                               : quadrilateral_corners(particles, p);
+}
+
+ParallelogramDomain domain_in_equations(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    if (problem.strain == StrainForm::large)
+        return {particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
+    return {particles.reference_position[p], particles.reference_edge_1[p], particles.reference_edge_2[p]};
+}
+
 /// Where the corners of a domain pass their load to the grid: within the reach of the particle's weights, so
 /// that a loaded node has mass.
 std::array<Vector2, 4> loaded_corners(const Problem& problem, const Particles& particles, std::size_t p)
 {
     const BackgroundGrid& grid = problem.grid;
-    if (problem.interpolation == Interpolation::cpdi2) return quadrilateral_corners(particles, p);
-    ParallelogramDomain domain{particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
+    if (problem.interpolation == Interpolation::cpdi2) return domain_corners(problem, particles, p);
+    ParallelogramDomain domain = domain_in_equations(problem, particles, p);
     limit_domain(grid.cell_size, domain);
     const Vector2 &x = domain.centre, &r1 = domain.half_edge_1, &r2 = domain.half_edge_2;
     std::array<Vector2, 4> corners = {x - r1 - r2, x + r1 - r2, x + r1 + r2, x - r1 + r2};
@@ -185,8 +199,9 @@ std::array<Vector2, 4> loaded_corners(const Problem& problem, const Particles& p
         lower = grid.rim_origin() + grid.cell_size * cells.array().floor().matrix();
         upper = lower + Vector2::Constant(grid.cell_size);
     } else {
-        const Vector2 box = problem.interpolation == Interpolation::gimp ? uniform_box(grid, particles, p)
-                                                                         : contiguous_box(grid, particles, p);
+        const bool keeps_size =
+            problem.interpolation == Interpolation::gimp || problem.strain == StrainForm::small;
+        const Vector2 box = keeps_size ? uniform_box(grid, particles, p) : contiguous_box(grid, particles, p);
         lower = x - 0.5 * box;
         upper = x + 0.5 * box;
     }
@@ -232,7 +247,7 @@ std::size_t ParticlePlaces::find(const Particles& particles, std::int32_t identi
 PresentPiece present_piece(const Problem& problem, const Particles& particles, const BoundaryPiece& piece,
                            std::size_t p)
 {
-    const std::array<Vector2, 4> domain = quadrilateral_corners(particles, p);
+    const std::array<Vector2, 4> domain = domain_corners(problem, particles, p);
     const std::array<double, 4> at_start = corner_shares(piece.start), at_end = corner_shares(piece.end);
     PresentPiece present;
     present.start = at_local(domain, piece.start);

@@ -19,6 +19,18 @@ Vector2 centroid_offset(const Vector2& r1, const Vector2& r2, const Vector2& twi
     return (cross(r1, twist) * r1 + cross(twist, r2) * r2) / (3.0 * cross(r1, r2));
 }
 
+Vector2 twist_of(const Particles& particles, std::size_t p)
+{
+    return particles.twist.x.empty() ? Vector2::Zero() : particles.twist[p];
+}
+
+std::array<Vector2, 4> corners_of(const QuadrilateralDomain& domain)
+{
+    const Vector2 &r1 = domain.half_edge_1, &r2 = domain.half_edge_2, &t = domain.twist;
+    const Vector2 c = domain.centroid - centroid_offset(r1, r2, t);
+    return {c - r1 - r2 + t, c + r1 - r2 - t, c + r1 + r2 + t, c - r1 + r2 - t};
+}
+
 /// Shrink the quadrilateral about its centroid to what may be reached from there; returns the factor.
 double limit_corners(double cell_size, const Vector2& centre, std::array<Vector2, 4>& corners)
 {
@@ -35,10 +47,14 @@ double limit_corners(double cell_size, const Vector2& centre, std::array<Vector2
 
 std::array<Vector2, 4> quadrilateral_corners(const Particles& particles, std::size_t p)
 {
-    const Vector2 r1 = particles.half_edge_1[p], r2 = particles.half_edge_2[p];
-    const Vector2 t = particles.twist.x.empty() ? Vector2::Zero() : particles.twist[p];
-    const Vector2 c = particles.position[p] - centroid_offset(r1, r2, t);
-    return {c - r1 - r2 + t, c + r1 - r2 - t, c + r1 + r2 + t, c - r1 + r2 - t};
+    return corners_of(
+        {particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p], twist_of(particles, p)});
+}
+
+std::array<Vector2, 4> reference_corners(const Particles& particles, std::size_t p)
+{
+    return corners_of({particles.reference_position[p], particles.reference_edge_1[p],
+                       particles.reference_edge_2[p], twist_of(particles, p)});
 }
 
 QuadrilateralDomain quadrilateral_domain(const std::array<Vector2, 4>& corners)

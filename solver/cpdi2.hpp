@@ -33,6 +33,9 @@ QuadrilateralDomain quadrilateral_domain(const std::array<Vector2, 4>& corners);
 /// Corners of the particle's quadrilateral, counter-clockwise [m].
 std::array<Vector2, 4> quadrilateral_corners(const Particles& particles, std::size_t p);
 
+/// The same at the reference, when displacements were last set to zero [m].
+std::array<Vector2, 4> reference_corners(const Particles& particles, std::size_t p);
+
 /// Area of the domain, which the twist does not change [m2].
 double domain_area(const Particles& particles, std::size_t p);
 

@@ -175,17 +175,20 @@ void update_effective_stress(const Problem& problem, double dt, Particles& parti
     });
 }
 
-void shorten_carried_gradients(double cell_size, Particles& particles)
+void shorten_carried_gradients(const Problem& problem, Particles& particles)
 {
-    const double allowed = cell_size * cell_size;
+    const double allowed = problem.grid.cell_size * problem.grid.cell_size;
+    const bool fixed = problem.strain == StrainForm::small;
+    const Vectors& r1 = fixed ? particles.reference_edge_1 : particles.half_edge_1;
+    const Vectors& r2 = fixed ? particles.reference_edge_2 : particles.half_edge_2;
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t p = first; p < last; ++p) {
-            const double squares =
-                particles.half_edge_1[p].squaredNorm() + particles.half_edge_2[p].squaredNorm();
+            const double squares = r1[p].squaredNorm() + r2[p].squaredNorm();
             if (squares <= allowed) continue;
             const double share = allowed / squares;
             scale(share, p, particles.velocity_gradient_solid);
-            if (particles.has_fluid()) scale(share, p, particles.velocity_gradient_fluid);
+            if (!particles.velocity_gradient_fluid.xx.empty())
+                scale(share, p, particles.velocity_gradient_fluid);
         }
     });
 }

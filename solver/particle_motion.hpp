@@ -52,7 +52,7 @@ void update_effective_stress(const Problem& problem, double dt, Particles& parti
 /// rho^2 = |r_1|^2 + |r_2|^2 > h^2. In a long and thin parallelogram the gradient across is a small
 /// difference of values at far corners; spread to nodes a cell away it would give more than was taken, and
 /// grow by the step.
-void shorten_carried_gradients(double cell_size, Particles& particles);
+void shorten_carried_gradients(const Problem& problem, Particles& particles);
 
 /// x + dt sum N_i(x) v_i; false where x lies outside the grid.
 template <class Velocity>

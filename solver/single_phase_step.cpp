@@ -56,13 +56,13 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         });
     });
     timed(work.timers, Phase::motion, [&] {
-        fade_noise_of_deformation(dt, work.grid_velocity, particles);
+        if (problem.strain == StrainForm::large) fade_noise_of_deformation(dt, work.grid_velocity, particles);
         const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress, [&] {
         update_stress_of_cells(problem, dt, work.lists, particles, work.average);
-        shorten_carried_gradients(problem.grid.cell_size, particles);
+        shorten_carried_gradients(problem, particles);
     });
     state.time += dt;
     ++state.step;

@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-/// Puts the particles back into their reference shape for as long as it lives.
+/// Exchanges the particles' shape with that of the reference for as long as it lives.
 class ReferenceShape {
 public:
     explicit ReferenceShape(Particles& particles) : particles_(particles) { exchange(); }
@@ -31,9 +31,13 @@ private:
 
 void keep_reference_weights(const Problem& problem, double dt, State& state, StepWorkspace& work)
 {
-    const ReferenceShape reference(state.particles);
-    sort_particles(problem.grid, dt, state, work.lists);
-    for_each_weighted_tile(problem, state.particles, work, [](const Tile&) {});
+    {
+        const ReferenceShape reference(state.particles);
+        sort_particles(problem.grid, dt, state, work.lists);
+    }
+    Particles undisplaced = state.particles;
+    return_to_reference(undisplaced);
+    for_each_weighted_tile(problem, undisplaced, work, [](const Tile&) {});
     work.patches_are_kept = true;
 }
 

@@ -121,7 +121,7 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
     });
     timed(work.timers, Phase::stress, [&] {
         update_stress_of_cells(problem, dt, work.lists, state.particles, work.average);
-        shorten_carried_gradients(problem.grid.cell_size, state.particles);
+        shorten_carried_gradients(problem, state.particles);
     });
     state.time += dt;
     ++state.step;

@@ -34,7 +34,9 @@ TEST(CarriedGradients, AreShortenedForLongDomainsOnly)
     for (std::size_t p = 0; p < 2; ++p) particles.half_edge_1.set(p, {0.5, 0.0});
     particles.half_edge_2.set(0, {0.0, 0.5}); // a cell wide
     particles.half_edge_2.set(1, {1.95, 0.3});
-    shorten_carried_gradients(1.0, particles);
+    Problem problem;
+    problem.grid.cell_size = 1.0;
+    shorten_carried_gradients(problem, particles);
     const double share = 1.0 / (0.25 + 1.95 * 1.95 + 0.3 * 0.3);
     EXPECT_EQ(particles.velocity_gradient_solid.xy[0], 8.0);
     EXPECT_NEAR(particles.velocity_gradient_solid.xy[1], 8.0 * share, 1e-14);
