@@ -2,6 +2,7 @@
 
 #include "solver/ledger.hpp"
 #include "solver/monitors.hpp"
+#include "solver/pressure_noise.hpp"
 
 #include <utility>
 
@@ -60,6 +61,10 @@ std::vector<Column> columns_of(const Problem& problem, const State& state, const
                                    {"momentum_y_N_s", monitors.momentum_y},
                                    {"kinetic_energy_J", monitors.kinetic_energy},
                                    {"limited_domains", static_cast<double>(limited_domains)}});
+    const PressureNoise noise = measure_pressure_noise(problem, state.particles);
+    columns.insert(columns.end(), {{"mean_stress_checkerboard", noise.mean_stress_checkerboard},
+                                   {"mean_stress_scatter", noise.mean_stress_scatter}});
+    if (problem.water) columns.push_back({"pore_pressure_checkerboard", noise.pore_pressure_checkerboard});
     if (problem.water)
         columns.insert(columns.end(), {{"kinetic_energy_water_J", monitors.kinetic_energy_fluid},
                                        {"storage_energy_water_J", storage_energy(problem, state.particles)},
@@ -107,7 +112,12 @@ CsvFile open_file(const Problem& problem, const State& state, const RunLabel& la
         comments.end(),
         {"sums are per metre of thickness and of both phases; velocities are relative to the base",
          "crest_settlement: mean of the particles that lay highest when shaking began, positive downward",
-         "limited_domains: particle domains shortened to a cell in the last step"});
+         "limited_domains: particle domains shortened to a cell in the last step",
+         "checkerboard: |sum (-1)^(i+j) p_c V_c| / sum |p_c| V_c over the cells; above 0.05 neighbours "
+         "disagree",
+         "mean_stress_scatter: mean effective stress of the particles off the plane through their cells / "
+         "its "
+         "size; tenths where volume locks"});
     if (problem.water)
         comments.emplace_back("max_ru: largest excess pore pressure / initial vertical effective stress");
     if (state.ledger) {

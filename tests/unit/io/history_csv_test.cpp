@@ -25,7 +25,8 @@ TEST(HistoryWriter, HeaderOfASaturatedScene)
     EXPECT_EQ(rows_of(folder / "history.csv"),
               "time_s,base_acceleration_m_s2,crest_settlement_m,max_displacement_m,max_velocity_m_s,"
               "max_excess_pore_pressure_Pa,max_ru,mass_fluid_kg,mass_solid_kg,volume_m3,momentum_x_N_s,"
-              "momentum_y_N_s,kinetic_energy_J,limited_domains,kinetic_energy_water_J,storage_energy_water_J,"
+              "momentum_y_N_s,kinetic_energy_J,limited_domains,mean_stress_checkerboard,mean_stress_scatter,"
+              "pore_pressure_checkerboard,kinetic_energy_water_J,storage_energy_water_J,"
               "pore_volume_m3,water_content_m3\n");
 }
 
@@ -53,7 +54,8 @@ TEST(HistoryWriter, HeaderOfADryScene)
     EXPECT_EQ(
         rows_of(folder / "history.csv"),
         "time_s,base_acceleration_m_s2,crest_settlement_m,max_displacement_m,max_velocity_m_s,mass_solid_kg,"
-        "volume_m3,momentum_x_N_s,momentum_y_N_s,kinetic_energy_J,limited_domains\n");
+        "volume_m3,momentum_x_N_s,momentum_y_N_s,kinetic_energy_J,limited_domains,mean_stress_checkerboard,"
+        "mean_stress_scatter\n");
 }
 
 TEST(HistoryWriter, CrestIsThatOfTheStartHoweverTheSoilHasMoved)
