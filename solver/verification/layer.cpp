@@ -8,6 +8,19 @@
 
 namespace quicksand {
 
+namespace {
+
+/// Whether a piece of the boundary is horizontal at height y.
+bool lies_at(const Problem& problem, const Boundary& boundary, double y)
+{
+    const double near = 1e-6 * problem.grid.cell_size;
+    return std::any_of(boundary.segments.begin(), boundary.segments.end(), [&](const Segment& segment) {
+        return std::abs(segment.start.y() - y) < near && std::abs(segment.end.y() - y) < near;
+    });
+}
+
+} // namespace
+
 SaturatedSoil read_soil(const Material& material, const Water& water)
 {
     const LinearElastic* law = std::get_if<LinearElastic>(&material.law);
@@ -51,15 +64,24 @@ Layer read_layer(const Problem& problem, const State& state)
 
 bool is_closed(const Problem& problem, double y)
 {
-    const double near = 1e-6 * problem.grid.cell_size;
-    for (const Boundary& boundary : problem.boundaries) {
+    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [&](const Boundary& boundary) {
         const bool wall = boundary.soil == SoilCondition::fixed || boundary.soil == SoilCondition::roller;
-        if (!wall || boundary.water != WaterCondition::impervious) continue;
-        for (const Segment& segment : boundary.segments) {
-            if (std::abs(segment.start.y() - y) < near && std::abs(segment.end.y() - y) < near) return true;
-        }
+        return wall && boundary.water == WaterCondition::impervious && lies_at(problem, boundary, y);
+    });
+}
+
+std::optional<SurfaceLoad> surface_load(const Problem& problem, double y)
+{
+    for (const Boundary& boundary : problem.boundaries) {
+        if (boundary.load && lies_at(problem, boundary, y)) return boundary.load;
     }
-    return false;
+    return std::nullopt;
+}
+
+double load_on(const Problem& problem, double y, double time)
+{
+    const std::optional<SurfaceLoad> load = surface_load(problem, y);
+    return load ? (load->pressure - load->traction.y()) * history_value(load->history, time) : 0.0;
 }
 
 double root_mean_square(const Particles& particles, const std::function<double(std::size_t)>& difference)

@@ -6,6 +6,7 @@
 #include "solver/verification/saturated_soil.hpp"
 
 #include <functional>
+#include <optional>
 
 namespace quicksand {
 
@@ -26,6 +27,12 @@ SaturatedSoil read_soil(const Material& material, const Water& water);
 
 /// Whether a wall, fixed or roller and impervious, lies along a face at height y.
 bool is_closed(const Problem& problem, double y);
+
+/// The load on the face at height y, if there is one.
+std::optional<SurfaceLoad> surface_load(const Problem& problem, double y);
+
+/// The downward load on the face at height y and a time, zero without one [Pa].
+double load_on(const Problem& problem, double y, double time);
 
 /// sqrt(sum V_p (value(p) - exact(p))^2 / sum V_p), by the particles' volumes.
 double root_mean_square(const Particles& particles, const std::function<double(std::size_t)>& difference);

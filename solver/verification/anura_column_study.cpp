@@ -1,0 +1,48 @@
+#include "solver/verification/anura_column_study.hpp"
+
+#include "solver/failure.hpp"
+#include "solver/simulation.hpp"
+#include "solver/verification/layer.hpp"
+#include "solver/verification/terzaghi.hpp"
+
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace quicksand {
+
+std::vector<StudyError> anura_column_study(const Problem& problem, State state)
+{
+    constexpr std::array<std::pair<double, const char*>, 5> times = {{{0.049, "0.049 s"},
+                                                                      {0.098, "0.098 s"},
+                                                                      {0.196, "0.196 s"},
+                                                                      {0.49, "0.49 s"},
+                                                                      {0.98, "0.98 s"}}};
+    const Layer layer = read_layer(problem, state);
+    const Particles& particles = state.particles;
+    const double q = load_on(problem, layer.top, 0.0), M = layer.soil.constrained_modulus;
+    if (!(q > 0.0) || std::abs(particles.pore_pressure.front() - q) > 1e-9 * q) {
+        throw InputError("the verification needs a load on the top that initial.excess_pore_pressure equals");
+    }
+    std::vector<StudyError> pressures, settlements;
+    for (const auto& [time, text] : times) {
+        run(problem, time, {}, state);
+        const double T = time_factor(layer.soil, layer.height(), time);
+        const auto depth = [&](std::size_t p) {
+            return (layer.top - particles.reference_position.y[p]) / layer.height();
+        };
+        const double pressure = root_mean_square(particles, [&](std::size_t p) {
+            return particles.pore_pressure[p] / q - terzaghi_pressure_ratio(depth(p), T);
+        });
+        const std::size_t top = highest_particle(particles);
+        const double sunk = particles.reference_position.y[top] - particles.position.y[top];
+        const double exact = q * layer.height() / M * terzaghi_settlement_degree(depth(top), T);
+        pressures.push_back({std::string("pressure at ") + text, "L2 / load", pressure});
+        settlements.push_back(
+            {std::string("settlement at ") + text, "surface / exact", std::abs(sunk / exact - 1.0)});
+    }
+    pressures.insert(pressures.end(), settlements.begin(), settlements.end());
+    return pressures;
+}
+
+} // namespace quicksand

@@ -1,0 +1,18 @@
+// Consolidation of a layer under a uniform excess pressure, against Terzaghi's series.
+#pragma once
+
+#include "solver/verification/study.hpp"
+
+namespace quicksand {
+
+/// Errors of the pressure (L2 over the soil, relative to the initial excess pressure p_0) at T = 0.02, 0.1,
+/// 0.5 and 1 and of the surface's settlement (relative to its final one, p_0 H / M). The layer is of one
+/// material, drained at its top, impervious at its base, without weight; p_0 is uniform at the start, the
+/// effective stress in balance with it and the load on the top.
+std::vector<StudyError> terzaghi_study(const Problem& problem, State state);
+
+/// The same from T = 0.01 on, where the run starts on the series, in balance and moving as consolidation
+/// does: the limit without the waves that a sudden start sends out.
+std::vector<StudyError> terzaghi_quasi_static_study(const Problem& problem, State state);
+
+} // namespace quicksand
