@@ -46,25 +46,44 @@ Consolidation read_consolidation(const Problem& problem, const State& state)
     return consolidation;
 }
 
-/// Put the layer on the series: pressure, effective stress in balance, velocities of consolidation.
-void start_on_series(const Consolidation& consolidation, double time_factor, Particles& particles)
+/// Velocities of grains and water on the series, positive upward [m/s].
+struct Velocities {
+    double solid = 0.0, fluid = 0.0;
+};
+
+constexpr double small = 1e-4; // step of differences: of T, and of the depth [-]
+
+Velocities velocities_on_series(const Consolidation& consolidation, double Z, double T)
 {
-    const Layer& layer = consolidation.layer;
-    const SaturatedSoil& soil = layer.soil;
-    const double p0 = consolidation.initial_pressure, H = layer.height();
+    const SaturatedSoil& soil = consolidation.layer.soil;
     const double mobility = soil.hydraulic_conductivity / (soil.water_density * soil.conductivity_gravity);
-    constexpr double small = 1e-4; // step of the differences: of T and of the depth [-]
-    const auto ratio = [](double Z, double T) { return terzaghi_pressure_ratio(std::abs(Z), T); };
-    const auto degree = [](double Z, double T) { return terzaghi_settlement_degree(std::abs(Z), T); };
+    const double sinking = (terzaghi_settlement_degree(Z, T * (1.0 + small)) -
+                            terzaghi_settlement_degree(Z, T * (1.0 - small))) /
+                           consolidation.duration(2.0 * small * T);
+    const double slope = (terzaghi_pressure_ratio(Z + small, T) - terzaghi_pressure_ratio(Z - small, T)) /
+                         (2.0 * small * consolidation.layer.height());
+    Velocities velocities;
+    velocities.solid = -consolidation.final_settlement() * sinking;
+    velocities.fluid =
+        velocities.solid + mobility * consolidation.initial_pressure * slope / soil.porosity;
+    return velocities;
+}
+
+/// Put the layer on the series: pressure, effective stress in balance, velocities of consolidation.
+void start_on_series(const Consolidation& consolidation, double T, Particles& particles)
+{
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double Z = consolidation.depth_ratio(particles.reference_position.y[p]), T = time_factor;
-        particles.pore_pressure[p] = p0 * ratio(Z, T);
+        const double Z = consolidation.depth_ratio(particles.reference_position.y[p]);
+        particles.pore_pressure[p] = consolidation.initial_pressure * terzaghi_pressure_ratio(Z, T);
         particles.stress.yy[p] = particles.pore_pressure[p] - consolidation.load;
-        const double sinking = (degree(Z, T * (1.0 + small)) - degree(Z, T * (1.0 - small))) /
-                               (consolidation.duration(2.0 * small * T));
-        const double flux = mobility * p0 * (ratio(Z + small, T) - ratio(Z - small, T)) / (2.0 * small * H);
-        particles.velocity_solid.y[p] = -consolidation.final_settlement() * sinking;
-        particles.velocity_fluid.y[p] = particles.velocity_solid.y[p] + flux / soil.porosity;
+        const Velocities here = velocities_on_series(consolidation, Z, T);
+        const Velocities above = velocities_on_series(consolidation, Z - small, T);
+        const Velocities below = velocities_on_series(consolidation, Z + small, T);
+        const double apart = 2.0 * small * consolidation.layer.height();
+        particles.velocity_solid.y[p] = here.solid;
+        particles.velocity_fluid.y[p] = here.fluid;
+        particles.velocity_gradient_solid.yy[p] = (above.solid - below.solid) / apart;
+        particles.velocity_gradient_fluid.yy[p] = (above.fluid - below.fluid) / apart;
     }
 }
 

@@ -1,6 +1,6 @@
 // A column of soil, one cell wide, in metres.
 DefineConstant[
-  width  = {0.05, Name "Column/width, m"}
+  width  = {0.05, Name "Column/width, m"},
   height = {1.0, Name "Column/height, m"}
 ];
 
