@@ -1,7 +1,8 @@
 #include "io/verification_csv.hpp"
 
 #include "io/atomic_file.hpp"
-#include "io/csv_file.hpp"
+
+#include <fmt/format.h>
 
 #include <cmath>
 
@@ -19,7 +20,7 @@ std::string quoted(const std::string& text)
 
 std::string finite_number(double value)
 {
-    return std::isfinite(value) ? csv_number(value) : "";
+    return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
 }
 
 } // namespace
