@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 
 namespace quicksand {
 
 namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Points of monotonic tests are 1 % of the strain apart, at least 1e-6. Between them the strain is divided
 /// finely: the law is integrated to first order, and first loading is then right to 1e-4.
@@ -20,19 +23,25 @@ void strain_monotonically(double largest, double strain, Apply&& apply)
     for (double k = 0.0; k < count; k += 1.0) apply(interval / count);
 }
 
-/// Apply the strain for which `stress` of the new state has its value: the secant method, begun with an
-/// elastic step. `apply(unknown, specimen)` strains.
+/// Apply the strain for which `stress` of the new state has its value: the secant method within the closest
+/// strains that are known to give too little and too much. `apply(unknown, specimen)` strains. The law
+/// divides a strain into a whole number of substeps, so that the stress jumps by some 1e-5 where that number
+/// changes: a value within a jump is held as near as can be.
 template <class Apply, class Stress>
 void hold(double value, double stiffness, Apply&& apply, Stress&& stress, Specimen& specimen)
 {
     const Specimen before = specimen;
-    const double tolerance = 1e-9 * before.initial_vertical_stress;
-    double unknown = 0.0, slope = stiffness, last_unknown = 0.0, last_error = 0.0;
-    for (int iteration = 0; iteration < 100; ++iteration) {
+    const double tolerance = 1e-9 * before.initial_vertical_stress, jump = 1e-4 * std::abs(value);
+    double too_small = -infinity, too_large = infinity;
+    double unknown = 0.0, slope = stiffness, last_unknown = 0.0, last_error = 0.0, error = 0.0;
+    for (int iteration = 0; iteration < 200; ++iteration) {
         specimen = before;
         apply(unknown, specimen);
-        const double error = stress(specimen.state) - value;
+        error = stress(specimen.state) - value;
         if (std::abs(error) < tolerance) return;
+        (error < 0.0 ? too_small : too_large) = unknown;
+        const double middle = 0.5 * (too_small + too_large);
+        if (std::isfinite(middle) && (middle == too_small || middle == too_large)) break;
         if (iteration > 0 && unknown != last_unknown) {
             // a slope of the wrong sign or out of all reason belongs to another branch of the law
             slope = std::clamp((error - last_error) / (unknown - last_unknown), 0.02 * stiffness,
@@ -41,7 +50,11 @@ void hold(double value, double stiffness, Apply&& apply, Stress&& stress, Specim
         last_unknown = unknown;
         last_error = error;
         unknown -= error / slope;
+        const bool slow = iteration > 30; // the secant goes to and fro over a jump
+        if (!(unknown > too_small && unknown < too_large) || (slow && std::isfinite(middle)))
+            unknown = middle;
     }
+    if (std::abs(error) < jump) return;
     std::ostringstream what;
     what << "the held stress is " << stress(specimen.state) << " Pa instead of " << value << " Pa";
     throw NumericalError({"element test", what.str(), "the specimen has lost its stiffness"});
@@ -89,9 +102,9 @@ ElementPath load_through(const UbcSand& law, const Consolidation& start, const s
     for (const double target : targets) {
         if (!(target > 0.0)) throw InputError("element test: a stress to compress to must be positive");
         require_above_floor(law, target);
-        while (std::abs(stress(specimen.state) - target) > 1e-6 * target) {
+        for (double next = 0.0; next != target;) {
             const double now = stress(specimen.state);
-            const double next = now < target ? std::min(target, 1.01 * now) : std::max(target, now / 1.01);
+            next = now < target ? std::min(target, 1.01 * now) : std::max(target, now / 1.01);
             hold(next, constrained_modulus(law, specimen.state), apply, stress, specimen);
             path.push_back(record(specimen, 0.0));
             path.back().ru = 0.0;

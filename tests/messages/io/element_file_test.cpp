@@ -94,6 +94,10 @@ SceneMistake{"StressInKilopascals",
     "vertical_stress = \"100 kPa\"",
     "vertical_stress = 100",
 R"_(
+test.toml:8:1: error[consolidation]: a mean stress of 75 Pa is below the least of the model, 500 Pa (stress_floor)
+    8 | [tests.strength]
+      | ^~~~~~~~~~~~~~~~
+hint: raise vertical_stress, or lower stress_floor
 test.toml:10:19: warning[plausibility]: tests.strength.vertical_stress = 100 Pa is unusually small
    10 | vertical_stress = 100
       |                   ^~~
@@ -132,6 +136,7 @@ test.toml:7:16: warning[plausibility]: materials.sand.stress_floor = 80000 Pa is
     7 | stress_floor = "80 kPa"
       |                ^~~~~~~~
 expected: usually 10 to 5000 Pa
+hint: did you mean "80 Pa"?
 to accept it: accept = ["materials.sand.stress_floor"] at the top of the test file
 test.toml:9:1: error[consolidation]: a mean stress of 75000 Pa is below the least of the model, 80000 Pa (stress_floor)
     9 | [tests.strength]
@@ -224,12 +229,12 @@ expected: vary = "k0" and values = [0.4, 0.5, 1.0], for example
 )_"},
 SceneMistake{"ValueOutOfRange",
     "cycles = 30",
-    "vary = \"n1_60\"\nvalues = [5, -10]",
+    "vary = \"failure_ratio\"\nvalues = [0.8, 1.2]",
 R"_(
-test.toml:14:14: error[range]: materials.sand.n1_60 = -10 is out of range
-   14 | values = [5, -10]
-      |              ^~~
-expected: more than 0 and at most 50
+test.toml:14:16: error[range]: materials.sand.failure_ratio = 1.2 is out of range
+   14 | values = [0.8, 1.2]
+      |                ^~~
+expected: at least 0 and less than 1
 )_"},
 SceneMistake{"ValueOfAnotherUnit",
     "cycles = 30",
