@@ -107,8 +107,8 @@ std::vector<double> find_cuts(const std::vector<Candidate>& candidates, const Se
 }
 
 /// The particle that carries the curve at a point: whose domain the point lies in, a little inside the soil,
-/// or else whose domain is nearest.
-const Candidate& find_carrier(const Particles& particles, const std::vector<Candidate>& candidates,
+/// or else whose domain is nearest; none where there is no soil beside the curve.
+const Candidate* find_carrier(const Particles& particles, const std::vector<Candidate>& candidates,
                               double widest, double s, const Vector2& point)
 {
     const Candidate* best = nullptr;
@@ -124,8 +124,7 @@ const Candidate& find_carrier(const Particles& particles, const std::vector<Cand
             least = outside;
         }
     }
-    ENSURE(best != nullptr);
-    return *best;
+    return best;
 }
 
 /// Cut one segment; false where there is no soil beside it.
@@ -152,10 +151,11 @@ bool cut_segment(const Particles& particles, const Segment& segment, std::vector
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
         const double middle = 0.5 * (cuts[k] + cuts[k + 1]);
         const Vector2 inside = point(middle) + 1e-3 * candidates.front().size * inward;
-        const Candidate& next = find_carrier(particles, candidates, widest, middle, inside);
-        if (carrier == &next) continue;
+        const Candidate* next = find_carrier(particles, candidates, widest, middle, inside);
+        if (next == nullptr) return false;
+        if (carrier == next) continue;
         finish(cuts[k]);
-        carrier = &next;
+        carrier = next;
         begin = cuts[k];
     }
     finish(length);

@@ -236,6 +236,15 @@ test.toml:14:16: error[range]: materials.sand.failure_ratio = 1.2 is out of rang
       |                ^~~
 expected: at least 0 and less than 1
 )_"},
+SceneMistake{"DensityOutOfRange",
+    "cycles = 30",
+    "vary = \"n1_60\"\nvalues = [5, -10]",
+R"_(
+test.toml:14:14: error[range]: materials.sand.n1_60 = -10 is out of range
+   14 | values = [5, -10]
+      |              ^~~
+expected: more than 0 and at most 50
+)_"},
 SceneMistake{"ValueOfAnotherUnit",
     "cycles = 30",
     "vary = \"vertical_stress\"\nvalues = [\"50 kPa\", \"2 m\"]",
@@ -247,11 +256,11 @@ expected: one of Pa, kPa, MPa, GPa
 )_"},
 SceneMistake{"ValueThatCannotBeConsolidated",
     "cycles = 30",
-    "vary = \"static_shear_ratio\"\nvalues = [0.1, 0.5]",
+    "vary = \"static_shear_ratio\"\nvalues = [0.1, 0.39]",
 R"_(
-test.toml:14:16: error[consolidation]: the specimen fails in consolidation: its stress ratio t/s = 0.745 is above the failure limit sin phi_f = 0.565
-   14 | values = [0.1, 0.5]
-      |                ^~~
+test.toml:14:16: error[consolidation]: the specimen fails in consolidation: its stress ratio t/s = 0.618 is above the failure limit sin phi_f = 0.565
+   14 | values = [0.1, 0.39]
+      |                ^~~~
 hint: reduce static_shear_ratio, or bring k0 nearer to 1
 )_"},
 SceneMistake{"ASecondDensity",

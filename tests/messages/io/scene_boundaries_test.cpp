@@ -77,7 +77,7 @@ R"_(
 scene.toml:44:11: error[file]: 'none.csv' does not exist
    44 | history = "none.csv"
       |           ^~~~~~~~~~
-hint: the path is relative to the scene file
+hint: the path is relative to the file that names it
 )_"},
 SceneMistake{"HistoryBeginsLate",
     "soil = \"free\"",
