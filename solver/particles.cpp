@@ -26,6 +26,7 @@ ArrayGroup group_of(std::string_view name)
         name == "porosity" || name == "pore_pressure") {
         return ArrayGroup::fluid;
     }
+    if (name == "pore_pressure_rate") return ArrayGroup::implicit_pressure;
     if (name.starts_with("twist")) return ArrayGroup::twist;
     return name.starts_with("cycles_") ? ArrayGroup::cycles : ArrayGroup::always;
 }

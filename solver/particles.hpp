@@ -129,13 +129,13 @@ void for_each_index_array(ParticleSet& particles, Visitor&& visit)
 }
 
 /// The arrays that come and go together.
-enum class ArrayGroup { always, fluid, twist, cycles };
+enum class ArrayGroup { always, fluid, twist, cycles, implicit_pressure };
 
 /// The group of an array by its name in for_each_array.
 ArrayGroup group_of(std::string_view name);
 
-/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`, no twist and no
-/// memory of cycles.
+/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`, no twist, no rate of
+/// the pressure and no memory of cycles.
 void resize(Particles& particles, std::size_t count, bool saturated);
 
 /// Give every particle a memory of cycles, at zero.
