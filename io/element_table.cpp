@@ -113,7 +113,9 @@ std::vector<std::string> strength_matrix(const ElementOutcome& outcome)
         rows[0].push_back(specimen.label.substr(specimen.label.find('=') + 2));
     }
     for (const ElementRun& run : outcome.runs) {
-        rows[run.loading + 1].push_back(short_text(cycles_to_liquefaction(outcome, run), 4));
+        std::vector<std::string>& row = rows[run.loading + 1];
+        row.resize(rows[0].size(), "-");
+        row[run.specimen + 1] = short_text(cycles_to_liquefaction(outcome, run), 4);
     }
     std::vector<std::string> lines = aligned(rows);
     lines.insert(lines.begin(),

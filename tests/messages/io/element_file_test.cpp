@@ -47,7 +47,7 @@ R"_(
 test.toml:12:1: error[unknown-key]: unknown key 'crs' in [tests.strength]
    12 | crs = [0.15, 0.2, 0.3]
       | ^~~
-expected: one of kind, material, vertical_stress, k0, static_shear_ratio, csr, shear_strains, cycles, cycles_after_liquefaction, drainage, largest_shear_strain, largest_vertical_strain, stresses, vary, values, criterion, data, data_label
+expected: one of kind, material, vertical_stress, k0, static_shear_ratio, csr, cycles, cycles_after_liquefaction, largest_shear_strain, vary, values, criterion, data, data_label
 hint: did you mean csr?
 )_"},
 SceneMistake{"OtherKind",
