@@ -143,10 +143,11 @@ TEST(UbcSandArrays, LeaveTheTurningToTheCaller)
         UbcSandIncrement increment = points.increment(p, 1e-4);
         increment.spin = 0.0;
         update(law, increment, expected);
-        EXPECT_EQ(expected.sigma_x, points.points().state(p).sigma_x) << p;
-        EXPECT_EQ(expected.tau_xy, points.points().state(p).tau_xy) << p;
-        EXPECT_EQ(expected.peak_x, points.points().state(p).peak_x) << p;
-        EXPECT_EQ(expected.origin_y, points.points().state(p).origin_y) << p;
+        // a turn by nothing rounds the stress in its last digit
+        EXPECT_NEAR(expected.sigma_x, points.points().state(p).sigma_x, 1e-6) << p;
+        EXPECT_NEAR(expected.tau_xy, points.points().state(p).tau_xy, 1e-6) << p;
+        EXPECT_NEAR(expected.peak_x, points.points().state(p).peak_x, 1e-11) << p;
+        EXPECT_NEAR(expected.origin_y, points.points().state(p).origin_y, 1e-11) << p;
     }
 }
 
