@@ -129,11 +129,27 @@ bool lies_on_a_rim(const Section& section, const Segment& segment)
     return covered >= 1.0 - tolerance / length;
 }
 
+/// Whether a segment goes on in a straight line from one of the same curve that lies on a rim: a wall or a
+/// floor drawn farther than the soil, on which it may run out.
+bool goes_on_straight(const Section& section, const NamedCurve& curve, const Segment& segment)
+{
+    const double tolerance = relative_tolerance * section_size(section);
+    for (const Segment& other : curve.segments) {
+        const Vector2 along = other.end - other.start;
+        if (along.norm() <= tolerance || !lies_on_a_rim(section, other)) continue;
+        const Vector2 direction = along.normalized();
+        if (std::abs(cross(direction, segment.start - other.start)) <= tolerance &&
+            std::abs(cross(direction, segment.end - other.start)) <= tolerance)
+            return true;
+    }
+    return false;
+}
+
 void find_stray_curves(const Section& section, std::vector<std::string>& findings)
 {
     for (const NamedCurve& curve : section.curves) {
         for (const Segment& segment : curve.segments) {
-            if (lies_on_a_rim(section, segment)) continue;
+            if (lies_on_a_rim(section, segment) || goes_on_straight(section, curve, segment)) continue;
             findings.push_back(
                 fmt::format("curve \"{}\" does not lie on the outline of any region from {} to {}.",
                             curve.name, place(segment.start), place(segment.end)));

@@ -3,9 +3,11 @@
 #include "solver/particle_order.hpp"
 #include "solver/simulation.hpp"
 #include "solver/single_phase_step.hpp"
+#include "solver/time_step_control.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quicksand {
 
@@ -29,7 +31,6 @@ Problem make_problem(const ManufacturedRun& run, const ManufacturedBody& body)
     const double a = square.lower, b = square.lower + square.side;
     Problem problem;
     problem.grid = {{a, a}, square.side / run.cells, run.cells, run.cells};
-    problem.interpolation = run.interpolation;
     Material material;
     material.name = "neo-Hookean";
     material.law = NeoHookean{body.shear_modulus(), body.poisson_ratio};
@@ -41,25 +42,22 @@ Problem make_problem(const ManufacturedRun& run, const ManufacturedBody& body)
                          WaterCondition::impervious,
                          {{{a, a}, {b, a}}, {{b, a}, {b, b}}, {{b, b}, {a, b}}, {{a, b}, {a, a}}}};
     problem.boundaries = {walls};
-    problem.body_acceleration = [motion = run.motion, body](const Vector2& X, double t) {
-        return body_acceleration(motion, body, X, t);
-    };
     return problem;
 }
 
 /// Velocity gradient at t = 0 by central differences.
-void set_initial_motion(const ManufacturedRun& run, const ManufacturedBody& body, Particles& particles)
+void set_initial_motion(const ManufacturedMotion& motion, const ManufacturedBody& body, Particles& particles)
 {
     constexpr double step = 1e-6; // [m]
     const auto slope = [&](const Vector2& X, const Vector2& direction) -> Vector2 {
-        return (velocity(run.motion, body, X + step * direction, 0.0) -
-                velocity(run.motion, body, X - step * direction, 0.0)) /
+        return (velocity(motion, body, X + step * direction, 0.0) -
+                velocity(motion, body, X - step * direction, 0.0)) /
                (2.0 * step);
     };
     Gradients& L = particles.velocity_gradient_solid;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Vector2 X = particles.position[p];
-        particles.velocity_solid.set(p, velocity(run.motion, body, X, 0.0));
+        particles.velocity_solid.set(p, velocity(motion, body, X, 0.0));
         const Vector2 along_x = slope(X, Vector2::UnitX()), along_y = slope(X, Vector2::UnitY());
         L.xx[p] = along_x.x(), L.yx[p] = along_x.y();
         L.xy[p] = along_y.x(), L.yy[p] = along_y.y();
@@ -83,33 +81,46 @@ State make_state(const ManufacturedRun& run, const ManufacturedBody& body, const
         particles.volume[p] = size * size;
         particles.mass_solid[p] = body.density * size * size;
     }
-    if (run.interpolation == Interpolation::cpdi2)
-        particles.twist.x = particles.twist.y = Scalars(particles.size(), 0.0);
     begin_shaking(state);
-    set_initial_motion(run, body, particles);
     return state;
 }
 
-double root_mean_square_error(const ManufacturedRun& run, const ManufacturedBody& body, const State& state)
+double root_mean_square_error(const ManufacturedMotion& motion, const ManufacturedBody& body,
+                              const State& state)
 {
     double sum = 0.0;
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
         const Vector2 X = state.particles.reference_position[p];
-        sum +=
-            (state.particles.position[p] - X - displacement(run.motion, body, X, state.time)).squaredNorm();
+        sum += (state.particles.position[p] - X - displacement(motion, body, X, state.time)).squaredNorm();
     }
     return std::sqrt(sum / static_cast<double>(state.particles.size()));
 }
 
+/// The body force of the motion, and its velocities at t = 0.
+void prepare(const ManufacturedMotion& motion, const ManufacturedBody& body, Interpolation interpolation,
+             Problem& problem, Particles& particles)
+{
+    problem.interpolation = interpolation;
+    problem.gravity = 0.0;
+    problem.body_acceleration = [motion, body](const Vector2& X, double t) {
+        return body_acceleration(motion, body, X, t);
+    };
+    if (interpolation == Interpolation::cpdi2 && particles.twist.x.empty())
+        particles.twist.x = particles.twist.y = Scalars(particles.size(), 0.0);
+    particles.stress = {Scalars(particles.size()), Scalars(particles.size()), Scalars(particles.size()),
+                        Scalars(particles.size())};
+    set_initial_motion(motion, body, particles);
+}
+
 } // namespace
 
-ManufacturedError run_manufactured(const ManufacturedRun& run)
+ManufacturedError run_manufactured(const ManufacturedRun& run, const ManufacturedBody& body, Problem problem,
+                                   State state)
 {
-    const ManufacturedBody body;
-    const Problem problem = make_problem(run, body);
-    State state = make_state(run, body, problem.grid);
+    prepare(run.motion, body, run.interpolation, problem, state.particles);
     SinglePhaseWorkspace work = make_single_phase_workspace(problem);
-    const double wave = wave_speeds(problem.materials[0], problem.water, 0.0).skeleton;
+    const Material& material = problem.materials.front();
+    const double wave = wave_speeds(material, problem.water, material.porosity).skeleton;
     const double nominal = run.courant_number * problem.grid.cell_size / wave;
     const double amplitude = std::visit([](const auto& motion) { return motion.amplitude; }, run.motion);
     constexpr double rounding = 1e-6; // of a step [-]
@@ -124,10 +135,18 @@ ManufacturedError run_manufactured(const ManufacturedRun& run)
         if (steps <= 1.0) state.time = run.end_time;
         check_particles(dt, state);
         error.displacement_error =
-            std::max(error.displacement_error, root_mean_square_error(run, body, state) / amplitude);
+            std::max(error.displacement_error, root_mean_square_error(run.motion, body, state) / amplitude);
         error.scaled_domains = std::max(error.scaled_domains, work.limited_domains);
     }
     return error;
+}
+
+ManufacturedError run_manufactured(const ManufacturedRun& run)
+{
+    const ManufacturedBody body;
+    Problem problem = make_problem(run, body);
+    State state = make_state(run, body, problem.grid);
+    return run_manufactured(run, body, std::move(problem), std::move(state));
 }
 
 } // namespace quicksand

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "solver/interpolation.hpp"
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
 #include "solver/verification/manufactured_solution.hpp"
 
 #include <cstdint>
@@ -22,6 +24,11 @@ struct ManufacturedError {
     double displacement_error = 0.0; // largest root mean square over time of |u - u_exact|, over A [-]
     std::int64_t scaled_domains = 0; // most domains scaled down in a step [-]
 };
+
+/// Run a dry body of the state's particles through the motion; cells and per_cell are those of the problem
+/// and the state. Throws NumericalError.
+ManufacturedError run_manufactured(const ManufacturedRun& run, const ManufacturedBody& body, Problem problem,
+                                   State state);
 
 /// Run the body through the motion with the single-phase step. The vortex body fills a square of 3 m between
 /// fixed walls, the axis-aligned one a square of 1 m between rollers. Throws NumericalError.

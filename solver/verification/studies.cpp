@@ -1,11 +1,15 @@
 #include "solver/verification/anura_column_study.hpp"
 #include "solver/verification/biot_waves_study.hpp"
+#include "solver/verification/collapse_study.hpp"
 #include "solver/verification/griffiths_lane_study.hpp"
+#include "solver/verification/manufactured_study.hpp"
 #include "solver/verification/periodic_column_study.hpp"
 #include "solver/verification/permeability_study.hpp"
+#include "solver/verification/shear_beam_study.hpp"
+#include "solver/verification/study.hpp"
 #include "solver/verification/terzaghi_study.hpp"
 #include "solver/verification/transient_column_study.hpp"
-#include "solver/verification/study.hpp"
+#include "solver/verification/vibration_study.hpp"
 
 namespace quicksand {
 
@@ -13,13 +17,19 @@ const std::vector<Study>& studies()
 {
     static const std::vector<Study> all = {
         {"anura_column", "Terzaghi 1923", anura_column_study},
+        {"axis_aligned", "Wallstedt & Guilkey 2008", axis_aligned_study},
         {"biot_waves", "Biot 1956", biot_waves_study},
+        {"collapse", "Lube et al. 2005", collapse_study},
         {"griffiths_lane", "Griffiths & Lane 1999", griffiths_lane_study},
+        {"largest_vortex", "Kamojjala et al. 2015", largest_vortex_study},
         {"periodic_column", "Zienkiewicz, Chang & Bettess 1980", periodic_column_study},
         {"permeability", "Biot 1956", permeability_study},
+        {"shear_beam", "shear beam with dragged water", shear_beam_study},
         {"terzaghi", "Terzaghi 1923", terzaghi_study},
         {"terzaghi_quasi_static", "Terzaghi 1923", terzaghi_quasi_static_study},
         {"transient_column", "de Boer, Ehlers & Liu 1993; Laplace transform", transient_column_study},
+        {"vibration", "finite elements", vibration_study},
+        {"vortex", "Kamojjala et al. 2015", vortex_study},
     };
     return all;
 }

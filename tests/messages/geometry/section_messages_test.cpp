@@ -100,6 +100,13 @@ INSTANTIATE_TEST_SUITE_P(
                 {"does not cover region \"clay\""}}),
     [](const auto& named) { return named.param.name; });
 
+TEST(SectionMessages, LeaveAFloorAloneThatGoesOnBeyondTheSoil)
+{
+    Section section = two_layers(1, 1);
+    section.curves.push_back({"base", {{{0, 0}, {2, 0}}, {{2, 0}, {3, 0}}}});
+    EXPECT_TRUE(check_section(section, covering).empty());
+}
+
 TEST(SectionMessages, NameARegionTooThinForAnyParticle)
 {
     const Section section =
