@@ -18,7 +18,7 @@ void expect_refusal(const std::string& arguments, const std::string& text)
 
 TEST(Verify, AMisspeltProblemIsGuessed)
 {
-    expect_refusal("biot_wave", "there is no problem 'biot_wave' to verify\nexpected: biot_waves");
+    expect_refusal("biot_wave", "there is no problem 'biot_wave' to verify\nexpected: anura_column");
     expect_refusal("biot_wave", "hint: did you mean biot_waves?");
 }
 
