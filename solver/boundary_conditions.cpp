@@ -1,56 +1,35 @@
 #include "solver/boundary_conditions.hpp"
 
 #include "solver/failure.hpp"
+#include "solver/moving_walls.hpp"
+#include "solver/wall_nodes.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace quicksand {
 
 namespace {
 
-constexpr double depth_of_wall =
-    3.5;                         // cells beyond a wall whose nodes it holds: farther than domains reach [-]
-constexpr double on_line = 1e-6; // a node this close to a wall lies on it [cells]
-
-Vector2 outward_normal(const Segment& segment)
+/// A viscous curve while the soil settles: as the standard fixities of a section, a base is fixed and a side
+/// slides.
+SoilCondition held_while_settling(const Segment& segment)
 {
-    // the soil lies to the left of the segment
-    const Vector2 along = (segment.end - segment.start).normalized();
-    return {along.y(), -along.x()};
+    const Vector2 normal = outward_normal(segment);
+    return std::abs(normal.y()) >= std::abs(normal.x()) ? SoilCondition::fixed : SoilCondition::roller;
 }
 
-double cross(const Vector2& a, const Vector2& b)
+SoilCondition condition_in(Stage stage, const Boundary& boundary, const Segment& segment)
 {
-    return a.x() * b.y() - a.y() * b.x();
+    const bool settles = boundary.soil == SoilCondition::viscous && stage == Stage::relaxation;
+    return settles ? held_while_settling(segment) : boundary.soil;
 }
 
-/// Whether the wall may go on straight beyond `end`: no other segment starts there that turns away from the
-/// soil (a re-entrant corner) or goes straight on (the neighbour's own condition holds there).
-bool goes_on(const Problem& problem, const Segment& wall, const Vector2& end, double tolerance)
-{
-    const bool forward = end == wall.end;
-    const Vector2 along = (forward ? wall.end - wall.start : wall.start - wall.end).normalized();
-    constexpr double straight = 0.02; // sine of the smallest turn that counts as a corner [-]
-    for (const Boundary& boundary : problem.boundaries) {
-        for (const Segment& other : boundary.segments) {
-            const Vector2& shared = forward ? other.start : other.end;
-            if ((shared - end).norm() > tolerance) continue;
-            const Vector2 onward = (forward ? other.end - other.start : other.start - other.end).normalized();
-            const double turn = forward ? cross(along, onward) : -cross(along, onward);
-            if (turn < straight) return false;
-        }
-    }
-    return true;
-}
-
-std::uint8_t conditions_of(const Boundary& boundary)
+std::uint8_t conditions_of(SoilCondition soil, WaterCondition water)
 {
     std::uint8_t normal = 0, across = 0;
-    const bool sealed = boundary.water == WaterCondition::impervious;
-    switch (boundary.soil) {
+    const bool sealed = water == WaterCondition::impervious;
+    switch (soil) {
     case SoilCondition::fixed:
         across = solid_y_fixed;
         [[fallthrough]];
@@ -58,9 +37,11 @@ std::uint8_t conditions_of(const Boundary& boundary)
         normal = static_cast<std::uint8_t>(solid_x_fixed | (sealed ? fluid_x_fixed : 0));
         break;
     case SoilCondition::free:
+    case SoilCondition::viscous:
         normal = sealed ? film_x : 0;
         break;
     case SoilCondition::tied:
+    case SoilCondition::moving: // held after the momentum balance
         break;
     }
     return normal | across;
@@ -77,68 +58,49 @@ std::uint8_t turned(std::uint8_t conditions)
     return result;
 }
 
-/// Calls hold(node) for the nodes on and beyond a segment.
-template <class Hold>
-void for_each_node_held(const Problem& problem, const Segment& segment, Hold&& hold)
-{
-    const BackgroundGrid& grid = problem.grid;
-    const double h = grid.cell_size, length = (segment.end - segment.start).norm();
-    const Vector2 along = (segment.end - segment.start) / length, normal = outward_normal(segment);
-    constexpr double far = std::numeric_limits<double>::infinity();
-    const double before = goes_on(problem, segment, segment.start, on_line * h) ? far : on_line * h;
-    const double after = goes_on(problem, segment, segment.end, on_line * h) ? far : on_line * h;
-    for (int j = 0; j < grid.nodes_y(); ++j) {
-        for (int i = 0; i < grid.nodes_x(); ++i) {
-            const Vector2 from_start = grid.node_position(i, j) - segment.start;
-            const double beyond = from_start.dot(normal), along_wall = from_start.dot(along);
-            const bool held = beyond >= -on_line * h && beyond <= (depth_of_wall + on_line) * h &&
-                              along_wall >= -before && along_wall <= length + after;
-            if (held)
-                hold(static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nodes_x()) +
-                     static_cast<std::size_t>(i));
-        }
-    }
-}
-
-/// Which node carries the sums of each node: itself, or the node at the wall for nodes beyond it.
-using Masters = std::vector<std::size_t>;
-
-/// Nodes beyond the first row of nodes that an aligned wall holds are tied to that row. A corner that sticks
-/// out through the wall then weighs on the wall's node; a node out there has no soil behind it to balance its
-/// stress, and would be shot away along the wall.
-void tie_beyond(const Problem& problem, const Segment& segment, int direction, Masters& masters)
-{
-    const BackgroundGrid& grid = problem.grid;
-    const double h = grid.cell_size, side = outward_normal(segment)[direction];
-    const double wall = (segment.start[direction] - grid.rim_origin()[direction]) / h;
-    const int first = static_cast<int>(side > 0.0 ? std::ceil(wall - on_line) : std::floor(wall + on_line));
-    const int step = direction == 0 ? 1 : grid.nodes_x();
-    for_each_node_held(problem, segment, [&](std::size_t node) {
-        const auto columns = static_cast<std::size_t>(grid.nodes_x());
-        const auto index = static_cast<int>(direction == 0 ? node % columns : node / columns);
-        if (index == first) return;
-        masters[node] = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + (first - index) * step);
-    });
-}
-
-void add_segment(const Problem& problem, const Segment& segment, std::uint8_t conditions,
+void add_segment(const Problem& problem, const Segment& segment, std::uint8_t conditions, bool is_wall,
                  NodeConditions& result, Masters& masters)
 {
-    const Vector2 normal = outward_normal(segment);
-    constexpr double aligned = 1e-9;
-    const bool is_wall = (conditions & (solid_x_fixed | solid_y_fixed)) != 0;
-    if (std::abs(normal.y()) < aligned) {
-        for_each_node_held(problem, segment, [&](std::size_t node) { result.of_node[node] |= conditions; });
-        if (is_wall) tie_beyond(problem, segment, 0, masters);
-    } else if (std::abs(normal.x()) < aligned) {
-        for_each_node_held(problem, segment,
-                           [&](std::size_t node) { result.of_node[node] |= turned(conditions); });
-        if (is_wall) tie_beyond(problem, segment, 1, masters);
-    } else {
-        for_each_node_held(problem, segment, [&](std::size_t node) {
-            result.slanted.push_back({node, normal, conditions});
-        });
-    }
+    const int axis = normal_axis(segment);
+    for_each_node_held(problem, segment, segment, [&](std::size_t node) {
+        if (axis < 0) {
+            result.slanted.push_back({node, outward_normal(segment), conditions});
+        } else {
+            result.of_node[node] |= axis == 0 ? conditions : turned(conditions);
+        }
+    });
+    if (is_wall && axis >= 0) tie_beyond(problem, segment, segment, masters);
+}
+
+/// The nodes on either side of a moving wall; those of a slanted wall as of one that stands.
+void add_moving_segment(const Problem& problem, std::size_t boundary, std::size_t segment, double time,
+                        NodeConditions& result, Masters& masters)
+{
+    const BackgroundGrid& grid = problem.grid;
+    const Boundary& wall = problem.boundaries[boundary];
+    const Segment& drawn = wall.segments[segment];
+    const Vector2 moved = wall_displacement(*wall.motion, drawn, time);
+    const Segment present{drawn.start + moved, drawn.end + moved};
+    const int axis = normal_axis(drawn);
+    const int row = axis < 0 ? 0 : first_row_beyond(grid, present, axis);
+    const auto columns = static_cast<std::size_t>(grid.nodes_x());
+    WallNode pair;
+    pair.boundary = boundary;
+    pair.segment = segment;
+    pair.normal = outward_normal(drawn);
+    if (axis >= 0) pair.normal = pair.normal.array().round().matrix();
+    pair.grip = wall.motion->grip;
+    pair.sealed = wall.water == WaterCondition::impervious;
+    for_each_node_held(problem, drawn, present, [&](std::size_t node) {
+        pair.inner = pair.outer = node;
+        if (axis >= 0) {
+            if (static_cast<int>(axis == 0 ? node % columns : node / columns) != row) return;
+            const std::size_t step = axis == 0 ? 1 : columns;
+            pair.inner = pair.normal[axis] > 0.0 ? node - step : node + step;
+        }
+        result.walls.push_back(pair);
+    });
+    if (axis >= 0) tie_beyond(problem, drawn, present, masters);
 }
 
 /// Columns a whole number of widths apart are the same column of the laminar box.
@@ -162,13 +124,14 @@ void tie_sides(const Problem& problem, Masters& masters)
     }
 }
 
-/// The ties with every chain of masters followed to its end.
-std::vector<TiedNodes> resolve(const Masters& masters)
+/// Follow every chain of masters to its end and list the ties.
+std::vector<TiedNodes> resolve(Masters& masters)
 {
     std::vector<TiedNodes> tied;
     for (std::size_t node = 0; node < masters.size(); ++node) {
         std::size_t master = masters[node];
         while (masters[master] != master) master = masters[master];
+        masters[node] = master;
         if (master != node) tied.push_back({node, master});
     }
     return tied;
@@ -176,20 +139,38 @@ std::vector<TiedNodes> resolve(const Masters& masters)
 
 } // namespace
 
-NodeConditions node_conditions(const Problem& problem)
+NodeConditions node_conditions(const Problem& problem, Stage stage, double time)
 {
     NodeConditions result;
     result.of_node.assign(problem.grid.node_count(), 0);
     Masters masters(problem.grid.node_count());
     std::iota(masters.begin(), masters.end(), std::size_t{0});
-    for (const Boundary& boundary : problem.boundaries) {
-        const std::uint8_t conditions = conditions_of(boundary);
-        if (conditions == 0) continue;
-        for (const Segment& segment : boundary.segments)
-            add_segment(problem, segment, conditions, result, masters);
+    for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
+        const Boundary& boundary = problem.boundaries[b];
+        for (std::size_t s = 0; s < boundary.segments.size(); ++s) {
+            const Segment& segment = boundary.segments[s];
+            if (boundary.soil == SoilCondition::moving) {
+                add_moving_segment(problem, b, s, time, result, masters);
+                continue;
+            }
+            const SoilCondition soil = condition_in(stage, boundary, segment);
+            const std::uint8_t conditions = conditions_of(soil, boundary.water);
+            const bool is_wall = soil == SoilCondition::fixed || soil == SoilCondition::roller ||
+                                 soil == SoilCondition::viscous;
+            if (soil == SoilCondition::viscous) {
+                for_each_node_held(problem, segment, segment,
+                                   [&](std::size_t node) { result.viscous.push_back(node); });
+            }
+            if (conditions != 0 || is_wall)
+                add_segment(problem, segment, conditions, is_wall, result, masters);
+        }
     }
     if (problem.tied_sides) tie_sides(problem, masters);
     result.tied = resolve(masters);
+    result.master = std::move(masters);
+    // tied nodes follow their masters, which the wall holds too
+    std::erase_if(result.walls,
+                  [&](const WallNode& wall) { return result.master[wall.outer] != wall.outer; });
     return result;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "solver/problem.hpp"
+#include "solver/state.hpp"
 
 #include <cstdint>
 #include <utility>
@@ -37,12 +38,29 @@ struct TiedNodes {
     std::size_t master = 0;
 };
 
+/// A pair of nodes that a moving wall holds, on either side of it; one node where the wall is slanted.
+struct WallNode {
+    std::size_t inner = 0, outer = 0;
+    std::size_t boundary = 0, segment = 0; // the wall, in Problem::boundaries
+    Vector2 normal = Vector2::Zero();      // outward [-]
+    WallGrip grip = WallGrip::rough;
+    bool sealed = false;                // the water moves with the wall
+    double outer_share = 1.0;           // the wall's distance from the inner node [cells]
+    Vector2 velocity = Vector2::Zero(); // of the wall over the step [m/s]
+};
+
 struct NodeConditions {
     std::vector<std::uint8_t> of_node; // NodeCondition bits, one entry per node
     std::vector<SlantedNode> slanted;
     std::vector<TiedNodes> tied;
+    std::vector<std::size_t> master;     // of each node: the node that carries its sums, itself mostly
+    std::vector<WallNode> walls;         // of moving walls, see moving_walls.hpp
+    std::vector<std::size_t> viscous;    // nodes of viscous curves
+    std::vector<std::int64_t> wall_rows; // for which rows the walls' nodes were found
 };
 
-NodeConditions node_conditions(const Problem& problem);
+/// The conditions of a stage with the moving walls where they are at `time` [s]. While the soil settles,
+/// viscous curves are held: bases fixed, steep sides as rollers.
+NodeConditions node_conditions(const Problem& problem, Stage stage = Stage::shaking, double time = 0.0);
 
 } // namespace quicksand

@@ -164,7 +164,7 @@ bool cut_segment(const Particles& particles, const Segment& segment, std::vector
 
 bool carries_something(const Boundary& boundary)
 {
-    return boundary.load.has_value();
+    return boundary.load || boundary.outer_water || boundary.soil == SoilCondition::viscous;
 }
 
 /// Corners of the particle's domain where the equations have it: in small strain at the reference.

@@ -65,9 +65,7 @@ Balance balance_along(const TwoPhaseSums& node, const NodeImpulses& impulses, do
 
 void set_flux_and_change(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
 {
-    const double porosity = node.mass_fluid / (problem.water->density * node.volume);
-    motion.flux_x = (1.0 - porosity) * motion.solid_x + porosity * motion.fluid_x;
-    motion.flux_y = (1.0 - porosity) * motion.solid_y + porosity * motion.fluid_y;
+    set_flux(problem, node, motion);
     motion.solid_change_x = motion.solid_x - node.momentum_solid_x / node.mass_solid;
     motion.solid_change_y = motion.solid_y - node.momentum_solid_y / node.mass_solid;
     motion.fluid_change_x = motion.fluid_x - node.momentum_fluid_x / node.mass_fluid;
@@ -128,6 +126,13 @@ void add_tied(const NodeConditions& conditions, std::vector<Sums>& sums, Add&& a
 }
 
 } // namespace
+
+void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
+{
+    const double porosity = node.mass_fluid / (problem.water->density * node.volume);
+    motion.flux_x = (1.0 - porosity) * motion.solid_x + porosity * motion.fluid_x;
+    motion.flux_y = (1.0 - porosity) * motion.solid_y + porosity * motion.fluid_y;
+}
 
 void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums)
 {

@@ -25,6 +25,9 @@ struct PhaseVelocities {
 PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,
                            double impulse_fluid);
 
+/// The flux of grains and water that follows from a node's velocities.
+void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion);
+
 /// Add the sums of tied nodes to their masters.
 void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums);
 void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseSums>& sums);

@@ -1,10 +1,12 @@
 #include "solver/held_shape.hpp"
 
 #include "solver/grid_momentum.hpp"
+#include "solver/moving_walls.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/particle_order.hpp"
 #include "solver/particle_to_grid.hpp"
 #include "solver/surface_loads.hpp"
+#include "solver/unbalanced_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -76,7 +78,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
 {
     HeldShape shape;
     shape.lists = make_cell_lists(problem.grid);
-    shape.conditions = node_conditions(problem);
+    shape.conditions = node_conditions(problem, Stage::relaxation);
     shape.patches.resize(shape.lists.tile_count);
     sort_particles(problem.grid, 0.0, state, shape.lists);
     CarriedMasses masses;
@@ -117,6 +119,7 @@ void advance_held_shape(const Problem& problem, double dt, double damping, doubl
     gather_tied_sums(shape.conditions, shape.sums);
     solve_single_phase_momentum(problem, shape.conditions, dt, acceleration, damping, shape.sums,
                                 shape.motion);
+    hold_at_walls(shape.conditions, dt, shape.sums, shape.motion);
     spread_tied_motion(shape.conditions, shape.motion);
     for (std::size_t i = 0; i < shape.motion.size(); ++i) {
         shape.displacement.x[i] += dt * shape.motion[i].x;
@@ -139,19 +142,7 @@ void reset_displacement(HeldShape& shape)
 
 double out_of_balance(const Problem& problem, double acceleration, const HeldShape& shape)
 {
-    std::vector<std::uint8_t> counted(shape.sums.size(), 1);
-    for (const TiedNodes& tie : shape.conditions.tied) counted[tie.node] = 0; // their masters stand for them
-    double residual = 0.0, weight = 0.0;
-    for (std::size_t i = 0; i < shape.sums.size(); ++i) {
-        const SinglePhaseSums& node = shape.sums[i];
-        if (!node.active() || counted[i] == 0) continue;
-        const std::uint8_t held = shape.conditions.of_node[i];
-        if (!(held & solid_x_fixed)) residual += std::abs(node.stress_force_x - node.mass * acceleration);
-        if (!(held & solid_y_fixed))
-            residual += std::abs(node.stress_force_y - node.weight * problem.gravity);
-        weight += node.weight * problem.gravity;
-    }
-    return weight > 0.0 ? residual / weight : 0.0;
+    return unbalanced_forces(problem, acceleration, shape.conditions, shape.sums);
 }
 
 double largest_displacement(const Problem& problem, const HeldShape& shape)

@@ -184,6 +184,8 @@ std::vector<std::uint8_t> ledger_nodes(const NodeConditions& conditions)
         if (conditions.of_node[i] != 0) kinds[i] = wall_node;
     }
     for (const SlantedNode& wall : conditions.slanted) kinds[wall.node] = wall_node;
+    for (const WallNode& wall : conditions.walls) kinds[wall.inner] = kinds[wall.outer] = wall_node;
+    for (const std::size_t node : conditions.viscous) kinds[node] = wall_node; // dashpots as reactions
     for (const TiedNodes& tie : conditions.tied) kinds[tie.node] = stands_for_nobody;
     return kinds;
 }

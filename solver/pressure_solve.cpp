@@ -1,5 +1,7 @@
 #include "solver/pressure_solve.hpp"
 
+#include "solver/moving_walls.hpp"
+
 #include <cmath>
 
 namespace quicksand {
@@ -34,10 +36,41 @@ void gather_tied_forces(const NodeConditions& conditions, PressureSolve& solve)
     }
 }
 
+/// Impulses of the moving walls that the forces on their nodes call up.
+std::vector<WallImpulse> wall_impulses(const PressureSolve& solve)
+{
+    std::vector<WallImpulse> impulses;
+    for (const WallCompliance& wall : solve.walls) {
+        double solid = 0.0, fluid = 0.0;
+        for (std::size_t a = 0; a < 2; ++a) {
+            const std::size_t i = wall.node[a];
+            const double force = wall.direction.dot(Vector2(solve.force_x[i], solve.force_y[i]));
+            solid += wall.solid[a] * force;
+            fluid += wall.fluid[a] * force;
+        }
+        impulses.push_back({-(wall.solid_solid * solid + wall.solid_fluid * fluid),
+                            -(wall.solid_fluid * solid + wall.fluid_fluid * fluid)});
+    }
+    return impulses;
+}
+
+void add_flux_of_walls(const std::vector<WallImpulse>& impulses, PressureSolve& solve)
+{
+    for (std::size_t k = 0; k < impulses.size(); ++k) {
+        const WallCompliance& wall = solve.walls[k];
+        for (std::size_t a = 0; a < 2; ++a) {
+            const double flux = wall.solid[a] * impulses[k].solid + wall.fluid[a] * impulses[k].fluid;
+            solve.flux_x[wall.node[a]] += flux * wall.direction.x();
+            solve.flux_y[wall.node[a]] += flux * wall.direction.y();
+        }
+    }
+}
+
 /// flux = W force at the nodes, tied nodes with the flux of their masters; the forces are zero afterwards.
 void respond(const NodeConditions& conditions, PressureSolve& solve)
 {
     gather_tied_forces(conditions, solve);
+    const std::vector<WallImpulse> impulses = wall_impulses(solve);
     const NodeCompliances& W = solve.compliance;
     const auto count = static_cast<std::int64_t>(solve.force_x.size());
 #pragma omp parallel for schedule(static) if (solve.force_x.size() > least_parallel_work)
@@ -49,6 +82,7 @@ void respond(const NodeConditions& conditions, PressureSolve& solve)
         solve.force_x[i] = 0.0;
         solve.force_y[i] = 0.0;
     }
+    add_flux_of_walls(impulses, solve);
     for (const TiedNodes& tie : conditions.tied) {
         solve.flux_x[tie.node] = solve.flux_x[tie.master];
         solve.flux_y[tie.node] = solve.flux_y[tie.master];

@@ -11,6 +11,7 @@
 // preconditioner; the guess is the last step's rate of pressure.
 #pragma once
 
+#include "solver/boundary_compliance.hpp"
 #include "solver/boundary_conditions.hpp"
 #include "solver/cell_divergence.hpp"
 #include "solver/grid_momentum.hpp"
@@ -25,15 +26,16 @@ namespace quicksand {
 struct PressureSolve {
     std::vector<TileDivergence> divergence; // per tile
     NodeCompliances compliance;
-    Scalars storage;             // n_c V_c / K_w [m2/Pa per metre]
-    Scalars increment;           // dp: the guess, then the solution [Pa]
-    Scalars flux_x, flux_y;      // of the nodes, flux* at first [m/s]
-    Scalars force_x, force_y;    // of the increments on the nodes, zero before and after a solve [N/m]
-    Scalars right_hand_side;     // [m2 per metre]
-    Scalars diagonal, residual;  // of L [m2/Pa per metre] and of its equations
-    Scalars direction, product;  // of the conjugate gradients
-    Scalars partial;             // sums of the tiles
-    std::int32_t iterations = 0; // of the last solve [-]
+    std::vector<WallCompliance> walls; // that move
+    Scalars storage;                   // n_c V_c / K_w [m2/Pa per metre]
+    Scalars increment;                 // dp: the guess, then the solution [Pa]
+    Scalars flux_x, flux_y;            // of the nodes, flux* at first [m/s]
+    Scalars force_x, force_y;          // of the increments on the nodes, zero before and after a solve [N/m]
+    Scalars right_hand_side;           // [m2 per metre]
+    Scalars diagonal, residual;        // of L [m2/Pa per metre] and of its equations
+    Scalars direction, product;        // of the conjugate gradients
+    Scalars partial;                   // sums of the tiles
+    std::int32_t iterations = 0;       // of the last solve [-]
 };
 
 struct PressureSolveControls {

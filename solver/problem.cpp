@@ -10,4 +10,15 @@ double static_water_pressure(const Problem& problem, double y)
     return problem.water->density * problem.gravity * std::max(0.0, problem.water->level - y);
 }
 
+double outer_excess_pressure(const Problem& problem, const OuterWater& outer, double y)
+{
+    double pressure = 0.0;
+    if (const auto* water = std::get_if<WaterHead>(&outer.value)) {
+        pressure = problem.water->density * problem.gravity * std::max(0.0, water->head - y);
+    } else {
+        pressure = std::get<PorePressure>(outer.value).pressure;
+    }
+    return pressure - static_water_pressure(problem, y);
+}
+
 } // namespace quicksand

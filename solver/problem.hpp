@@ -11,6 +11,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace quicksand {
@@ -35,8 +36,19 @@ struct Water {
     double level = 0.0;          // y of the still water surface [m]
 };
 
-enum class SoilCondition { free, fixed, roller, tied };
-enum class WaterCondition { drained, impervious };
+enum class SoilCondition {
+    free,
+    fixed,   // no motion
+    roller,  // no motion normal to the curve
+    tied,    // points of equal height on two sides move together
+    moving,  // with a given velocity or displacement
+    viscous, // waves leave through it
+};
+enum class WaterCondition {
+    drained,    // no excess pressure
+    impervious, // water moves with the grains normal to the curve
+    prescribed, // a given head or pressure
+};
 
 /// A straight piece of a boundary curve; the soil lies to its left, going from start to end.
 struct Segment {
@@ -50,6 +62,44 @@ struct SurfaceLoad {
                                         // the curve as drawn [N/m2]
     double pressure = 0.0;              // normal to the present surface and on its present length, positive
                                         // onto the soil [Pa]
+    History history;
+};
+
+enum class MotionQuantity { velocity, displacement };
+enum class WallGrip {
+    rough,  // the grains take part in the wall's motion in both directions
+    smooth, // in that normal to the wall only
+};
+
+/// The motion of a moving boundary curve.
+struct WallMotion {
+    MotionQuantity quantity = MotionQuantity::velocity;
+    WallGrip grip = WallGrip::rough;
+    Vector2 value = Vector2::Zero(); // of a rough wall [m/s] or [m]
+    double inward = 0.0;             // of a smooth wall, normal to it and positive into the soil [m/s] or [m]
+    History history;
+};
+
+/// Rock or soil that goes on beyond a viscous boundary.
+struct HalfSpace {
+    double density = 0.0;                // rho [kg/m3]
+    double shear_wave_speed = 0.0;       // V_s [m/s]
+    double compression_wave_speed = 0.0; // V_p [m/s]
+};
+
+/// Still water beyond a curve, standing up to a height.
+struct WaterHead {
+    double head = 0.0; // y of its surface [m]
+};
+
+/// Pore pressure along a curve.
+struct PorePressure {
+    double pressure = 0.0; // with its static part, compression positive [Pa]
+};
+
+/// Water with a given pressure at a curve; the history is a factor on the excess over the still water.
+struct OuterWater {
+    std::variant<WaterHead, PorePressure> value;
     History history;
 };
 
@@ -69,7 +119,10 @@ struct Boundary {
     WaterCondition water = WaterCondition::drained;
     std::vector<Segment> segments;
     std::optional<SurfaceLoad> load = {};
-    std::vector<BoundaryPiece> pieces = {}; // none where nothing acts on the curve
+    std::optional<WallMotion> motion = {};      // of a moving curve
+    std::optional<HalfSpace> half_space = {};   // beyond a viscous curve; none: as the soil beside it
+    std::optional<OuterWater> outer_water = {}; // where the water is prescribed
+    std::vector<BoundaryPiece> pieces = {};     // none where nothing acts on the curve
 };
 
 /// Two vertical sides whose points of equal height move together, as in a laminar box.
@@ -111,6 +164,9 @@ struct Problem {
 
 /// Static pressure of the still water at height y, zero above the level [Pa].
 double static_water_pressure(const Problem& problem, double y);
+
+/// Excess over the still water that a boundary's outer water has at height y, at its full value [Pa].
+double outer_excess_pressure(const Problem& problem, const OuterWater& outer, double y);
 
 /// C = n^2 rho_w g_k / k, the drag between water and grains [N s/m4].
 inline double drag_coefficient(const Material& material, const Water& water, double porosity)

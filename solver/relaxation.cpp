@@ -2,6 +2,7 @@
 #include "solver/particle_order.hpp"
 #include "solver/simulation.hpp"
 #include "solver/single_phase_step.hpp"
+#include "solver/unbalanced_forces.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -15,22 +16,9 @@ namespace {
 
 constexpr std::int64_t steps_between_checks = 50;
 
-/// sum |f_i| over the free directions / sum of the weights, from scattered sums.
 double out_of_balance(const Problem& problem, const SinglePhaseWorkspace& work)
 {
-    double residual = 0.0, weight = 0.0;
-    std::vector<std::uint8_t> counted(work.sums.size(), 1);
-    for (const TiedNodes& tie : work.conditions.tied) counted[tie.node] = 0; // their masters stand for them
-    for (std::size_t i = 0; i < work.sums.size(); ++i) {
-        const SinglePhaseSums& node = work.sums[i];
-        if (!node.active() || counted[i] == 0) continue;
-        const std::uint8_t held = work.conditions.of_node[i];
-        if (!(held & solid_x_fixed)) residual += std::abs(node.stress_force_x);
-        if (!(held & solid_y_fixed))
-            residual += std::abs(node.stress_force_y - node.weight * problem.gravity);
-        weight += node.weight * problem.gravity;
-    }
-    return weight > 0.0 ? residual / weight : 0.0;
+    return unbalanced_forces(problem, 0.0, work.conditions, work.sums);
 }
 
 void set_at_rest(Particles& particles)
@@ -96,7 +84,8 @@ std::size_t count_at_failure(const Problem& problem, const Particles& particles)
 double out_of_balance(const Problem& problem, const State& state)
 {
     State copy = state;
-    SinglePhaseWorkspace work = make_single_phase_workspace(problem);
+    SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
+    copy.stage = Stage::relaxation;
     locate_particles(problem, 0.0, copy, work);
     scatter_to_nodes(problem, 0.0, copy, work);
     return out_of_balance(problem, work);
@@ -123,7 +112,7 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
     state.stage = Stage::relaxation;
     state.time = 0.0;
     state.step = 0;
-    SinglePhaseWorkspace work = make_single_phase_workspace(problem);
+    SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
     RelaxationReport report;
     for (;;) {
         const double dt = stable_relaxation_step(problem, state.particles).dt;

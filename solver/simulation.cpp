@@ -3,6 +3,7 @@
 #include "solver/particle_order.hpp"
 #include "solver/single_phase_step.hpp"
 #include "solver/two_phase_step.hpp"
+#include "solver/viscous_boundary.hpp"
 
 #include <omp.h>
 
@@ -108,6 +109,7 @@ void run_with(const Problem& problem, double end_time, const std::vector<Observe
 void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
          const std::function<bool()>& stop_requested)
 {
+    if (state.step == 0) hold_reactions(problem, state);
     if (problem.water && problem.scheme == TimeScheme::semi_implicit) {
         run_with<SemiImplicitStepper>(problem, end_time, observers, state, stop_requested);
     } else if (problem.water) {

@@ -3,15 +3,16 @@
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
 #include "solver/ledger.hpp"
+#include "solver/moving_walls.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/surface_loads.hpp"
 
 namespace quicksand {
 
-SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem)
+SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage stage)
 {
     SinglePhaseWorkspace work;
-    set_up_workspace(problem, work);
+    set_up_workspace(problem, work, stage);
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
     return work;
@@ -29,6 +30,8 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
         scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
     });
     scatter_surface_loads(problem, load_time(state, dt), particles, work.places, work.sums);
+    scatter_reactions(problem, state, work.places, work.sums);
+    place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
 }
 
@@ -44,6 +47,8 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
             shaking ? base_acceleration(problem.base_motion, state.time + 0.5 * dt) : 0.0;
         solve_single_phase_momentum(problem, work.conditions, dt, acceleration, damping, work.sums,
                                     work.motion);
+        brake_by_dashpots(work.conditions, dt, work.dashpots, work.sums, work.motion);
+        hold_at_walls(work.conditions, dt, work.sums, work.motion);
         if (state.ledger)
             enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.motion, *state.ledger);
         spread_tied_motion(work.conditions, work.motion);

@@ -14,7 +14,7 @@ struct SinglePhaseWorkspace : StepWorkspace {
     CarriedMasses masses;
 };
 
-SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem);
+SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage stage = Stage::shaking);
 
 /// Scatter the state to the nodes, tied nodes gathered: masses, momenta and forces of a step of `dt` about to
 /// be taken.

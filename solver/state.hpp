@@ -73,6 +73,7 @@ struct State {
     double time = 0.0;     // t since the start of shaking [s]
     std::int64_t step = 0; // steps taken in this stage [-]
     Particles particles;
+    Vectors reactions;            // forces held at viscous boundaries, piece by piece; none without [N/m]
     std::optional<Ledger> ledger; // none: nobody asks for balances, and the steps enter nothing
 };
 

@@ -2,6 +2,7 @@
 
 #include "solver/grid_to_particle.hpp"
 #include "solver/ledger.hpp"
+#include "solver/moving_walls.hpp"
 #include "solver/particle_order.hpp"
 
 #include <utility>
@@ -43,14 +44,22 @@ void keep_reference_weights(const Problem& problem, double dt, State& state, Ste
 
 } // namespace
 
-void set_up_workspace(const Problem& problem, StepWorkspace& work)
+void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
 {
     work.lists = make_cell_lists(problem.grid);
-    work.conditions = node_conditions(problem);
+    work.conditions = node_conditions(problem, stage);
     work.ledger_nodes = ledger_nodes(work.conditions);
     work.patches.resize(work.lists.tile_count);
     work.average = make_volumetric_average(problem);
     work.noise_time = noise_time(problem);
+}
+
+void place_boundaries(const Problem& problem, double dt, const State& state, StepWorkspace& work)
+{
+    if (move_walls(problem, state, dt, work.conditions)) work.ledger_nodes = ledger_nodes(work.conditions);
+    work.dashpots.clear();
+    if (state.stage == Stage::shaking)
+        gather_dashpots(problem, state.particles, work.conditions, work.places, work.dashpots);
 }
 
 void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work)

@@ -9,6 +9,7 @@
 #include "solver/phase_timers.hpp"
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
+#include "solver/viscous_boundary.hpp"
 #include "solver/volumetric_average.hpp"
 
 #include <atomic>
@@ -25,6 +26,7 @@ struct StepWorkspace {
     bool patches_are_kept = false;          // small strain: they hold for all steps
     VolumetricAverage average;              // of the materials that ask for it
     ParticlePlaces places;                  // of the particles that carry boundaries
+    std::vector<Dashpot> dashpots;          // of viscous boundaries
     Vectors grid_velocity;                  // sum phi v_i of the grains [m/s]
     std::vector<std::uint8_t> ledger_nodes; // see ledger.hpp
     double noise_time = 0.0;                // tau of the velocity filter, see grid_to_particle.hpp [s]
@@ -37,7 +39,10 @@ struct StepWorkspace {
     }
 };
 
-void set_up_workspace(const Problem& problem, StepWorkspace& work);
+void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage = Stage::shaking);
+
+/// Bring walls and dashpots up to the state, before the sums of the nodes are gathered.
+void place_boundaries(const Problem& problem, double dt, const State& state, StepWorkspace& work);
 
 /// Bring the cell lists up to date, and the arrays of a step to the particles' number. In small strain lists
 /// and weights are found once, on the reference shape. Throws NumericalError.

@@ -43,6 +43,26 @@ void scatter_surface_loads(const Problem& problem, double time, const Particles&
     scatter(problem, time, particles, places, sums);
 }
 
+void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
+                         ParticlePlaces& places, std::vector<TwoPhaseSums>& sums)
+{
+    for (const Boundary& boundary : problem.boundaries) {
+        if (!boundary.outer_water) continue;
+        const double factor = history_value(boundary.outer_water->history, time);
+        for (const BoundaryPiece& piece : boundary.pieces) {
+            const std::size_t p = places.find(particles, piece.identifier);
+            const PresentPiece present = present_piece(problem, particles, piece, p);
+            const double excess =
+                factor * outer_excess_pressure(problem, *boundary.outer_water, present.middle().y());
+            const Vector2 force = -excess * present.outward();
+            for_each_loaded_node(problem.grid, present, [&](std::size_t i, double share) {
+                sums[i].pressure_force_x += share * force.x();
+                sums[i].pressure_force_y += share * force.y();
+            });
+        }
+    }
+}
+
 double load_time(const State& state, double dt)
 {
     return state.stage == Stage::relaxation ? 0.0 : state.time + 0.5 * dt;

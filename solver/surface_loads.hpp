@@ -17,6 +17,11 @@ void scatter_surface_loads(const Problem& problem, double time, const Particles&
 void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
                            ParticlePlaces& places, std::vector<SinglePhaseSums>& sums);
 
+/// Add the excess pressure of the water beyond curves at `time` to the nodes' pressure forces: the grains
+/// take (1 - n) of it and the water n, as of the pore pressure.
+void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
+                         ParticlePlaces& places, std::vector<TwoPhaseSums>& sums);
+
 /// The time at which a state's loads act: that of the shaking, 0 while the soil settles [s].
 double load_time(const State& state, double dt);
 

@@ -1,9 +1,11 @@
 #include "solver/two_phase_step.hpp"
 
+#include "solver/boundary_compliance.hpp"
 #include "solver/failure.hpp"
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
 #include "solver/ledger.hpp"
+#include "solver/moving_walls.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/particle_to_grid.hpp"
 #include "solver/surface_loads.hpp"
@@ -14,19 +16,27 @@ namespace quicksand {
 
 namespace {
 
-void scatter(const Problem& problem, double load_time, const Particles& particles, TwoPhaseWorkspace& work)
+void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWorkspace& work)
 {
+    const Particles& particles = state.particles;
     work.sums.assign(work.sums.size(), TwoPhaseSums{});
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
         scatter_two_phase(problem, particles, work.lists, tile, work.patches_of(tile), work.sums);
     });
-    scatter_surface_loads(problem, load_time, particles, work.places, work.sums);
+    const double time = load_time(state, dt);
+    scatter_surface_loads(problem, time, particles, work.places, work.sums);
+    scatter_outer_water(problem, time, particles, work.places, work.sums);
+    scatter_reactions(problem, state, work.places, work.sums);
+    place_boundaries(problem, dt, state, work);
+    gather_tied_sums(work.conditions, work.sums);
 }
 
 void solve_velocities(const Problem& problem, double dt, const State& state, TwoPhaseWorkspace& work)
 {
     const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
     solve_two_phase_momentum(problem, work.conditions, dt, acceleration, work.sums, work.motion);
+    brake_by_dashpots(problem, work.conditions, dt, work.dashpots, work.sums, work.motion);
+    hold_at_walls(problem, work.conditions, dt, work.sums, work.motion);
     spread_tied_motion(work.conditions, work.motion);
 }
 
@@ -97,6 +107,8 @@ void solve_pressure(const Problem& problem, double dt, const State& state, SemiI
         prepare_increments(problem, dt, work.lists, tile, particles, pressure.storage, pressure.increment);
     });
     set_pressure_compliances(problem, work.conditions, dt, work.sums, pressure.compliance);
+    include_dashpots(problem, work.conditions, dt, work.dashpots, work.sums, pressure.compliance);
+    pressure.walls = wall_compliances(problem, work.conditions, dt, work.sums);
     for (std::size_t i = 0; i < work.motion.size(); ++i) {
         pressure.flux_x[i] = work.motion[i].flux_x;
         pressure.flux_y[i] = work.motion[i].flux_y;
@@ -156,9 +168,8 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    timed(work.timers, Phase::scatter, [&] { scatter(problem, load_time(state, dt), particles, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
-        gather_tied_sums(work.conditions, work.sums);
         solve_velocities(problem, dt, state, work);
         enter_works(problem, dt, work, state);
     });
@@ -173,11 +184,8 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     work.flux_divergence.resize(particles.size());
     particles.pore_pressure_rate.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    timed(work.timers, Phase::scatter, [&] { scatter(problem, load_time(state, dt), particles, work); });
-    timed(work.timers, Phase::momentum, [&] {
-        gather_tied_sums(work.conditions, work.sums);
-        solve_velocities(problem, dt, state, work);
-    });
+    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
+    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         solve_velocities(problem, dt, state, work);

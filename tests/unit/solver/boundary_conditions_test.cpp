@@ -1,7 +1,12 @@
 #include "solver/boundary_conditions.hpp"
+#include "solver/moving_walls.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
 
 namespace quicksand {
 namespace {
@@ -113,6 +118,83 @@ TEST(BoundaryConditions, TiedSidesMakeColumnsPeriodic)
     EXPECT_EQ(master_of(problem, conditions, 5.0, 0.0), Vector2(1.0, 0.0));
     EXPECT_EQ(master_of(problem, conditions, -1.0, -2.0), Vector2(3.0, 0.0)); // below the base as well
     EXPECT_EQ(master_of(problem, conditions, 2.0, 2.0), Vector2(2.0, 2.0));
+}
+
+TEST(BoundaryConditions, AViscousCurveIsHeldWhileTheSoilSettles)
+{
+    Problem problem = box(SoilCondition::viscous, SoilCondition::viscous);
+    const NodeConditions settling = node_conditions(problem, Stage::relaxation);
+    // the base as fixed, the sides as rollers
+    EXPECT_EQ(conditions_at(problem, settling, 2.0, 0.0), solid_x_fixed | solid_y_fixed | fluid_y_fixed);
+    EXPECT_EQ(conditions_at(problem, settling, 0.0, 2.0), solid_x_fixed | fluid_x_fixed);
+    const NodeConditions shaking = node_conditions(problem, Stage::shaking);
+    EXPECT_EQ(conditions_at(problem, shaking, 2.0, 0.0), film_y); // the water stays with the grains
+    EXPECT_EQ(conditions_at(problem, shaking, 0.0, 2.0), film_x);
+    EXPECT_EQ(master_of(problem, shaking, 2.0, -2.0), Vector2(2.0, 0.0));
+}
+
+/// A platen on the box that goes down by 1 m in 1 s.
+Problem box_under_platen(WallGrip grip)
+{
+    Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    problem.boundaries[2].soil = SoilCondition::moving;
+    problem.boundaries[2].motion =
+        WallMotion{MotionQuantity::velocity, grip, {0.0, -1.0}, 1.0, {ConstantHistory{}, 0.0}};
+    return problem;
+}
+
+TEST(MovingWalls, HoldThePairOfNodesOnEitherSide)
+{
+    for (const WallGrip grip : {WallGrip::rough, WallGrip::smooth}) {
+        const Problem problem = box_under_platen(grip);
+        NodeConditions conditions = node_conditions(problem);
+        State state;
+        for (const auto& [time, inner, share] :
+             {std::tuple(0.0, 2.0, 1.0), std::tuple(0.25, 2.0, 0.75), std::tuple(1.25, 1.0, 0.75)}) {
+            state.time = time;
+            move_walls(problem, state, 0.1, conditions);
+            const auto within_reach = [&](const WallNode& wall) {
+                const double x = problem.grid.node_position(wall.outer).x();
+                return x > -3.5 && x < 7.5;
+            };
+            // x = 0 .. 4: the nodes beyond the sides are tied to these
+            ASSERT_EQ(std::count_if(conditions.walls.begin(), conditions.walls.end(), within_reach), 5);
+            for (const WallNode& wall : conditions.walls) {
+                EXPECT_EQ(problem.grid.node_position(wall.inner).y(), inner);
+                EXPECT_EQ(problem.grid.node_position(wall.outer).y(), inner + 1.0);
+                EXPECT_NEAR(wall.outer_share, share, 1e-12);
+                EXPECT_LT((wall.velocity - Vector2(0.0, -1.0)).norm(), 1e-12);
+            }
+            EXPECT_EQ(master_of(problem, conditions, 2.0, inner + 2.0), Vector2(2.0, inner + 1.0));
+        }
+    }
+}
+
+TEST(MovingWalls, StandStillWhileTheSoilSettles)
+{
+    const Problem problem = box_under_platen(WallGrip::rough);
+    NodeConditions conditions = node_conditions(problem, Stage::relaxation);
+    State state;
+    state.stage = Stage::relaxation;
+    state.time = 0.7; // of no meaning in this stage
+    move_walls(problem, state, 0.1, conditions);
+    for (const WallNode& wall : conditions.walls) {
+        EXPECT_EQ(wall.velocity, Vector2(0.0, 0.0));
+        EXPECT_NEAR(wall.outer_share, 1.0, 1e-12);
+    }
+}
+
+TEST(MovingWalls, ComeToTheirPlaceWithinTheStep)
+{
+    const Segment top{{4.0, 3.0}, {0.0, 3.0}};
+    const WallMotion pushed{
+        MotionQuantity::displacement, WallGrip::smooth, {0.0, 0.0}, 0.2, {SineHistory{0.5}, 0.0}};
+    EXPECT_LT(
+        (wall_displacement(pushed, top, 1.0 / 3.0) - Vector2(0.0, -0.2 * std::sin(std::acos(-1.0) / 3.0)))
+            .norm(),
+        1e-15);
+    const Vector2 before = wall_displacement(pushed, top, 0.3), after = wall_displacement(pushed, top, 0.37);
+    EXPECT_LT((before + 0.07 * wall_velocity(pushed, top, 0.3, 0.07) - after).norm(), 1e-15);
 }
 
 } // namespace

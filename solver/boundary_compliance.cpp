@@ -1,0 +1,75 @@
+#include "solver/boundary_compliance.hpp"
+
+#include "solver/moving_walls.hpp"
+#include "solver/node_response.hpp"
+
+#include <Eigen/LU>
+
+namespace quicksand {
+
+namespace {
+
+double porosity_of(const Problem& problem, const TwoPhaseSums& node)
+{
+    return node.mass_fluid / (problem.water->density * node.volume);
+}
+
+/// Velocities of grains and water per impulse of the pressure's force, which the two share as 1-n and n.
+NodeResponse pressure_response(double n, const NodeResponse& response)
+{
+    return {(1.0 - n) * response.solid + n * response.exchange, 0.0,
+            (1.0 - n) * response.exchange + n * response.fluid};
+}
+
+} // namespace
+
+void include_dashpots(const Problem& problem, const NodeConditions& conditions, double dt,
+                      const std::vector<Dashpot>& dashpots, const std::vector<TwoPhaseSums>& sums,
+                      NodeCompliances& compliances)
+{
+    for (const Dashpot& dashpot : dashpots) {
+        const std::size_t i = dashpot.node;
+        if (!sums[i].active()) continue;
+        const double n = porosity_of(problem, sums[i]);
+        const std::uint8_t held = conditions.of_node[i];
+        const NodeResponse x = response(sums[i], dt, held, 0), y = response(sums[i], dt, held, 1);
+        Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
+        K.diagonal() << pressure_response(n, x).solid, pressure_response(n, y).solid;
+        Eigen::Matrix2d half; // dt C / 2, as the dashpots brake
+        half << dashpot.xx, dashpot.xy, dashpot.xy, dashpot.yy;
+        half *= 0.5 * dt;
+        const Eigen::Matrix2d braking = Vector2(x.solid, y.solid).asDiagonal() * half;
+        const Eigen::Matrix2d braked = (Eigen::Matrix2d::Identity() + braking).inverse();
+        const Eigen::Matrix2d change = K * half * braked * K;
+        compliances.xx[i] -= change(0, 0);
+        compliances.xy[i] -= 0.5 * (change(0, 1) + change(1, 0)); // equal but for rounding
+        compliances.yy[i] -= change(1, 1);
+    }
+}
+
+std::vector<WallCompliance> wall_compliances(const Problem& problem, const NodeConditions& conditions,
+                                             double dt, const std::vector<TwoPhaseSums>& sums)
+{
+    std::vector<WallCompliance> compliances;
+    for_each_held_pair(conditions, dt, sums, [&](const WallNode& wall, const HeldPair& pair) {
+        WallCompliance compliance{{wall.inner, wall.outer}, pair.direction, {}, {}, 0.0, 0.0, 0.0};
+        const std::array<double, 2> share = {1.0 - pair.outer_share, pair.outer_share};
+        for (std::size_t a = 0; a < 2; ++a) {
+            const TwoPhaseSums& node = sums[compliance.node[a]];
+            if (!node.active()) continue;
+            const NodeResponse velocity =
+                pressure_response(porosity_of(problem, node), a == 0 ? pair.inner : pair.outer);
+            compliance.solid[a] = share[a] * velocity.solid;
+            compliance.fluid[a] = share[a] * velocity.fluid;
+        }
+        const WallImpulse by_solid = wall_impulse(pair.at_wall(), pair.sealed, 1.0, 0.0),
+                          by_fluid = wall_impulse(pair.at_wall(), pair.sealed, 0.0, 1.0);
+        compliance.solid_solid = by_solid.solid;
+        compliance.solid_fluid = by_fluid.solid;
+        compliance.fluid_fluid = by_fluid.fluid;
+        compliances.push_back(compliance);
+    });
+    return compliances;
+}
+
+} // namespace quicksand

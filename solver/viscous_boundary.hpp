@@ -1,0 +1,59 @@
+// Boundaries that let waves out: dashpots on the curve (Lysmer and Kuhlemeyer 1969).
+//
+// A half-space beyond the curve answers a plane wave at normal incidence with the stress
+//   sigma_n = - rho V_p v_n,   tau = - rho V_s v_t
+// on the soil. With the rock's own density and wave speeds this is a compliant base. The frame moves with the
+// motion that the rock would have without the soil, the outcrop motion, as with a rigid base: the incoming
+// wave is half of it, its stress 2 rho V (v_outcrop / 2 - v / 2) = rho V (v_outcrop - v) is that of the
+// dashpots on velocities relative to the outcrop (Joyner and Chen 1975), and the acceleration of the frame is
+// the body force that the base's acceleration is anyway. The dashpots act on the grains (and through an
+// impervious curve on the water's normal velocity as well) and are implicit at each node (Crank-Nicolson), so
+// that they do not limit the step.
+//
+// While the soil settles the curve is held; the forces that held it stay when the dashpots take over.
+#pragma once
+
+#include "solver/boundary_conditions.hpp"
+#include "solver/boundary_pieces.hpp"
+#include "solver/nodes.hpp"
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+/// The dashpots of a node, a symmetric tensor [N s/m2].
+struct Dashpot {
+    std::size_t node = 0;
+    double xx = 0.0, xy = 0.0, yy = 0.0;
+};
+
+/// Impedances rho V_p and rho V_s of what lies beyond a boundary, beside soil of a material [Pa s/m].
+struct Impedance {
+    double normal = 0.0, shear = 0.0;
+};
+Impedance impedance(const Problem& problem, const Boundary& boundary, const Material& material);
+
+/// The dashpots of all viscous boundaries, each node once, in the order of the nodes.
+void gather_dashpots(const Problem& problem, const Particles& particles, const NodeConditions& conditions,
+                     ParticlePlaces& places, std::vector<Dashpot>& dashpots);
+
+/// Put the dashpots' impulses on the velocities, after the momentum balance.
+void brake_by_dashpots(const Problem& problem, const NodeConditions& conditions, double dt,
+                       const std::vector<Dashpot>& dashpots, const std::vector<TwoPhaseSums>& sums,
+                       std::vector<TwoPhaseMotion>& motion);
+void brake_by_dashpots(const NodeConditions& conditions, double dt, const std::vector<Dashpot>& dashpots,
+                       const std::vector<SinglePhaseSums>& sums, std::vector<SinglePhaseMotion>& motion);
+
+/// Keep the forces that hold the viscous curves of a state at rest: fills State::reactions, one force for
+/// each piece, whose sums at the nodes are the held nodes' forces. Nothing without viscous curves.
+void hold_reactions(const Problem& problem, State& state);
+
+/// Add the held forces to the nodes.
+void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
+                       std::vector<TwoPhaseSums>& sums);
+void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
+                       std::vector<SinglePhaseSums>& sums);
+
+} // namespace quicksand
