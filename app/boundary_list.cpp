@@ -1,8 +1,12 @@
 #include "app/number_format.hpp"
 #include "app/plan.hpp"
 #include "solver/surface_loads.hpp"
+#include "solver/viscous_boundary.hpp"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
 
 namespace quicksand {
 
@@ -19,13 +23,25 @@ const char* name_of(SoilCondition soil)
         return "roller";
     case SoilCondition::tied:
         return "tied";
+    case SoilCondition::moving:
+        return "moving";
+    case SoilCondition::viscous:
+        return "viscous";
     }
     return "";
 }
 
 const char* name_of(WaterCondition water)
 {
-    return water == WaterCondition::drained ? "drained" : "impervious";
+    switch (water) {
+    case WaterCondition::drained:
+        return "drained";
+    case WaterCondition::impervious:
+        return "impervious";
+    case WaterCondition::prescribed:
+        return "with a prescribed pressure";
+    }
+    return "";
 }
 
 double length_of(const Boundary& boundary)
@@ -47,21 +63,72 @@ std::string describe_history(const History& history)
     return text;
 }
 
+std::string describe_load(const AssembledCase& assembled, const Boundary& boundary)
+{
+    const Vector2 force = full_load(assembled.problem, assembled.state, boundary);
+    return fmt::format("load ({}, {}) N per metre of thickness in all{}", short_number(force.x(), 6),
+                       short_number(force.y(), 6), describe_history(boundary.load->history));
+}
+
+std::string describe_motion(const WallMotion& motion)
+{
+    const bool velocity = motion.quantity == MotionQuantity::velocity;
+    const char* unit = velocity ? "m/s" : "m";
+    const std::string value =
+        motion.grip == WallGrip::rough
+            ? fmt::format("({}, {}) {}", short_number(motion.value.x(), 6), short_number(motion.value.y(), 6),
+                          unit)
+            : fmt::format("{} {} into the soil, free along the curve", short_number(motion.inward, 6), unit);
+    return fmt::format("{} {}{}", velocity ? "velocity" : "displacement", value,
+                       describe_history(motion.history));
+}
+
+/// One line for every soil that may lie beside the curve, or the rock's.
+std::string describe_impedance(const Problem& problem, const Boundary& boundary)
+{
+    const auto numbers = [&](const Material& material) {
+        const Impedance beyond = impedance(problem, boundary, material);
+        return fmt::format("rho Vp {}, rho Vs {} Pa s/m", short_number(beyond.normal),
+                           short_number(beyond.shear));
+    };
+    if (boundary.half_space) return "rock beyond: " + numbers(problem.materials.front());
+    std::string text;
+    for (const Material& material : problem.materials)
+        text += fmt::format("{}as {} goes on beyond: {}", text.empty() ? "" : "; ", material.name,
+                            numbers(material));
+    return text;
+}
+
+std::string describe_outer_water(const Problem& problem, const Boundary& boundary)
+{
+    const OuterWater& outer = *boundary.outer_water;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
+    for (const Segment& segment : boundary.segments) {
+        for (const Vector2& point : {segment.start, segment.end}) {
+            const double excess = outer_excess_pressure(problem, outer, point.y());
+            least = std::min(least, excess);
+            most = std::max(most, excess);
+        }
+    }
+    return fmt::format("excess pore pressure {} to {} Pa{}", short_number(least, 6), short_number(most, 6),
+                       describe_history(outer.history));
+}
+
 } // namespace
 
 std::string describe_boundaries(const AssembledCase& assembled)
 {
     const Problem& problem = assembled.problem;
     std::string text = "Boundaries\n";
+    const auto add = [&](const std::string& line) { text += fmt::format("  {:<16}{}\n", "", line); };
     for (const Boundary& boundary : problem.boundaries) {
         text += fmt::format("  {:<16}{:.4g} m, {}{}{}\n", boundary.name, length_of(boundary),
                             name_of(boundary.soil), problem.water ? ", water " : "",
                             problem.water ? name_of(boundary.water) : "");
-        if (!boundary.load) continue;
-        const Vector2 force = full_load(problem, assembled.state, boundary);
-        text += fmt::format("  {:<16}load ({}, {}) N per metre of thickness in all{}\n", "",
-                            short_number(force.x(), 6), short_number(force.y(), 6),
-                            describe_history(boundary.load->history));
+        if (boundary.load) add(describe_load(assembled, boundary));
+        if (boundary.motion) add(describe_motion(*boundary.motion));
+        if (boundary.soil == SoilCondition::viscous) add(describe_impedance(problem, boundary));
+        if (boundary.outer_water) add(describe_outer_water(problem, boundary));
     }
     return text;
 }

@@ -1,7 +1,7 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
-// particles. The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look at: the file
-// is checked before HDF5 opens it, since it copes badly with damaged tables.
+// particles, reactions. The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look
+// at: the file is checked before HDF5 opens it, since it copes badly with damaged tables.
 #include "io/checkpoint.hpp"
 
 #include "io/atomic_file.hpp"
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 1;
+constexpr std::int64_t format_version = 2;
 constexpr hsize_t chunk_entries = 8192;
 
 /// An HDF5 call failed; the caller knows the file and makes a FileError of it.
@@ -214,6 +214,9 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
     };
     for_each_index_array(state.particles, write);
     for_each_array(state.particles, write);
+    write("reaction_x", state.reactions.x);
+    write("reaction_y", state.reactions.y);
+    write_number(file, "reactions", static_cast<std::int64_t>(state.reactions.x.size()));
     require(H5Fflush(file, H5F_SCOPE_GLOBAL), "flushing the file");
 }
 
@@ -232,6 +235,9 @@ State read_state(const Handle& file)
     const auto read = [&](const char* name, auto& values) { read_array(file, name, count, values); };
     for_each_index_array(state.particles, read);
     for_each_array(state.particles, read);
+    const auto reactions = static_cast<std::size_t>(read_number<std::int64_t>(file, "reactions"));
+    read_array(file, "reaction_x", reactions, state.reactions.x);
+    read_array(file, "reaction_y", reactions, state.reactions.y);
     return state;
 }
 

@@ -52,6 +52,9 @@ struct SceneBoundary {
     std::string tied_to; // the partner curve when soil is tied
     SourcePlace place;
     std::optional<SurfaceLoad> load = {};
+    std::optional<WallMotion> motion = {};
+    std::optional<HalfSpace> half_space = {};
+    std::optional<OuterWater> outer_water = {};
 };
 
 enum class ProbeKind {

@@ -66,6 +66,8 @@ double offset_from_line(double coordinate, double origin, double cell_size)
     return (cells - std::round(cells)) * cell_size;
 }
 
+constexpr const char* not_parallel = "is not parallel to the grid";
+
 /// What keeps a wall from lying on grid lines, "" when it does.
 std::string describe_misfit(const NamedCurve& curve, const BackgroundGrid& grid)
 {
@@ -73,7 +75,7 @@ std::string describe_misfit(const NamedCurve& curve, const BackgroundGrid& grid)
     for (const Segment& segment : curve.segments) {
         const Vector2 along = (segment.end - segment.start).cwiseAbs();
         const double tolerance = on_line * grid.cell_size;
-        if (along.x() > tolerance && along.y() > tolerance) return "is not parallel to the grid";
+        if (along.x() > tolerance && along.y() > tolerance) return not_parallel;
         const int axis = along.x() > tolerance ? 1 : 0;
         const double offset = offset_from_line(segment.start[axis], grid.origin[axis], grid.cell_size);
         if (std::abs(offset) > std::abs(largest)) largest = offset;
@@ -81,6 +83,46 @@ std::string describe_misfit(const NamedCurve& curve, const BackgroundGrid& grid)
     if (std::abs(largest) <= on_line * grid.cell_size) return "";
     return "lies " + number_text(std::round(std::abs(largest) * 1e9) * 1e-9) +
            " m from the nearest grid line";
+}
+
+/// Walls act at nodes: they belong on grid lines, moving ones parallel to the grid.
+void check_place_of_wall(const SceneBoundary& boundary, const NamedCurve& curve, const BackgroundGrid& grid,
+                         Diagnostics& findings)
+{
+    const std::string misfit = describe_misfit(curve, grid);
+    if (misfit.empty()) return;
+    const std::string path = join_path({"boundaries", boundary.name});
+    const auto warn = [&](const std::string& soil, const std::string& expected) {
+        findings.add(warning_at(boundary.place, path, "off-grid",
+                                "the " + soil + " curve \"" + boundary.name + "\" " + misfit, expected));
+    };
+    const std::string nearest = "off them the condition acts at the nodes nearest to the wall";
+    if (boundary.soil == SoilCondition::fixed) warn("fixed", "a wall on grid lines; " + nearest);
+    if (boundary.soil == SoilCondition::roller) warn("roller", "a wall on grid lines; " + nearest);
+    if (boundary.soil == SoilCondition::moving && misfit == not_parallel)
+        warn("moving", "a wall parallel to the grid; a slanted one acts at the nodes nearest to it");
+    if (boundary.soil == SoilCondition::viscous) {
+        findings.add(error_at(
+            boundary.place, "off-grid", "the viscous curve \"" + boundary.name + "\" " + misfit,
+            "a curve on grid lines", "choose a cell size that divides the section, or set origin in [grid]"));
+    }
+}
+
+/// A viscous side of a shaken section absorbs the motion of the ground itself.
+void check_viscous_side(const Scene& scene, const SceneBoundary& boundary, const NamedCurve& curve,
+                        Diagnostics& findings)
+{
+    if (boundary.soil != SoilCondition::viscous || std::holds_alternative<NoMotion>(scene.base_motion))
+        return;
+    const bool steep = std::any_of(curve.segments.begin(), curve.segments.end(), [](const Segment& segment) {
+        const Vector2 along = (segment.end - segment.start).cwiseAbs();
+        return along.y() > along.x();
+    });
+    if (!steep) return;
+    findings.add(warning_at(boundary.place, join_path({"boundaries", boundary.name}), "viscous-side",
+                            "the viscous side \"" + boundary.name +
+                                "\" brakes the shaking of the ground, not only the waves that leave",
+                            "sides tied to each other where the base shakes"));
 }
 
 Boundary make_boundary(const SceneBoundary* condition, const NamedCurve& curve)
@@ -91,6 +133,9 @@ Boundary make_boundary(const SceneBoundary* condition, const NamedCurve& curve)
         boundary.soil = condition->soil;
         boundary.water = condition->water;
         boundary.load = condition->load;
+        boundary.motion = condition->motion;
+        boundary.half_space = condition->half_space;
+        boundary.outer_water = condition->outer_water;
     }
     for (const Segment& segment : curve.segments) {
         if (segment.start != segment.end) boundary.segments.push_back(segment);
@@ -164,14 +209,8 @@ std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section
         const NamedCurve* curve = find_curve(section, condition.name);
         if (curve == nullptr) continue;
         boundaries.push_back(make_boundary(&condition, *curve));
-        if (condition.soil != SoilCondition::fixed && condition.soil != SoilCondition::roller) continue;
-        const std::string misfit = describe_misfit(*curve, grid);
-        if (misfit.empty()) continue;
-        const std::string soil = condition.soil == SoilCondition::fixed ? "fixed" : "roller";
-        findings.add(
-            warning_at(condition.place, join_path({"boundaries", condition.name}), "off-grid",
-                       "the " + soil + " curve \"" + condition.name + "\" " + misfit,
-                       "a wall on grid lines; off them the condition acts at the nodes nearest to the wall"));
+        check_place_of_wall(condition, *curve, grid, findings);
+        check_viscous_side(scene, condition, *curve, findings);
     }
     const auto written = names_of(scene.boundaries);
     for (const NamedCurve& curve : section.curves) {

@@ -40,6 +40,117 @@ scene.toml:43:12: error[type]: boundaries.surface.traction is text
       |            ^~~~~~~~
 expected: [x, y], two numbers in Pa
 )_"},
+SceneMistake{"MovingWithoutAMotion",
+    "soil = \"free\"",
+    "soil = \"moving\"",
+R"_(
+scene.toml:41:1: error[boundary]: boundaries.surface moves but does not say how
+   41 | [boundaries.surface]
+      | ^~~~~~~~~~~~~~~~~~~~
+expected: one of velocity, normal_velocity, displacement, normal_displacement
+)_"},
+SceneMistake{"TwoMotions",
+    "soil = \"free\"",
+    "soil = \"moving\"\nvelocity = [0, \"-1 mm/s\"]\nnormal_velocity = \"1 mm/s\"",
+R"_(
+scene.toml:44:19: error[boundary]: boundaries.surface.normal_velocity and velocity contradict each other
+   44 | normal_velocity = "1 mm/s"
+      |                   ^~~~~~~~
+expected: one of velocity, normal_velocity, displacement, normal_displacement
+hint: remove one of the two
+)_"},
+SceneMistake{"DisplacementAtOnce",
+    "soil = \"free\"",
+    "soil = \"moving\"\nnormal_displacement = \"1 mm\"",
+R"_(
+scene.toml:43:23: error[boundary]: boundaries.surface.normal_displacement has no course: the curve would jump to it at the start
+   43 | normal_displacement = "1 mm"
+      |                       ^~~~~~
+expected: a ramp_time, a frequency or a history beside it
+)_"},
+SceneMistake{"MotionOfAFreeCurve",
+    "soil = \"free\"",
+    "soil = \"free\"\nvelocity = [0, \"-1 mm/s\"]",
+R"_(
+scene.toml:43:1: error[unused-key]: boundaries.surface.velocity is not used with soil = "free"
+   43 | velocity = [0, "-1 mm/s"]
+      | ^~~~~~~~
+hint: remove it, or set soil = "moving"
+)_"},
+SceneMistake{"VelocityOfOneNumber",
+    "soil = \"free\"",
+    "soil = \"moving\"\nvelocity = \"1 mm/s\"",
+R"_(
+scene.toml:43:12: error[type]: boundaries.surface.velocity is text
+   43 | velocity = "1 mm/s"
+      |            ^~~~~~~~
+expected: [x, y], two numbers in m/s
+)_"},
+SceneMistake{"HalfARock",
+    "soil = \"fixed\"",
+    "soil = \"viscous\"\nrock_density = 2400",
+R"_(
+scene.toml:32:16: error[boundary]: boundaries.base.rock_density is alone: rock_shear_wave_speed and rock_compression_wave_speed are unknown
+   32 | rock_density = 2400
+      |                ^~~~
+expected: all of rock_density, rock_shear_wave_speed, rock_compression_wave_speed, or none
+hint: none makes the boundary as stiff as the soil beside it
+)_"},
+SceneMistake{"RockOfFasterShearWaves",
+    "soil = \"fixed\"",
+    "soil = \"viscous\"\nrock_density = 2400\nrock_shear_wave_speed = 800\nrock_compression_wave_speed = 700",
+R"_(
+scene.toml:34:31: error[boundary]: boundaries.base.rock_compression_wave_speed is not larger than the shear wave speed 800 m/s
+   34 | rock_compression_wave_speed = 700
+      |                               ^~~
+expected: a compression wave that is faster than the shear wave
+)_"},
+SceneMistake{"RockBeyondAWall",
+    "soil = \"fixed\"",
+    "soil = \"fixed\"\nrock_density = 2400",
+R"_(
+scene.toml:32:1: error[unused-key]: boundaries.base.rock_density is not used with soil = "fixed"
+   32 | rock_density = 2400
+      | ^~~~~~~~~~~~
+hint: remove it, or set soil = "viscous"
+)_"},
+SceneMistake{"HeadWithoutItsWord",
+    "soil = \"free\"",
+    "soil = \"free\"\nhead = 0.5",
+R"_(
+scene.toml:43:1: error[unused-key]: boundaries.surface.head is not used with water = "drained"
+   43 | head = 0.5
+      | ^~~~
+hint: remove it, or set water = "head"
+)_"},
+SceneMistake{"HeadWithoutItsHeight",
+    "soil = \"free\"",
+    "soil = \"free\"\nwater = \"head\"",
+R"_(
+scene.toml:41:1: error[missing-key]: [boundaries.surface] has no head
+   41 | [boundaries.surface]
+      | ^~~~~~~~~~~~~~~~~~~~
+expected: head [m]: y of the water surface beyond the curve.
+)_"},
+SceneMistake{"PressureWithoutItsValue",
+    "soil = \"free\"",
+    "soil = \"free\"\nwater = \"pore_pressure\"",
+R"_(
+scene.toml:41:1: error[missing-key]: [boundaries.surface] has no pore_pressure
+   41 | [boundaries.surface]
+      | ^~~~~~~~~~~~~~~~~~~~
+expected: pore_pressure [Pa]: Pore pressure along the curve, with its static part.
+)_"},
+SceneMistake{"HeadOnATiedSide",
+    "tied_to = \"right\"",
+    "tied_to = \"right\"\nwater = \"head\"\nhead = 1",
+R"_(
+scene.toml:33:1: error[boundary]: boundaries.left is tied and has a prescribed head
+   33 | [boundaries.left]
+      | ^~~~~~~~~~~~~~~~~
+expected: a head on a curve that is not tied
+hint: what passes through one of two tied sides comes in at the other
+)_"},
 SceneMistake{"RampOfNothing",
     "soil = \"free\"",
     "soil = \"free\"\nramp_time = \"2 ms\"",
@@ -47,8 +158,8 @@ R"_(
 scene.toml:43:13: error[boundary]: boundaries.surface.ramp_time has nothing to act on
    43 | ramp_time = "2 ms"
       |             ^~~~~~
-expected: a pressure or a traction on the same curve
-hint: add pressure or traction, or remove the key
+expected: a load, a motion or a head on the same curve
+hint: remove the key, or add what varies
 )_"},
 SceneMistake{"RampAndHistory",
     "soil = \"free\"",
