@@ -317,9 +317,9 @@ CheckpointWriter::CheckpointWriter(fs::path path, double interval, const State& 
 {
 }
 
-void CheckpointWriter::after_step(const StepReport&)
+void CheckpointWriter::after_step(const StepReport& report)
 {
-    if (Clock::now() - last_ < interval_) return;
+    if (!report.is_restart_point || Clock::now() - last_ < interval_) return;
     write_checkpoint(path_, state_, scene_hash_);
     last_ = Clock::now();
 }

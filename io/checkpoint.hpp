@@ -19,8 +19,8 @@ void write_checkpoint(const std::filesystem::path& path, const State& state, con
 /// FileError for a damaged one.
 State read_checkpoint(const std::filesystem::path& path, const std::string& scene_hash);
 
-/// Writes a checkpoint whenever `interval` of wall time has passed. It shortens no time step, so that a run
-/// takes the same steps with and without it.
+/// Writes a checkpoint at the first restart point after `interval` of wall time has passed. It shortens no
+/// time step, so that a run takes the same steps with and without it.
 class CheckpointWriter : public Observer {
 public:
     /// `interval` in seconds of wall time; `state` is the run's and outlives the writer.

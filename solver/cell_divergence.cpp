@@ -2,7 +2,8 @@
 
 #include "solver/lanes.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <cstdint>
 
 namespace quicksand {
 
@@ -21,13 +22,17 @@ struct Place {
     int column, row;
 };
 
+/// The nearest whole number; |x| is small.
+int nearest(double x)
+{
+    return static_cast<int>(x + 1024.5) - 1024;
+}
+
 Place place_of(const StoredPatch& patch, const Vector2& position, const Vector2& block_corner,
                double inverse_cell_size)
 {
-    return {
-        static_cast<int>(std::lround((patch.offset_x + position.x() - block_corner.x()) * inverse_cell_size)),
-        static_cast<int>(
-            std::lround((patch.offset_y + position.y() - block_corner.y()) * inverse_cell_size))};
+    return {nearest((patch.offset_x + position.x() - block_corner.x()) * inverse_cell_size),
+            nearest((patch.offset_y + position.y() - block_corner.y()) * inverse_cell_size)};
 }
 
 /// The particles of one cell with their patches.
@@ -42,56 +47,104 @@ struct CellParticles {
     std::int32_t column, row; // of the cell
 };
 
-/// Add the cell's particles to its stencil; false when a patch sticks out of the block.
+/// The first `count` lanes, the others zero.
+inline Lanes first_lanes(const Lanes& lanes, int count)
+{
+    using Bits = std::int64_t __attribute__((vector_size(32)));
+    const Bits keep = Bits{0, 1, 2, 3} < Bits{count, count, count, count};
+    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(lanes) & keep);
+}
+
+/// target += factor row, for `width` numbers; zero is added to what follows up to a multiple of four.
+inline void add_row(double factor, const double* row, int width, double* target)
+{
+    for (int a = 0; a < width; a += 4) {
+        const Lanes product = factor * load_lanes(row + a);
+        store_lanes(load_lanes(target + a) + first_lanes(product, width - a), target + a);
+    }
+}
+
+/// Add the cell's particles to its stencil, a block and a row's end long; false when a patch sticks out of
+/// the block.
 bool add_particles(const CellParticles& cell, Block block, double* x, double* y)
 {
     const Vector2 corner = cell.grid.node_position(cell.column - block.before, cell.row - block.before);
     const double inverse = 1.0 / cell.grid.cell_size;
+    const double *gradient_x = cell.store.gradient_x.data(), *gradient_y = cell.store.gradient_y.data();
     for (std::size_t k = cell.first; k < cell.last; ++k) {
         const auto p = static_cast<std::size_t>(cell.lists.order[k]);
         const StoredPatch& patch = cell.store.patches[cell.first_patch + (k - cell.first)];
         const Place at = place_of(patch, cell.place[p], corner, inverse);
-        const bool inside = at.column >= 0 && at.row >= 0 && at.column + patch.width <= block.nodes &&
-                            at.row + patch.height <= block.nodes;
+        const int width = patch.width, height = patch.height;
+        const bool inside = at.column >= 0 && at.row >= 0 && at.column + width <= block.nodes &&
+                            at.row + height <= block.nodes;
         if (!inside) return false;
         const double V = cell.volume[p];
-        auto weight = static_cast<std::size_t>(patch.first);
-        for (int b = 0; b < patch.height; ++b) {
-            const int start = (at.row + b) * block.nodes + at.column;
-            for (int a = 0; a < patch.width; ++a, ++weight) {
-                x[start + a] += V * cell.store.gradient_x[weight];
-                y[start + a] += V * cell.store.gradient_y[weight];
-            }
+        int weight = patch.first, node = at.row * block.nodes + at.column;
+        for (int b = 0; b < height; ++b, weight += width, node += block.nodes) {
+            add_row(V, gradient_x + weight, width, x + node);
+            add_row(V, gradient_y + weight, width, y + node);
         }
     }
     return true;
 }
 
+/// Whether a row of the stencil has only zeros.
+bool is_empty_row(const TileDivergence& divergence, std::int32_t first, int width)
+{
+    for (int a = 0; a < width; ++a) {
+        const auto k = static_cast<std::size_t>(first + a);
+        if (divergence.x[k] != 0.0 || divergence.y[k] != 0.0) return false;
+    }
+    return true;
+}
+
+/// Leave out empty rows at the bottom and at the top.
+void trim(std::int32_t nodes_x, const TileDivergence& divergence, CellStencil& stencil)
+{
+    const int width = stencil.width;
+    while (stencil.height > 1 && is_empty_row(divergence, stencil.first, width)) {
+        stencil.base += nodes_x;
+        stencil.first += width;
+        --stencil.height;
+    }
+    while (stencil.height > 1 &&
+           is_empty_row(divergence, stencil.first + (stencil.height - 1) * width, width))
+        --stencil.height;
+}
+
 void add_stencil(const CellParticles& cell, std::int32_t slot, Block block, TileDivergence& divergence)
 {
-    const auto first = static_cast<std::int32_t>(divergence.x.size());
-    const std::size_t count = static_cast<std::size_t>(block.nodes * block.nodes);
-    divergence.x.resize(divergence.x.size() + count, 0.0);
-    divergence.y.resize(divergence.y.size() + count, 0.0);
-    divergence.stencils.push_back(
-        {slot, (cell.row - block.before) * cell.grid.nodes_x() + cell.column - block.before, first,
-         static_cast<std::int16_t>(block.nodes), static_cast<std::int16_t>(block.nodes)});
-    if (add_particles(cell, block, divergence.x.data() + first, divergence.y.data() + first)) return;
-    divergence.stencils.pop_back();
-    divergence.x.resize(static_cast<std::size_t>(first));
-    divergence.y.resize(static_cast<std::size_t>(first));
-    add_stencil(cell, slot, wide, divergence);
+    const std::size_t first = divergence.used, count = static_cast<std::size_t>(block.nodes * block.nodes);
+    const std::size_t with_row_end = count + 4;
+    if (divergence.x.size() < first + with_row_end) {
+        divergence.x.resize(2 * (first + with_row_end));
+        divergence.y.resize(2 * (first + with_row_end));
+    }
+    double *x = divergence.x.data() + first, *y = divergence.y.data() + first;
+    std::fill(x, x + with_row_end, 0.0);
+    std::fill(y, y + with_row_end, 0.0);
+    if (!add_particles(cell, block, x, y)) {
+        add_stencil(cell, slot, wide, divergence);
+        return;
+    }
+    divergence.used += count;
+    const int nodes_x = cell.grid.nodes_x();
+    divergence.stencils.push_back({slot, (cell.row - block.before) * nodes_x + cell.column - block.before,
+                                   static_cast<std::int32_t>(first), static_cast<std::int16_t>(block.nodes),
+                                   static_cast<std::int16_t>(block.nodes)});
+    trim(nodes_x, divergence, divergence.stencils.back());
 }
 
 } // namespace
 
+VECTOR_KERNEL
 void assemble_divergence(const BackgroundGrid& grid, const Vectors& place, const Scalars& volume,
                          const CellLists& lists, const Tile& tile, const PatchStore& store,
                          TileDivergence& divergence)
 {
     divergence.stencils.clear();
-    divergence.x.clear();
-    divergence.y.clear();
+    divergence.used = 0;
     std::size_t patch = 0;
     for (std::int32_t slot = tile.first_cell; slot < tile.last_cell; ++slot) {
         const auto first = static_cast<std::size_t>(lists.cell_start[static_cast<std::size_t>(slot)]);

@@ -25,7 +25,8 @@ struct CellStencil {
 /// The cells of one tile that hold soil.
 struct TileDivergence {
     std::vector<CellStencil> stencils;
-    std::vector<double> x, y; // D, row by row [m2/m]
+    std::vector<double> x, y; // D, row by row; longer than what is in use [m2/m]
+    std::size_t used = 0;     // numbers of the stencils so far
 };
 
 /// Set up D for a tile from the weights of its particles; `place` is where the particles are for the weights.

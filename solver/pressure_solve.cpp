@@ -2,7 +2,9 @@
 
 #include "solver/moving_walls.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quicksand {
 
@@ -139,30 +141,30 @@ void set_diagonal(const BackgroundGrid& grid, const CellLists& lists, double dt,
     });
 }
 
-/// residual = right-hand side - product, preconditioned and as first direction; returns residual . M^-1
-/// residual.
-double start_residual(const CellLists& lists, PressureSolve& solve)
+/// Sum of residual^2 / diagonal after residual(cell) has been set: the measure of convergence.
+template <class Set>
+double set_residual(const CellLists& lists, PressureSolve& solve, Set&& set)
 {
     return sum_over_tiles(lists, solve, [&](const Tile& tile) {
         double sum = 0.0;
         for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
-            solve.residual[c] = solve.right_hand_side[c] - solve.product[c];
-            solve.direction[c] = solve.residual[c] / solve.diagonal[c];
-            sum += solve.residual[c] * solve.direction[c];
+            set(c);
+            sum += solve.residual[c] * (solve.residual[c] / solve.diagonal[c]);
         });
         return sum;
     });
 }
 
-/// Step along the direction; returns residual . M^-1 residual.
-double step_along(const CellLists& lists, double alpha, PressureSolve& solve)
+/// answer = M^-1 residual; returns residual . answer. Cells that have got soil since the blocks were set up
+/// are divided by their diagonal.
+double answer_residual(const CellLists& lists, PressureSolve& solve)
 {
+    precondition(lists, solve.residual, solve.blocks, solve.answer);
     return sum_over_tiles(lists, solve, [&](const Tile& tile) {
         double sum = 0.0;
         for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
-            solve.increment[c] += alpha * solve.direction[c];
-            solve.residual[c] -= alpha * solve.product[c];
-            sum += solve.residual[c] * (solve.residual[c] / solve.diagonal[c]);
+            if (solve.blocks.blocks_of_slot[c] == 0) solve.answer[c] = solve.residual[c] / solve.diagonal[c];
+            sum += solve.residual[c] * solve.answer[c];
         });
         return sum;
     });
@@ -172,7 +174,7 @@ void turn_direction(const CellLists& lists, double beta, PressureSolve& solve)
 {
     for_each_tile(lists, [&](const Tile& tile) {
         for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
-            solve.direction[c] = solve.residual[c] / solve.diagonal[c] + beta * solve.direction[c];
+            solve.direction[c] = solve.answer[c] + beta * solve.direction[c];
         });
     });
 }
@@ -185,7 +187,7 @@ PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::siz
     solve.divergence.resize(tiles);
     solve.partial.assign(tiles, 0.0);
     for (Scalars* by_cell : {&solve.storage, &solve.increment, &solve.right_hand_side, &solve.diagonal,
-                             &solve.residual, &solve.direction, &solve.product})
+                             &solve.residual, &solve.answer, &solve.direction, &solve.product})
         by_cell->assign(cells, 0.0);
     for (Scalars* by_node : {&solve.force_x, &solve.force_y, &solve.flux_x, &solve.flux_y})
         by_node->assign(nodes, 0.0);
@@ -197,6 +199,7 @@ double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, d
 {
     return sum_over_tiles(lists, solve, [&](const Tile& tile) {
         const TileDivergence& divergence = solve.divergence[static_cast<std::size_t>(tile.number)];
+        std::fill(solve.residual.begin() + tile.first_cell, solve.residual.begin() + tile.last_cell, 0.0);
         outflows(divergence, grid.nodes_x(), solve.flux_x, solve.flux_y, solve.right_hand_side);
         double sum = 0.0;
         for (const CellStencil& stencil : divergence.stencils) {
@@ -212,18 +215,26 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
                       double dt, const PressureSolveControls& controls, PressureSolve& solve)
 {
     set_diagonal(grid, lists, dt, solve);
+    if (solve.blocks_are_due) set_up_blocks(grid, lists, conditions, dt, solve, solve.blocks);
+    solve.blocks_are_due = false;
     const double scale = set_right_hand_side(grid, lists, dt, solve);
     const double target = controls.tolerance * controls.tolerance * scale;
     multiply(grid, lists, conditions, dt, solve.increment, solve);
-    double residual = start_residual(lists, solve);
-    for (solve.iterations = 0; residual > target; ++solve.iterations) {
+    double error = set_residual(lists, solve, [&](std::size_t c) {
+        solve.residual[c] = solve.right_hand_side[c] - solve.product[c];
+    });
+    double weight = 0.0; // residual . M^-1 residual
+    for (solve.iterations = 0; error > target; ++solve.iterations) {
         if (solve.iterations == controls.max_iterations) return false;
-        const double curvature = multiply(grid, lists, conditions, dt, solve.direction, solve);
-        const double next = step_along(lists, residual / curvature, solve);
-        turn_direction(lists, next / residual, solve);
-        residual = next;
+        const double last = std::exchange(weight, answer_residual(lists, solve));
+        turn_direction(lists, solve.iterations == 0 ? 0.0 : weight / last, solve);
+        const double alpha = weight / multiply(grid, lists, conditions, dt, solve.direction, solve);
+        error = set_residual(lists, solve, [&](std::size_t c) {
+            solve.increment[c] += alpha * solve.direction[c];
+            solve.residual[c] -= alpha * solve.product[c];
+        });
     }
-    return std::isfinite(residual);
+    return std::isfinite(error);
 }
 
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,

@@ -7,8 +7,8 @@
 // flux* is the flux with the old pressure, and W_i = beta^T A_i^-1 beta, beta = (1-n_i, n_i), what a unit
 // force of the pressure on node i does to its flux in a unit of time, drag (and held velocities) included.
 // Backward Euler in pressure and relative velocity: sound of any speed is stable, and a wave of the pressure
-// is damped with a ratio of about omega dt / 2. Solved by conjugate gradients with the diagonal as
-// preconditioner; the guess is the last step's rate of pressure.
+// is damped with a ratio of about omega dt / 2. Solved by conjugate gradients, preconditioned by blocks; the
+// guess is the last step's rate of pressure.
 #pragma once
 
 #include "solver/boundary_compliance.hpp"
@@ -16,6 +16,7 @@
 #include "solver/cell_divergence.hpp"
 #include "solver/grid_momentum.hpp"
 #include "solver/particles.hpp"
+#include "solver/pressure_blocks.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -23,16 +24,16 @@
 namespace quicksand {
 
 /// Unknowns and work arrays, by slot of the cell lists (only cells with soil are touched) and by node.
-struct PressureSolve {
-    std::vector<TileDivergence> divergence; // per tile
-    NodeCompliances compliance;
+struct PressureSolve : PressureEquations {
+    PressureBlocks blocks;
+    bool blocks_are_due = true;        // to be set up anew in the next solve
     std::vector<WallCompliance> walls; // that move
-    Scalars storage;                   // n_c V_c / K_w [m2/Pa per metre]
     Scalars increment;                 // dp: the guess, then the solution [Pa]
     Scalars flux_x, flux_y;            // of the nodes, flux* at first [m/s]
     Scalars force_x, force_y;          // of the increments on the nodes, zero before and after a solve [N/m]
     Scalars right_hand_side;           // [m2 per metre]
-    Scalars diagonal, residual;        // of L [m2/Pa per metre] and of its equations
+    Scalars residual;                  // of the equations [m2 per metre]
+    Scalars answer;                    // of the preconditioner to the residual [Pa]
     Scalars direction, product;        // of the conjugate gradients
     Scalars partial;                   // sums of the tiles
     std::int32_t iterations = 0;       // of the last solve [-]

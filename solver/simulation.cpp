@@ -15,6 +15,8 @@ namespace quicksand {
 
 namespace {
 
+constexpr std::int64_t steps_between_restarts = 32;
+
 /// The stepper of a scene: what a saturated or a dry body needs for a step, and no more.
 class TwoPhaseStepper {
 public:
@@ -23,6 +25,7 @@ public:
     {
         advance_two_phase_step(problem, dt, state, work_);
     }
+    void restart() {}
     std::int64_t limited_domains() const { return work_.limited_domains; }
 
 private:
@@ -36,6 +39,7 @@ public:
     {
         advance_semi_implicit_step(problem, dt, state, work_);
     }
+    void restart() { work_.pressure.blocks_are_due = true; }
     std::int64_t limited_domains() const { return work_.limited_domains; }
 
 private:
@@ -49,6 +53,7 @@ public:
     {
         advance_single_phase_step(problem, dt, 0.0, state, work_);
     }
+    void restart() {}
     std::int64_t limited_domains() const { return work_.limited_domains; }
 
 private:
@@ -85,7 +90,7 @@ void run_with(const Problem& problem, double end_time, const std::vector<Observe
               const std::function<bool()>& stop_requested)
 {
     Stepper stepper(problem);
-    StepReport report{state.stage, state.step, state.time, {}, 0};
+    StepReport report{state.stage, state.step, state.time, {}, 0, true};
     observe_due(problem, observers, state, report);
     while (state.time < end_time) {
         const double event = next_event(end_time, observers);
@@ -98,8 +103,11 @@ void run_with(const Problem& problem, double end_time, const std::vector<Observe
         report.step = state.step;
         report.time = state.time;
         report.limited_domains = stepper.limited_domains();
+        report.is_restart_point = arrives || state.step % steps_between_restarts == 0;
         for (Observer* observer : observers) observer->after_step(report);
         if (arrives) observe_due(problem, observers, state, report);
+        if (!report.is_restart_point) continue;
+        stepper.restart();
         if (stop_requested && stop_requested()) return;
     }
 }

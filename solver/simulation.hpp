@@ -19,6 +19,7 @@ struct StepReport {
     double time = 0.0;                // t at the end of the step [s]
     TimeStep time_step;               // and its limiting reason
     std::int64_t limited_domains = 0; // particle domains shortened to a cell in the step [-]
+    bool is_restart_point = false;    // a run resumed from here goes on with the same bits
 };
 
 /// Looks at the run without changing it. `observe` is called when the time `next_time` is hit exactly (the
@@ -68,7 +69,8 @@ std::size_t begin_shaking(const Problem& problem, State& state);
 /// The same for a body whose laws have no memory.
 void begin_shaking(State& state);
 
-/// Run from state.time to end_time. Throws NumericalError. `stop_requested` is asked after every step.
+/// Run from state.time to end_time. Throws NumericalError. What serves several steps is set up anew at
+/// restart points: whenever observers look on, and every few dozen steps. There `stop_requested` is asked.
 void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
          const std::function<bool()>& stop_requested = {});
 

@@ -158,5 +158,57 @@ TEST(SemiImplicitStep, GivesTheSameBitsForAnyNumberOfThreads)
     EXPECT_EQ(one.particles.velocity_fluid.y, three.particles.velocity_fluid.y);
 }
 
+TEST(SemiImplicitStep, GoesOnFromARestartPointWithTheSameBits)
+{
+    Problem problem = shaken_block();
+    problem.base_motion = SineMotion{200.0, 180.0, 1e9, 0.0};
+    const double end = 2.4e-3;
+    const State start = after(problem, 1e-5, 0);
+    State through = start, stopped = start;
+    run(problem, end, {}, through);
+    ASSERT_GT(through.step, 64);
+    run(problem, end, {}, stopped, [] { return true; });
+    ASSERT_GT(stopped.step, 0);
+    ASSERT_LT(stopped.time, end);
+    run(problem, end, {}, stopped);
+    EXPECT_EQ(through.step, stopped.step);
+    EXPECT_EQ(through.particles.pore_pressure, stopped.particles.pore_pressure);
+    EXPECT_EQ(through.particles.velocity_fluid.y, stopped.particles.velocity_fluid.y);
+}
+
+/// Iterations of the last of a few steps of a shaken layer, the blocks having been set up in the first.
+int iterations(int cells_x, double tolerance, int steps)
+{
+    Problem problem = patch(1e-5);
+    problem.grid.cells_x = cells_x;
+    problem.base_motion = SineMotion{200.0, 180.0, 1e9, 0.0};
+    problem.boundaries = rectangle(h, 0.0, (cells_x - 1) * h, 0.0625, SoilCondition::fixed,
+                                   SoilCondition::free, SoilCondition::free);
+    State state = fill(problem, 2, [&](const Vector2& x) {
+        return x.x() > h && x.x() < (cells_x - 1) * h && x.y() < 0.0625;
+    });
+    SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
+    work.controls.tolerance = tolerance;
+    const double dt = stable_time_step(problem, state.particles).dt;
+    for (int k = 0; k < steps; ++k) advance_semi_implicit_step(problem, dt, state, work);
+    return work.pressure.iterations;
+}
+
+TEST(PressureBlocks, OneBlockIsTheExactInverse)
+{
+    EXPECT_LE(iterations(40, 1e-6, 1), 2); // single precision of the factor, and the tolerance
+}
+
+TEST(PressureBlocks, SeveralBlocksNeedFewIterations)
+{
+    EXPECT_LE(iterations(150, 1e-3, 1), 4);
+    EXPECT_LE(iterations(150, 1e-6, 1), 9);
+}
+
+TEST(PressureBlocks, ServeManySteps)
+{
+    EXPECT_LE(iterations(40, 1e-3, 32), 2);
+}
+
 } // namespace
 } // namespace quicksand

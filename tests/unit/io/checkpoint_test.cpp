@@ -150,8 +150,12 @@ TEST(Checkpoint, WriterWritesWhenItsWallTimeHasPassed)
     const State state = varied_state(true);
     CheckpointWriter patient(folder / "patient.h5", 3600.0, state, "abc");
     CheckpointWriter eager(folder / "eager.h5", 1e-9, state, "abc");
-    patient.after_step({});
-    eager.after_step({});
+    StepReport report;
+    eager.after_step(report); // no restart point
+    EXPECT_FALSE(std::filesystem::exists(folder / "eager.h5"));
+    report.is_restart_point = true;
+    patient.after_step(report);
+    eager.after_step(report);
     EXPECT_FALSE(std::filesystem::exists(folder / "patient.h5"));
     EXPECT_TRUE(same_bits(state, read_checkpoint(folder / "eager.h5", "abc")));
 }

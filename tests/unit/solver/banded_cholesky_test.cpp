@@ -1,0 +1,76 @@
+#include "solver/banded_cholesky.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Cholesky>
+#include <random>
+
+namespace quicksand {
+namespace {
+
+/// A random positive definite matrix with a diagonal near one and `band` numbers left of it.
+Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index band)
+{
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    Eigen::MatrixXd matrix = Eigen::MatrixXd::Identity(rows, rows);
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        for (Eigen::Index column = std::max<Eigen::Index>(0, row - band); column < row; ++column) {
+            const double value = 0.4 * number(generator) / static_cast<double>(band);
+            matrix(row, column) = matrix(column, row) = value;
+        }
+    }
+    return matrix;
+}
+
+double largest_error(Eigen::Index rows, Eigen::Index band)
+{
+    const Eigen::MatrixXd A = random_matrix(rows, band);
+    BandedCholesky factor;
+    factor.reset(static_cast<std::size_t>(rows), static_cast<std::size_t>(band));
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        for (Eigen::Index column = std::max<Eigen::Index>(0, row - band); column <= row; ++column)
+            factor.add(static_cast<std::size_t>(row), static_cast<std::size_t>(column), A(row, column));
+    }
+    factor.factorise(1e-4f);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(rows, -1.0, 2.0);
+    std::vector<float> vector(factor.band(), 0.0f);
+    for (const double value : b) vector.push_back(static_cast<float>(value));
+    factor.solve(vector.data());
+    const Eigen::VectorXd x = A.llt().solve(b);
+    double error = 0.0;
+    for (Eigen::Index row = 0; row < rows; ++row) {
+        const float found = vector[factor.band() + static_cast<std::size_t>(row)];
+        error = std::max(error, std::abs(static_cast<double>(found) - x[row]));
+    }
+    return error;
+}
+
+TEST(BandedCholesky, SolvesToSinglePrecision)
+{
+    for (const Eigen::Index band : {1, 7, 8, 9, 30, 100}) EXPECT_LT(largest_error(150, band), 3e-6) << band;
+}
+
+TEST(BandedCholesky, TakesAMatrixNarrowerThanItsBand)
+{
+    EXPECT_LT(largest_error(5, 20), 1e-6);
+    EXPECT_LT(largest_error(1, 1), 1e-6);
+}
+
+TEST(BandedCholesky, KeepsPivotsPositive)
+{
+    BandedCholesky factor;
+    factor.reset(2, 1);
+    factor.add(0, 0, 1.0);
+    factor.add(1, 0, 2.0); // not positive definite
+    factor.add(1, 1, 1.0);
+    factor.factorise(0.25f);
+    std::vector<float> vector(factor.band() + 2, 0.0f);
+    vector[factor.band()] = 1.0f;
+    factor.solve(vector.data());
+    EXPECT_FLOAT_EQ(vector[factor.band()], 17.0f); // of L = [1 0; 2 0.5]
+    EXPECT_FLOAT_EQ(vector[factor.band() + 1], -8.0f);
+}
+
+} // namespace
+} // namespace quicksand
