@@ -13,11 +13,8 @@ namespace quicksand {
 
 std::vector<StudyError> anura_column_study(const Problem& problem, State state)
 {
-    constexpr std::array<std::pair<double, const char*>, 5> times = {{{0.049, "0.049 s"},
-                                                                      {0.098, "0.098 s"},
-                                                                      {0.196, "0.196 s"},
-                                                                      {0.49, "0.49 s"},
-                                                                      {0.98, "0.98 s"}}};
+    constexpr std::array<std::pair<double, const char*>, 5> times = {
+        {{0.049, "0.049 s"}, {0.098, "0.098 s"}, {0.196, "0.196 s"}, {0.49, "0.49 s"}, {0.98, "0.98 s"}}};
     const Layer layer = read_layer(problem, state);
     const Particles& particles = state.particles;
     const double q = load_on(problem, layer.top, 0.0), M = layer.soil.constrained_modulus;

@@ -1,3 +1,5 @@
+#include "solver/verification/study.hpp"
+
 #include "solver/verification/anura_column_study.hpp"
 #include "solver/verification/biot_waves_study.hpp"
 #include "solver/verification/collapse_study.hpp"
@@ -6,7 +8,6 @@
 #include "solver/verification/periodic_column_study.hpp"
 #include "solver/verification/permeability_study.hpp"
 #include "solver/verification/shear_beam_study.hpp"
-#include "solver/verification/study.hpp"
 #include "solver/verification/terzaghi_study.hpp"
 #include "solver/verification/transient_column_study.hpp"
 #include "solver/verification/vibration_study.hpp"
@@ -26,7 +27,6 @@ const std::vector<Study>& studies()
         {"permeability", "Biot 1956", permeability_study},
         {"shear_beam", "shear beam with dragged water", shear_beam_study},
         {"terzaghi", "Terzaghi 1923", terzaghi_study},
-        {"terzaghi_quasi_static", "Terzaghi 1923", terzaghi_quasi_static_study},
         {"transient_column", "de Boer, Ehlers & Liu 1993; Laplace transform", transient_column_study},
         {"vibration", "finite elements", vibration_study},
         {"vortex", "Kamojjala et al. 2015", vortex_study},

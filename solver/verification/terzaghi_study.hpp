@@ -11,8 +11,4 @@ namespace quicksand {
 /// effective stress in balance with it and the load on the top.
 std::vector<StudyError> terzaghi_study(const Problem& problem, State state);
 
-/// The same from T = 0.01 on, where the run starts on the series, in balance and moving as consolidation
-/// does: the limit without the waves that a sudden start sends out.
-std::vector<StudyError> terzaghi_quasi_static_study(const Problem& problem, State state);
-
 } // namespace quicksand

@@ -85,13 +85,17 @@ std::vector<StudyError> transient_column_study(const Problem& problem, State sta
 {
     const Layer layer = read_layer(problem, state);
     const std::optional<SurfaceLoad> load = surface_load(problem, layer.top);
-    if (!load) throw InputError("the verification needs a load on the top of the column");
+    if (!load || load->pressure == load->traction.y()) {
+        throw InputError("the verification needs a load on the top of the column");
+    }
     const LoadPolygon polygon = read_polygon(*load);
     const double end = 2.0 * layer.height() / undragged_speeds(layer.soil).slow;
     std::vector<double> times;
     for (int k = 1; k <= samples; ++k) times.push_back(end * k / samples);
 
-    const auto height_of = [&](std::size_t p) { return state.particles.reference_position.y[p] - layer.base; };
+    const auto height_of = [&](std::size_t p) {
+        return state.particles.reference_position.y[p] - layer.base;
+    };
     const double top = height_of(highest_particle(state.particles));
     const double bottom = height_of(lowest_particle(state.particles));
     const auto exact_top = column_motion(layer.soil, layer.height(), polygon, top, times);

@@ -1,5 +1,5 @@
-// The saturated column under a load that rises from zero, against the inverse Laplace transform of the coupled
-// equations.
+// The saturated column under a load that rises from zero, against the inverse Laplace transform of the
+// coupled equations.
 #pragma once
 
 #include "solver/verification/study.hpp"

@@ -41,5 +41,19 @@ TEST(Verify, AProblemThatItsStudyDoesNotKnowIsRefused)
                    "permeability: the verification needs a column with a free and drained top");
 }
 
+TEST(Verify, AProblemWithoutWhatItsStudyNeedsIsRefused)
+{
+    expect_refusal("terzaghi --short --set initial.excess_pore_pressure=0",
+                   "terzaghi: the verification needs initial.excess_pore_pressure");
+    expect_refusal("anura_column --short --set boundaries.surface.pressure=1e3",
+                   "needs a load on the top that initial.excess_pore_pressure equals");
+    expect_refusal("periodic_column_3 --short --set boundaries.surface.ramp_time=1",
+                   "needs a load on the top with a frequency and no ramp");
+    expect_refusal("transient_column --short --set boundaries.surface.pressure=0",
+                   "the verification needs a load on the top of the column");
+    expect_refusal("biot_waves --short --set materials.soil.model=neo_hookean",
+                   "needs the model linear_elastic, which the material \"soil\" does not have");
+}
+
 } // namespace
 } // namespace quicksand
