@@ -43,6 +43,17 @@ std::string required_text(const Convergence& result)
     return text;
 }
 
+/// Which grids, or the order, miss what is required.
+std::string verdict(const Convergence& result)
+{
+    if (meets_requirements(result)) return "";
+    std::vector<int> missed;
+    for (std::size_t k = 0; k < result.cells.size(); ++k) {
+        if (!(result.errors[k] <= result.limits[k])) missed.push_back(result.cells[k]);
+    }
+    return "MISSED on " + (missed.empty() ? std::string("the order") : cells_text(missed));
+}
+
 Row row_of(const Convergence& result)
 {
     const double order = measured_order(result);
@@ -54,7 +65,7 @@ Row row_of(const Convergence& result)
             errors_text(result.errors),
             std::isfinite(order) ? fmt::format("{:.2f}", order) : "-",
             required_text(result),
-            meets_requirements(result) ? "" : "MISSED",
+            verdict(result),
             duration_text(seconds),
             result.reference};
 }
