@@ -2,6 +2,7 @@
 
 #include "solver/failure.hpp"
 #include "solver/simulation.hpp"
+#include "solver/verification/inertial_consolidation.hpp"
 #include "solver/verification/layer.hpp"
 #include "solver/verification/terzaghi.hpp"
 
@@ -21,23 +22,34 @@ std::vector<StudyError> anura_column_study(const Problem& problem, State state)
     if (!(q > 0.0) || std::abs(particles.pore_pressure.front() - q) > 1e-9 * q) {
         throw InputError("the verification needs a load on the top that initial.excess_pore_pressure equals");
     }
-    std::vector<StudyError> pressures, settlements;
+    std::vector<StudyError> pressures, with_inertia, settlements;
+    const auto depth = [&](std::size_t p) {
+        return (layer.top - particles.reference_position.y[p]) / layer.height();
+    };
     for (const auto& [time, text] : times) {
         run(problem, time, {}, state);
         const double T = time_factor(layer.soil, layer.height(), time);
-        const auto depth = [&](std::size_t p) {
-            return (layer.top - particles.reference_position.y[p]) / layer.height();
-        };
+        const InertialConsolidation inertial(layer.soil, layer.height(), time);
         const double pressure = root_mean_square(particles, [&](std::size_t p) {
             return particles.pore_pressure[p] / q - terzaghi_pressure_ratio(depth(p), T);
         });
+        const double inertial_pressure = root_mean_square(particles, [&](std::size_t p) {
+            return particles.pore_pressure[p] / q - inertial.pressure_ratio(depth(p));
+        });
         const std::size_t top = highest_particle(particles);
         const double sunk = particles.reference_position.y[top] - particles.position.y[top];
-        const double exact = q * layer.height() / M * terzaghi_settlement_degree(depth(top), T);
-        pressures.push_back({std::string("pressure at ") + text, "L2 / load", pressure});
-        settlements.push_back(
-            {std::string("settlement at ") + text, "surface / exact", std::abs(sunk / exact - 1.0)});
+        const double final_settlement = q * layer.height() / M;
+        const auto add_settlement = [&](const std::string& quantity, double degree) {
+            settlements.push_back(
+                {quantity, "surface / exact", std::abs(sunk / (final_settlement * degree) - 1.0)});
+        };
+        const std::string at = std::string(" at ") + text;
+        pressures.push_back({"pressure" + at, "L2 / load", pressure});
+        with_inertia.push_back({"pressure with inertia" + at, "L2 / load", inertial_pressure});
+        add_settlement("settlement" + at, terzaghi_settlement_degree(depth(top), T));
+        add_settlement("settlement with inertia" + at, inertial.settlement_degree(depth(top)));
     }
+    pressures.insert(pressures.end(), with_inertia.begin(), with_inertia.end());
     pressures.insert(pressures.end(), settlements.begin(), settlements.end());
     return pressures;
 }

@@ -8,19 +8,6 @@ namespace quicksand {
 
 namespace {
 
-/// d/dt (a, b, c, d) of the amplitudes: both momentum balances, Hooke's law, storage of water.
-Eigen::Matrix4d rate_matrix(const SaturatedSoil& soil, double wave_number)
-{
-    const double xi = wave_number, n = soil.porosity, C = soil.drag(), M = soil.constrained_modulus;
-    const double r1 = soil.partial_density_solid(), r2 = soil.partial_density_fluid();
-    Eigen::Matrix4d A;
-    A << -C / r1, C / r1, -xi / r1, (1.0 - n) * xi / r1, //
-        C / r2, -C / r2, 0.0, n * xi / r2,               //
-        M * xi, 0.0, 0.0, 0.0,                           //
-        -soil.storage_modulus() * xi * (1.0 - n), -soil.storage_modulus() * xi * n, 0.0, 0.0;
-    return A;
-}
-
 /// sum V f(y) g(y) / sum V g(y)^2: amplitude of the shape g in the values f.
 template <class Shape>
 double project(const ColumnMode& mode, const Particles& particles, const Scalars& values, Shape&& shape)
@@ -36,10 +23,22 @@ double project(const ColumnMode& mode, const Particles& particles, const Scalars
 
 } // namespace
 
+Eigen::Matrix4d longitudinal_rates(const SaturatedSoil& soil, double wave_number)
+{
+    const double xi = wave_number, n = soil.porosity, C = soil.drag(), M = soil.constrained_modulus;
+    const double r1 = soil.partial_density_solid(), r2 = soil.partial_density_fluid();
+    Eigen::Matrix4d A;
+    A << -C / r1, C / r1, -xi / r1, (1.0 - n) * xi / r1, //
+        C / r2, -C / r2, 0.0, n * xi / r2,               //
+        M * xi, 0.0, 0.0, 0.0,                           //
+        -soil.storage_modulus() * xi * (1.0 - n), -soil.storage_modulus() * xi * n, 0.0, 0.0;
+    return A;
+}
+
 ColumnMode column_mode(const Layer& layer, double wave_number, Complex s)
 {
     // momentum in units of stress makes the matrix well scaled
-    const Eigen::Matrix4d A = rate_matrix(layer.soil, wave_number);
+    const Eigen::Matrix4d A = longitudinal_rates(layer.soil, wave_number);
     const double impedance = std::sqrt(layer.soil.density() * layer.soil.undrained_modulus());
     const Eigen::Vector4d scale(impedance, impedance, 1.0, 1.0);
     const Eigen::Matrix4d scaled = scale.asDiagonal() * A * scale.cwiseInverse().asDiagonal();

@@ -15,6 +15,9 @@ namespace quicksand {
 /// Amplitudes a, b [m/s] and c, d [Pa].
 using ModeAmplitudes = Eigen::Vector4cd;
 
+/// Matrix of d/dt (a, b, c, d) at a real wave number: both momentum balances, Hooke's law, storage of water.
+Eigen::Matrix4d longitudinal_rates(const SaturatedSoil& soil, double wave_number);
+
 struct ColumnMode {
     double base = 0.0;        // y of the base [m]
     double wave_number = 0.0; // xi [1/m]

@@ -2,6 +2,7 @@
 
 #include "solver/failure.hpp"
 #include "solver/simulation.hpp"
+#include "solver/verification/inertial_consolidation.hpp"
 #include "solver/verification/layer.hpp"
 #include "solver/verification/terzaghi.hpp"
 
@@ -50,23 +51,32 @@ std::vector<StudyError> measure(const Problem& problem, const Consolidation& con
 {
     constexpr std::array<std::pair<double, const char*>, 4> time_factors = {
         {{0.02, "0.02"}, {0.1, "0.1"}, {0.5, "0.5"}, {1.0, "1"}}};
+    const Layer& layer = consolidation.layer;
     const double p0 = consolidation.initial_pressure;
     const Particles& particles = state.particles;
-    std::vector<StudyError> pressures, settlements;
+    const auto depth = [&](std::size_t p) {
+        return consolidation.depth_ratio(particles.reference_position.y[p]);
+    };
+    std::vector<StudyError> pressures, with_inertia, settlements;
     for (const auto& [T, text] : time_factors) {
         run(problem, consolidation.duration(T), {}, state);
+        const InertialConsolidation inertial(layer.soil, layer.height(), state.time);
         const double pressure = root_mean_square(particles, [&, T = T](std::size_t p) {
-            const double Z = consolidation.depth_ratio(particles.reference_position.y[p]);
-            return particles.pore_pressure[p] / p0 - terzaghi_pressure_ratio(Z, T);
+            return particles.pore_pressure[p] / p0 - terzaghi_pressure_ratio(depth(p), T);
+        });
+        const double inertial_pressure = root_mean_square(particles, [&](std::size_t p) {
+            return particles.pore_pressure[p] / p0 - inertial.pressure_ratio(depth(p));
         });
         const std::size_t top = highest_particle(particles);
-        const double Z = consolidation.depth_ratio(particles.reference_position.y[top]);
         const double sunk = particles.reference_position.y[top] - particles.position.y[top];
-        const double exact = terzaghi_settlement_degree(Z, T);
-        pressures.push_back({std::string("pressure at T = ") + text, "L2 / load", pressure});
-        settlements.push_back({std::string("settlement at T = ") + text, "surface / final",
+        const double exact = terzaghi_settlement_degree(depth(top), T);
+        const std::string at = std::string(" at T = ") + text;
+        pressures.push_back({"pressure" + at, "L2 / load", pressure});
+        with_inertia.push_back({"pressure with inertia" + at, "L2 / load", inertial_pressure});
+        settlements.push_back({"settlement" + at, "surface / final",
                                std::abs(sunk / consolidation.final_settlement() - exact)});
     }
+    pressures.insert(pressures.end(), with_inertia.begin(), with_inertia.end());
     pressures.insert(pressures.end(), settlements.begin(), settlements.end());
     return pressures;
 }
