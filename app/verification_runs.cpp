@@ -50,7 +50,9 @@ VerificationRun prepare_run(const fs::path& scene, const std::vector<std::string
     run.study = find_study(verification.problem);
     run.verification = verification;
     run.cells = cells;
-    run.assembled = assemble_case(read_scene_file(scene, overrides));
+    const SceneReading file = read_scene_file(scene, overrides);
+    run.title = file.scene.title;
+    run.assembled = assemble_case(file);
     ENSURE(run.study != nullptr);
     return run;
 }

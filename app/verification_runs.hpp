@@ -15,6 +15,7 @@ namespace quicksand {
 /// One problem on one grid.
 struct VerificationRun {
     std::string problem; // name of the scene
+    std::string title;   // of the scene
     const Study* study = nullptr;
     SceneVerification verification; // of the scene
     int cells = 0;                  // along its length [-]

@@ -14,15 +14,17 @@ namespace {
 
 using Row = std::vector<std::string>;
 
-/// "0.62 0.15 0.038" in per cent, or as they are where they are tiny.
+/// "0.62 %" in per cent, or as it is where it is tiny.
+std::string error_text(double error)
+{
+    if (!std::isfinite(error)) return "failed";
+    return error != 0.0 && error < 1e-6 ? short_number(error, 2) : fmt::format("{:.3g} %", 100.0 * error);
+}
+
 std::string errors_text(const std::vector<double>& errors)
 {
     std::string text;
-    for (const double error : errors) {
-        text +=
-            (text.empty() ? "" : "  ") +
-            (error != 0.0 && error < 1e-6 ? short_number(error, 2) : fmt::format("{:.3g} %", 100.0 * error));
-    }
+    for (const double error : errors) text += (text.empty() ? "" : "  ") + error_text(error);
     return text;
 }
 

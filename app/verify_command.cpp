@@ -59,6 +59,8 @@ std::vector<Convergence> collect(const std::vector<VerificationRun>& runs, std::
     for (std::size_t q = 0; q < coarsest.errors.size(); ++q) {
         Convergence result;
         result.problem = coarsest.problem;
+        result.title = coarsest.title;
+        result.length = verification.length;
         result.quantity = coarsest.errors[q].quantity;
         result.norm = coarsest.errors[q].norm;
         result.reference = coarsest.study->reference;

@@ -8,7 +8,8 @@
 
 namespace quicksand {
 
-/// The curves of one problem, with dashed lines of slope 1 and 2 from the coarsest grid.
+/// The curves of one problem (a gap where a run went bad), with dashed lines of slope 1 and 2 from the
+/// coarsest grid.
 LinePlot convergence_plot(const std::vector<Convergence>& problem);
 
 } // namespace quicksand

@@ -13,7 +13,8 @@ double measured_order(const Convergence& convergence)
     if (count < 2) return std::numeric_limits<double>::quiet_NaN();
     double mean_x = 0.0, mean_y = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
-        if (!(convergence.errors[k] > 0.0)) return std::numeric_limits<double>::quiet_NaN();
+        if (!(convergence.errors[k] > 0.0) || !std::isfinite(convergence.errors[k]))
+            return std::numeric_limits<double>::quiet_NaN();
         mean_x += std::log(1.0 / convergence.cells[k]) / static_cast<double>(count);
         mean_y += std::log(convergence.errors[k]) / static_cast<double>(count);
     }
@@ -31,6 +32,7 @@ bool meets_requirements(const Convergence& convergence)
     ENSURE(convergence.limits.size() == convergence.errors.size());
     for (std::size_t k = 0; k < convergence.errors.size(); ++k) {
         if (!(convergence.errors[k] <= convergence.limits[k])) return false;
+        if (std::isfinite(convergence.least_order) && !std::isfinite(convergence.errors[k])) return false;
     }
     const double order = measured_order(convergence);
     return std::isnan(order) || order >= convergence.least_order;

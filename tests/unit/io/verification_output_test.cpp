@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -17,6 +18,8 @@ Convergence measured()
     constexpr double none = std::numeric_limits<double>::infinity();
     Convergence result;
     result.problem = "column";
+    result.title = "Waves of a column";
+    result.length = 1.0;
     result.quantity = "speed, \"fast\"";
     result.norm = "relative";
     result.reference = "Biot 1956";
@@ -41,6 +44,8 @@ TEST(VerificationCsv, HasARowForEachGridAndQuotesItsTexts)
 TEST(ConvergencePlot, HasLogarithmicAxesAndLinesOfSlope)
 {
     const LinePlot plot = convergence_plot({measured()});
+    EXPECT_EQ(plot.title, "Waves of a column: error against resolution");
+    EXPECT_EQ(plot.panels.at(0).x_label, "cells along 1 m");
     ASSERT_EQ(plot.panels.size(), 1u);
     ASSERT_EQ(plot.panels[0].curves.size(), 3u);
     EXPECT_EQ(plot.panels[0].curves[0].name, "speed, \"fast\", order 2.00");
@@ -50,6 +55,15 @@ TEST(ConvergencePlot, HasLogarithmicAxesAndLinesOfSlope)
     EXPECT_NE(script.find("set logscale xy"), std::string::npos);
     EXPECT_NE(script.find("linespoints"), std::string::npos);
     EXPECT_NE(script.find("dashtype 2"), std::string::npos);
+}
+
+TEST(ConvergencePlot, LeavesAGapWhereARunWentBad)
+{
+    Convergence failed = measured();
+    failed.errors = {std::numeric_limits<double>::infinity(), 0.125};
+    const LinePlot plot = convergence_plot({measured(), failed});
+    EXPECT_TRUE(std::isnan(plot.panels.at(0).curves.at(1).y.at(0)));
+    EXPECT_EQ(plot.panels[0].curves[2].y, (std::vector<double>{0.5, 0.25})); // slope 1
 }
 
 } // namespace

@@ -37,6 +37,18 @@ TEST(MeasuredOrder, IsNoneForOneGridOrAnErrorOfZero)
     EXPECT_TRUE(std::isnan(measured_order(series({10, 20}, {0.1, 0.0}))));
 }
 
+TEST(Requirements, AreMissedByARunThatWentBadWhereSomethingIsRequired)
+{
+    Convergence result = series({10, 20}, {none, 0.1});
+    EXPECT_TRUE(std::isnan(measured_order(result)));
+    EXPECT_TRUE(meets_requirements(result));
+    result.least_order = 1.0;
+    EXPECT_FALSE(meets_requirements(result));
+    result = series({10, 20}, {none, 0.1});
+    result.limits = {0.5, 0.5};
+    EXPECT_FALSE(meets_requirements(result));
+}
+
 TEST(Requirements, AreMetUpToTheLimitOfEveryGrid)
 {
     Convergence result = series({10, 20}, {0.4, 0.1});
