@@ -62,7 +62,8 @@ void execute(VerificationRun& run)
     const auto start = std::chrono::steady_clock::now();
     try {
         begin_shaking(run.assembled.problem, run.assembled.state);
-        run.errors = run.study->measure(run.assembled.problem, run.assembled.state);
+        run.errors =
+            run.study->measure(run.assembled.problem, run.assembled.state, run.verification.parameters);
     } catch (...) {
         run.failure = std::current_exception();
     }

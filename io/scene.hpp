@@ -4,6 +4,7 @@
 #include "solver/problem.hpp"
 #include "solver/simulation.hpp"
 #include "solver/ubcsand_parameters.hpp"
+#include "solver/verification/study.hpp"
 
 #include <filesystem>
 #include <map>
@@ -83,6 +84,7 @@ struct SceneOutput {
 /// What `verify` is to measure on the scene, and how good it has to be.
 struct SceneVerification {
     std::string problem;               // name of a study
+    StudyParameters parameters;        // of the study
     double length = 0.0;               // along which cells are counted [m]
     std::vector<int> cells;            // along it, one run each, coarse to fine [-]
     std::vector<int> short_cells;      // of the shortened verification, some of `cells` [-]

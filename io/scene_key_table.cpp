@@ -35,6 +35,7 @@ const Condition ubcsand_only{"model", {"ubcsand"}};
 const Condition frictional_models{"model", {"mohr_coulomb", "ubcsand"}};
 const Condition moving_only{"soil", {"moving"}};
 const Condition viscous_only{"soil", {"viscous"}};
+const Condition manufactured_only{"problem", {"axis_aligned", "largest_vortex", "vortex"}};
 const Condition sine_only{"kind", {"sine"}};
 const Condition file_only{"kind", {"file"}};
 const Condition profile_only{"kind", {"profile"}};
@@ -326,6 +327,9 @@ std::vector<SceneKey> verification_keys()
          .doc = "A problem with a known solution, for quicksand verify."},
         {.pattern = "verification.problem", .type = word, .required = true, .words = problems,
          .doc = "The study that runs the scene and knows its solution."},
+        {.pattern = "verification.amplitude", .default_note = "that of the published problem", .allowed = positive,
+         .when = manufactured_only,
+         .doc = "Amplitude of a manufactured motion: a displacement in m, or a vortex's angle in rad."},
         {.pattern = "verification.length", .dimension = Dimension::length, .required = true,
          .allowed = positive, .doc = "Length along which cells are counted."},
         {.pattern = "verification.cells", .type = count_list, .required = true, .allowed = {1.0, 100'000.0},

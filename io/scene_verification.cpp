@@ -60,6 +60,7 @@ std::optional<SceneVerification> read_verification(const SceneValues& values, Di
     if (!values.has_table("verification") || !values.has("verification.cells")) return std::nullopt;
     SceneVerification verification;
     verification.problem = values.text("verification.problem");
+    verification.parameters.amplitude = values.find<double>("verification.amplitude");
     verification.length = values.number("verification.length");
     verification.cells = *values.find<std::vector<int>>("verification.cells");
     verification.short_cells = values.find<std::vector<int>>("verification.short_cells")

@@ -5,6 +5,7 @@
 #include "solver/verification/solid_body.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace quicksand {
 
@@ -45,12 +46,17 @@ VortexMotion vortex(double amplitude, const SolidBody& solid)
     return {amplitude, 0.5 * (solid.lower + solid.upper)};
 }
 
+/// Infinite where the run goes bad: that of one interpolation is no failure of the others.
 double error_of(const ManufacturedMotion& motion, Interpolation interpolation, double end_time,
                 const Problem& problem, const State& state)
 {
     ManufacturedRun run{motion, interpolation};
     run.end_time = end_time;
-    return run_manufactured(run, body_of(problem, state), problem, state).displacement_error;
+    try {
+        return run_manufactured(run, body_of(problem, state), problem, state).displacement_error;
+    } catch (const NumericalError&) {
+        return std::numeric_limits<double>::infinity();
+    }
 }
 
 std::vector<StudyError> errors_of_family(const ManufacturedMotion& motion, const Problem& problem,
@@ -67,24 +73,28 @@ std::vector<StudyError> errors_of_family(const ManufacturedMotion& motion, const
 
 } // namespace
 
-std::vector<StudyError> axis_aligned_study(const Problem& problem, State state)
+std::vector<StudyError> axis_aligned_study(const Problem& problem, State state,
+                                           const StudyParameters& parameters)
 {
     const SolidBody solid = read_neo_hookean_body(problem, state);
     if (solid.lower.norm() > 1e-6 || (solid.upper - Vector2::Ones()).norm() > 1e-6) {
         throw InputError(
             "the axis-aligned motion needs a square of 1 m whose lower left corner is the origin");
     }
-    return errors_of_family(AxisAlignedMotion{0.05}, problem, state);
+    return errors_of_family(AxisAlignedMotion{parameters.amplitude.value_or(0.05)}, problem, state);
 }
 
-std::vector<StudyError> vortex_study(const Problem& problem, State state)
+std::vector<StudyError> vortex_study(const Problem& problem, State state, const StudyParameters& parameters)
 {
-    return errors_of_family(vortex(0.1, read_neo_hookean_body(problem, state)), problem, state);
+    return errors_of_family(vortex(parameters.amplitude.value_or(0.1), read_neo_hookean_body(problem, state)),
+                            problem, state);
 }
 
-std::vector<StudyError> largest_vortex_study(const Problem& problem, State state)
+std::vector<StudyError> largest_vortex_study(const Problem& problem, State state,
+                                             const StudyParameters& parameters)
 {
-    const VortexMotion motion = vortex(1.0, read_neo_hookean_body(problem, state));
+    const VortexMotion motion =
+        vortex(parameters.amplitude.value_or(1.0), read_neo_hookean_body(problem, state));
     const double whole = period(body_of(problem, state));
     const auto error = [&](const char* quantity, Interpolation interpolation, double end_time) {
         return StudyError{quantity, "L2, max in time / amplitude",

@@ -4,6 +4,7 @@
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,13 +18,19 @@ struct StudyError {
     double error = 0.0;
 };
 
+/// What a study cannot read off a problem.
+struct StudyParameters {
+    std::optional<double> amplitude; // of a manufactured motion [m] or [rad]; none: that of the published one
+};
+
 /// A study reads the parameters of its closed form off the problem and the state it is given, so that the
 /// reference follows a scene that is changed. It throws InputError where the problem is not one that it knows
 /// and NumericalError where the run goes bad.
 struct Study {
     std::string_view name;      // as [verification] problem = "name"
     std::string_view reference; // author, year
-    std::vector<StudyError> (*measure)(const Problem& problem, State state);
+    std::vector<StudyError> (*measure)(const Problem& problem, State state,
+                                       const StudyParameters& parameters);
 };
 
 /// All studies, by name.

@@ -70,6 +70,12 @@ TEST(SceneVerification, OneCellNamesParametersOfTheScene)
     expect_message("one_cell = [\"width\"]\n", "verification.one_cell names \"width\"");
 }
 
+TEST(SceneVerification, OnlyManufacturedMotionsHaveAnAmplitude)
+{
+    expect_message("amplitude = 0.3\n",
+                   "error[unused-key]: verification.amplitude is not used with problem = \"biot_waves\"");
+}
+
 TEST(SceneVerification, AFixedNumberOfCellsIsRefused)
 {
     const fixtures::SceneFolder folder;
