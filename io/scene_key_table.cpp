@@ -164,6 +164,10 @@ std::vector<SceneKey> material_keys()
          .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.2, 0.45},
          .when = ubcsand_only,
          .doc = "Poisson's ratio in the relaxation; level ground settles to K0 = nu / (1 - nu), 1/3 to 0.5."},
+        {.pattern = "materials.*.ripple_strain", .default_value = ripple_strain_of_runs,
+         .allowed = not_negative, .plausible = {0.0, 3e-4}, .when = ubcsand_only,
+         .doc = "Reversals of less shear strain are ripples of the run, no half cycles; below it sand keeps its "
+                "volume [Dobry et al. 1982]."},
     };
 }
 

@@ -19,7 +19,7 @@ constexpr Interval friction{.lower = 0.0, .upper = 60.0, .lower_open = true, .up
 
 using Parameter = double UbcSandParameters::*;
 
-constexpr std::array<std::pair<const char*, Parameter>, 21> parameters = {{
+constexpr std::array<std::pair<const char*, Parameter>, 20> parameters = {{
     {"elastic_shear_number", &UbcSandParameters::elastic_shear_number},
     {"elastic_bulk_number", &UbcSandParameters::elastic_bulk_number},
     {"elastic_shear_exponent", &UbcSandParameters::elastic_shear_exponent},
@@ -35,7 +35,6 @@ constexpr std::array<std::pair<const char*, Parameter>, 21> parameters = {{
     {"secondary_start", &UbcSandParameters::secondary_start},
     {"secondary_growth", &UbcSandParameters::secondary_growth},
     {"reversal_tolerance", &UbcSandParameters::reversal_tolerance},
-    {"reversal_strain", &UbcSandParameters::reversal_strain},
     {"dilation_softening", &UbcSandParameters::dilation_softening},
     {"softened_factor", &UbcSandParameters::softened_factor},
     {"largest_ratio_step", &UbcSandParameters::largest_ratio_step},
@@ -137,10 +136,7 @@ std::vector<SceneKey> ubcsand_keys()
          .plausible = {0.0, 2.0}, .when = ubcsand_only,
          .doc = "s1, its growth per half cycle n; larger makes the cyclic strength curve flatter."},
         {.pattern = "materials.*.reversal_tolerance", .default_value = m.reversal_tolerance, .allowed = not_negative,
-         .plausible = {0.0, 0.1}, .when = ubcsand_only, .doc = "Smallest change of the stress ratio that is a reversal."},
-        {.pattern = "materials.*.reversal_strain", .default_value = m.reversal_strain, .allowed = not_negative,
-         .plausible = {0.0, 1e-4}, .when = ubcsand_only,
-         .doc = "Smallest shear strain that is a reversal, above the linear range of sand [Vucetic 1994]."},
+         .plausible = {0.0, 0.1}, .when = ubcsand_only, .doc = "Smallest change of the stress ratio that is a reversal; below it reloading is elastic."},
         {.pattern = "materials.*.dilation_softening", .default_value = m.dilation_softening, .allowed = not_negative,
          .plausible = {0.0, 5000.0}, .when = ubcsand_only,
          .doc = "The plastic modulus falls by exp(-dilation_softening times shear strain in dilation)."},

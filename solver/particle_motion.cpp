@@ -77,7 +77,7 @@ void turn_stress(double dt, std::size_t first, std::size_t last, Particles& part
     }
 }
 
-/// The remembered stress ratios of UBCSAND turn with the stress.
+/// The remembered stress ratios and strains of UBCSAND turn with the stress.
 void turn_memory(double dt, std::size_t first, std::size_t last, Particles& particles)
 {
     const Gradients& L = particles.velocity_gradient_solid;
@@ -94,6 +94,8 @@ void turn_memory(double dt, std::size_t first, std::size_t last, Particles& part
         const double cos2 = c * c - s * s, sin2 = 2.0 * s * c;
         turn(cos2, sin2, cycles.peak.x[p], cycles.peak.y[p]);
         turn(cos2, sin2, cycles.origin.x[p], cycles.origin.y[p]);
+        turn(cos2, sin2, cycles.leg.x[p], cycles.leg.y[p]);
+        turn(cos2, sin2, cycles.back.x[p], cycles.back.y[p]);
     }
 }
 

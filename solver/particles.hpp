@@ -31,8 +31,8 @@ struct SymmetricTensors {
 /// Memory of the cycles of UBCSAND; meaning and signs as in UbcSandState [-].
 struct CycleMemory {
     Scalars eta_max, branch;
-    Vectors peak, origin;
-    Scalars excursion, half_cycles, dilation, active_dilation;
+    Vectors peak, origin, leg, back;
+    Scalars last_leg, waiting, half_cycles, dilation, active_dilation;
 };
 
 /// In small strain the equations are set up on the reference shape; position and edges show the displaced
@@ -112,8 +112,11 @@ void for_each_array(ParticleSet& particles, Visitor&& visit)
     visit("cycles_eta_max", particles.cycles.eta_max);
     visit("cycles_branch", particles.cycles.branch);
     vectors("cycles_peak_x", "cycles_peak_y", particles.cycles.peak);
-    visit("cycles_excursion", particles.cycles.excursion);
     vectors("cycles_origin_x", "cycles_origin_y", particles.cycles.origin);
+    vectors("cycles_leg_x", "cycles_leg_y", particles.cycles.leg);
+    vectors("cycles_back_x", "cycles_back_y", particles.cycles.back);
+    visit("cycles_last_leg", particles.cycles.last_leg);
+    visit("cycles_waiting", particles.cycles.waiting);
     visit("cycles_half_cycles", particles.cycles.half_cycles);
     visit("cycles_dilation", particles.cycles.dilation);
     visit("cycles_active_dilation", particles.cycles.active_dilation);
@@ -134,8 +137,8 @@ enum class ArrayGroup { always, fluid, twist, cycles, implicit_pressure };
 /// The group of an array by its name in for_each_array.
 ArrayGroup group_of(std::string_view name);
 
-/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`, no twist, no rate of
-/// the pressure and no memory of cycles.
+/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`, no twist, no rate
+/// of the pressure and no memory of cycles.
 void resize(Particles& particles, std::size_t count, bool saturated);
 
 /// Give every particle a memory of cycles, at zero.

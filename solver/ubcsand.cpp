@@ -57,7 +57,7 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.s0 = m.secondary_start;
     law.s1 = m.secondary_growth;
     law.tolerance_squared = m.reversal_tolerance * m.reversal_tolerance;
-    law.reversal_strain = m.reversal_strain;
+    law.ripple_squared = m.ripple_strain * m.ripple_strain;
     law.a_dil_log2 = m.dilation_softening * std::numbers::log2e;
     law.fac_post = m.softened_factor;
     law.s_min = m.stress_floor;

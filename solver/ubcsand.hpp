@@ -9,8 +9,8 @@
 //            arrays of points are tension positive, as everywhere else. Shear strain is engineering shear.
 // Limits     Start from a stress inside the failure limit (K_0 of 0.5; elastic gravity loading with these
 //            moduli gives 0.016). Turning of the principal stresses at constant ratio causes no plastic
-//            strain. Ripples below the tolerances of a reversal are not counted, but strain plastically when
-//            they reload; larger ones are half cycles.
+//            strain. Ripples are no half cycles where the parameters have a strain of ripples, as in runs;
+//            they strain plastically nevertheless when they reload.
 #pragma once
 
 #include "solver/ubcsand_parameters.hpp"
@@ -28,7 +28,7 @@ struct UbcSand {
     double a;                    // c cot phi_f, shift of the mean stress [Pa]
     double h1, h2, s0, s1;       // factors of the plastic modulus [-]
     double tolerance_squared;    // reversal tolerance, squared [-]
-    double reversal_strain;      // shear strain that goes with it [-]
+    double ripple_squared;       // strain of a ripple, squared [-]
     double a_dil_log2;           // softening after dilation, as a power of 2 [-]
     double fac_post;             // least factor after dilation [-]
     double s_min;                // stress floor [Pa]
@@ -40,19 +40,24 @@ struct UbcSand {
 
 /// Stress and memory of a point. A new point has the memory `begin_shaking` gives.
 struct UbcSandState {
-    double sigma_x = 0.0;         // effective stress, compression positive [Pa]
-    double sigma_y = 0.0;         // [Pa]
-    double sigma_z = 0.0;         // [Pa]
-    double tau_xy = 0.0;          // [Pa]
-    double eta_max = 0.0;         // largest stress ratio so far [-]
-    double branch = 2.0;          // 0 just reversed, 1 far from the reversal, 2 loading, 3 just reloading
-    double peak_x = 0.0;          // r where the stress last turned: (sigma_x - sigma_y)/2 over s [-]
-    double peak_y = 0.0;          //                                 tau_xy over s [-]
-    double excursion = 0.0;       // shear strain since then, added up [-]
-    double origin_x = 0.0;        // r at the reversal with which the present branch began [-]
-    double origin_y = 0.0;        // [-]
-    double half_cycles = 0.0;     // n, reversals that were followed by loading [-]
-    double dilation = 0.0;        // g_dil, plastic shear strain in dilation [-]
+    double sigma_x = 0.0;     // effective stress, compression positive [Pa]
+    double sigma_y = 0.0;     // [Pa]
+    double sigma_z = 0.0;     // [Pa]
+    double tau_xy = 0.0;      // [Pa]
+    double eta_max = 0.0;     // largest stress ratio so far [-]
+    double branch = 2.0;      // 0 just reversed, 1 far from the reversal, 2 loading
+    double peak_x = 0.0;      // r where the stress last turned: (sigma_x - sigma_y)/2 over s [-]
+    double peak_y = 0.0;      //                                 tau_xy over s [-]
+    double origin_x = 0.0;    // the same for the last turn that was not a ripple's [-]
+    double origin_y = 0.0;    // [-]
+    double leg_x = 0.0;       // strain from where it last reversed to its farthest point, eps_x - eps_y [-]
+    double leg_y = 0.0;       //                                                           gamma_xy [-]
+    double back_x = 0.0;      // and back from there, eps_x - eps_y [-]
+    double back_y = 0.0;      //                      gamma_xy [-]
+    double last_leg = 0.0;    // length of the leg before, squared [-]
+    double waiting = 0.0;     // 1 a reversal of the strain for loading, -1 loading for a reversal, 0 none
+    double half_cycles = 0.0; // n, reversals that were followed by loading [-]
+    double dilation = 0.0;    // g_dil, plastic shear strain in dilation [-]
     double active_dilation = 0.0; // its value at the last counted half cycle, which softens the branch [-]
 };
 
@@ -70,19 +75,20 @@ void begin_shaking(const UbcSand& law, UbcSandState& state);
 
 /// Advance a point by a strain increment.
 ///
-///  1  turn the stress and the remembered ratio by the spin
+///  1  turn the stress and what is remembered of ratios and strains by the spin
 ///  2  divide the increment into substeps; for each of them
 ///  3  elastic moduli at the present mean stress, not below the floor
 ///  4  elastic trial
-///  5  ratio of the yield locus: dragged along, or at the last reversal for a tiny excursion from it; an
-///     unloading or reloading that has gone the tolerance from where it turned is confirmed
+///  5  ratio of the yield locus: dragged along, or at the last reversal for a tiny excursion from it
 ///  6  the trial's mean stress is not below the floor
-///  7  inside the locus: elastic; the first such substep after loading is a reversal, after a reloading that
-///     was not confirmed it takes the half cycle back: that was a ripple of the unloading
-///  8  outside: a half cycle is counted, the plastic modulus follows from memory, the stress returns to the
-///     hardened locus, to the failure line, or flows at the stress floor
+///  7  inside the locus: elastic; the first such substep after loading is a reversal, which is remembered
+///  8  outside: loading after a reversal counts a half cycle, the plastic modulus follows from memory, the
+///     stress returns to the hardened locus, to the failure line, or flows at the stress floor
 ///  9  out-of-plane stress; strain in dilation
 /// 10  stress in the direction of the trial, largest ratio
+///
+/// With a strain of ripples a half cycle needs, besides loading after a reversal, that the strain itself has
+/// turned and gone that far back, or a quarter of the longer of its last two legs when that is less.
 void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState& state);
 
 /// Step 1 alone. Tangent of half the angle is half the spin (Hughes and Winget 1980).
@@ -99,16 +105,18 @@ double constrained_modulus(const UbcSand& law, const UbcSandState& state);
 
 /// Points as structure of arrays, tension positive. None of the arrays may overlap.
 struct UbcSandArrays {
-    const double *L_xx, *L_xy, *L_yx, *L_yy;                // velocity gradient [1/s]
-    double *stress_xx, *stress_yy, *stress_zz, *stress_xy;  // effective stress [Pa]
-    double *eta_max, *branch, *peak_x, *peak_y, *excursion; // memory as in UbcSandState and of its signs
-    double *origin_x, *origin_y, *half_cycles, *dilation, *active_dilation;
+    const double *L_xx, *L_xy, *L_yx, *L_yy;               // velocity gradient [1/s]
+    double *stress_xx, *stress_yy, *stress_zz, *stress_xy; // effective stress [Pa]
+    double *eta_max, *branch, *peak_x, *peak_y;            // memory as in UbcSandState and of its signs
+    double *origin_x, *origin_y, *leg_x, *leg_y, *back_x, *back_y, *last_leg, *waiting;
+    double *half_cycles, *dilation, *active_dilation;
 
     UbcSandState state(std::size_t p) const
     {
         return {-stress_xx[p], -stress_yy[p],  -stress_zz[p], -stress_xy[p],     eta_max[p],
-                branch[p],     peak_x[p],      peak_y[p],     excursion[p],      origin_x[p],
-                origin_y[p],   half_cycles[p], dilation[p],   active_dilation[p]};
+                branch[p],     peak_x[p],      peak_y[p],     origin_x[p],       origin_y[p],
+                leg_x[p],      leg_y[p],       back_x[p],     back_y[p],         last_leg[p],
+                waiting[p],    half_cycles[p], dilation[p],   active_dilation[p]};
     }
 
     void set(std::size_t p, const UbcSandState& state) const
@@ -117,8 +125,10 @@ struct UbcSandArrays {
         stress_xy[p] = -state.tau_xy;
         eta_max[p] = state.eta_max, branch[p] = state.branch;
         peak_x[p] = state.peak_x, peak_y[p] = state.peak_y;
-        excursion[p] = state.excursion;
         origin_x[p] = state.origin_x, origin_y[p] = state.origin_y;
+        leg_x[p] = state.leg_x, leg_y[p] = state.leg_y;
+        back_x[p] = state.back_x, back_y[p] = state.back_y;
+        last_leg[p] = state.last_leg, waiting[p] = state.waiting;
         half_cycles[p] = state.half_cycles;
         dilation[p] = state.dilation, active_dilation[p] = state.active_dilation;
     }

@@ -19,16 +19,18 @@ constexpr std::size_t width = 8; // lanes of a block [-]
 /// The points of a block, one array per quantity. Lanes beyond the last point are closed.
 struct Block {
     double sigma_x[width], sigma_y[width], sigma_z[width], tau_xy[width];
-    double eta_max[width], branch[width], peak_x[width], peak_y[width], excursion[width];
-    double origin_x[width], origin_y[width], half_cycles[width], dilation[width], active_dilation[width];
+    double eta_max[width], branch[width], peak_x[width], peak_y[width], origin_x[width], origin_y[width];
+    double leg_x[width], leg_y[width], back_x[width], back_y[width], last_leg[width], waiting[width];
+    double half_cycles[width], dilation[width], active_dilation[width];
     double strain_x[width], strain_y[width], strain_xy[width]; // what remains
     double open[width];                                        // 1 until the last substep is done
 
     UbcSandState state(std::size_t k) const
     {
-        return {sigma_x[k],  sigma_y[k],     sigma_z[k],  tau_xy[k],         eta_max[k],
-                branch[k],   peak_x[k],      peak_y[k],   excursion[k],      origin_x[k],
-                origin_y[k], half_cycles[k], dilation[k], active_dilation[k]};
+        return {sigma_x[k], sigma_y[k],     sigma_z[k],  tau_xy[k],         eta_max[k],
+                branch[k],  peak_x[k],      peak_y[k],   origin_x[k],       origin_y[k],
+                leg_x[k],   leg_y[k],       back_x[k],   back_y[k],         last_leg[k],
+                waiting[k], half_cycles[k], dilation[k], active_dilation[k]};
     }
 
     void set(std::size_t k, bool condition, const UbcSandState& state)
@@ -41,9 +43,14 @@ struct Block {
         branch[k] = select(condition, state.branch, branch[k]);
         peak_x[k] = select(condition, state.peak_x, peak_x[k]);
         peak_y[k] = select(condition, state.peak_y, peak_y[k]);
-        excursion[k] = select(condition, state.excursion, excursion[k]);
         origin_x[k] = select(condition, state.origin_x, origin_x[k]);
         origin_y[k] = select(condition, state.origin_y, origin_y[k]);
+        leg_x[k] = select(condition, state.leg_x, leg_x[k]);
+        leg_y[k] = select(condition, state.leg_y, leg_y[k]);
+        back_x[k] = select(condition, state.back_x, back_x[k]);
+        back_y[k] = select(condition, state.back_y, back_y[k]);
+        last_leg[k] = select(condition, state.last_leg, last_leg[k]);
+        waiting[k] = select(condition, state.waiting, waiting[k]);
         half_cycles[k] = select(condition, state.half_cycles, half_cycles[k]);
         dilation[k] = select(condition, state.dilation, dilation[k]);
         active_dilation[k] = select(condition, state.active_dilation, active_dilation[k]);
@@ -53,13 +60,15 @@ struct Block {
 /// The trials of a block between their making and the return.
 struct TrialBlock {
     double G[width], E2[width], K[width], s[width], q_x[width], q_y[width], t[width], sigma_z[width];
-    double shear[width], eta_y[width], r_x[width], r_y[width], branch[width], scale[width], plastic[width];
+    double strain_x[width], strain_y[width], eta_y[width], r_x[width], r_y[width], branch[width],
+        scale[width], plastic[width];
 
     void set(std::size_t k, const Trial& trial, bool is_plastic)
     {
         G[k] = trial.moduli.G, E2[k] = trial.moduli.E2, K[k] = trial.moduli.K;
         s[k] = trial.s, q_x[k] = trial.q_x, q_y[k] = trial.q_y, t[k] = trial.t, sigma_z[k] = trial.sigma_z;
-        shear[k] = trial.shear, eta_y[k] = trial.eta_y, r_x[k] = trial.r_x, r_y[k] = trial.r_y;
+        strain_x[k] = trial.strain_x, strain_y[k] = trial.strain_y, eta_y[k] = trial.eta_y,
+        r_x[k] = trial.r_x, r_y[k] = trial.r_y;
         branch[k] = trial.branch, scale[k] = trial.scale;
         plastic[k] = select(is_plastic, 1.0, 0.0);
     }
@@ -69,7 +78,8 @@ struct TrialBlock {
         Trial trial{};
         trial.moduli = {G[k], 0.0, E2[k], K[k]};
         trial.s = s[k], trial.q_x = q_x[k], trial.q_y = q_y[k], trial.t = t[k], trial.sigma_z = sigma_z[k];
-        trial.shear = shear[k], trial.eta_y = eta_y[k], trial.r_x = r_x[k], trial.r_y = r_y[k];
+        trial.strain_x = strain_x[k], trial.strain_y = strain_y[k], trial.eta_y = eta_y[k],
+        trial.r_x = r_x[k], trial.r_y = r_y[k];
         trial.branch = branch[k], trial.scale = scale[k];
         return trial;
     }

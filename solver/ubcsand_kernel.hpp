@@ -18,10 +18,11 @@
 namespace quicksand::ubcsand {
 
 /// Where a point is on its branch: doubles, so that vectors hold one kind of number. Unloading that has just
-/// begun may be an excursion of the loading before, reloading that has just begun one of the unloading
-/// before; either is confirmed when stress ratio and shear strain have gone their tolerances from where they
-/// turned.
-inline constexpr double just_reversed = 0.0, far_from_reversal = 1.0, loading = 2.0, reloading = 3.0;
+/// begun may be an excursion of the loading before, until the stress ratio has gone the tolerance from there.
+inline constexpr double just_reversed = 0.0, far_from_reversal = 1.0, loading = 2.0;
+
+/// What the reversals of the strain and the beginnings of loading owe each other, a half cycle for each pair.
+inline constexpr double loading_waits = -1.0, even = 0.0, reversal_waits = 1.0;
 
 /// Both branches are evaluated in a vector; a name for that.
 inline double select(bool condition, double yes, double no)
@@ -59,14 +60,19 @@ inline void turn_stress(const Rotation& turn, UbcSandState& state)
     state.sigma_y = s - turned;
 }
 
+inline void turn_vector(const Rotation& turn, double& x, double& y)
+{
+    const double turned = turn.cosine * x - turn.sine * y;
+    y = turn.sine * x + turn.cosine * y;
+    x = turned;
+}
+
 inline void turn_memory(const Rotation& turn, UbcSandState& state)
 {
-    const double r_x = state.peak_x;
-    state.peak_x = turn.cosine * r_x - turn.sine * state.peak_y;
-    state.peak_y = turn.sine * r_x + turn.cosine * state.peak_y;
-    const double o_x = state.origin_x;
-    state.origin_x = turn.cosine * o_x - turn.sine * state.origin_y;
-    state.origin_y = turn.sine * o_x + turn.cosine * state.origin_y;
+    turn_vector(turn, state.peak_x, state.peak_y);
+    turn_vector(turn, state.origin_x, state.origin_y);
+    turn_vector(turn, state.leg_x, state.leg_y);
+    turn_vector(turn, state.back_x, state.back_y);
 }
 
 struct Moduli {
@@ -141,7 +147,8 @@ struct Trial {
     double s;           // not below the floor [Pa]
     double q_x, q_y, t; // [Pa]
     double sigma_z;     // [Pa]
-    double shear;       // the substep's largest shear strain [-]
+    double strain_x;    // eps_x - eps_y of the substep [-]
+    double strain_y;    // its shear strain [-]
     double eta_y;       // ratio of the locus [-]
     double r_x, r_y;    // before the substep [-]
     double branch;      // before the substep, with the departure from where it turned noticed
@@ -150,18 +157,12 @@ struct Trial {
 };
 
 /// [5] Ratio of the yield locus: the present one in loading and on a branch that has left its reversal, the
-/// one at the reversal for a tiny excursion. Leaving confirms the unloading or the reloading: by the ratio
-/// and, as liquefied sand has large ratios from the least strain, by the strain too or the other sense of
-/// shear.
+/// one at the reversal for a tiny excursion.
 inline void place_locus(const UbcSand& m, const UbcSandState& state, Trial& trial)
 {
     const double away_x = trial.r_x - state.peak_x, away_y = trial.r_y - state.peak_y;
-    const bool strained =
-        (state.excursion >= m.reversal_strain) | (trial.r_x * state.peak_x + trial.r_y * state.peak_y <= 0.0);
-    const bool departed = (away_x * away_x + away_y * away_y >= m.tolerance_squared) & strained;
-    const double confirmed = select(state.branch == just_reversed, far_from_reversal, loading);
-    const bool open = (state.branch == just_reversed) | (state.branch == reloading);
-    trial.branch = select(open & departed, confirmed, state.branch);
+    const bool departed = away_x * away_x + away_y * away_y >= m.tolerance_squared;
+    trial.branch = select((state.branch == just_reversed) & departed, far_from_reversal, state.branch);
     const double eta_squared = trial.r_x * trial.r_x + trial.r_y * trial.r_y;
     const double peak_squared = state.peak_x * state.peak_x + state.peak_y * state.peak_y;
     const double held = select(trial.branch == just_reversed, larger(eta_squared, peak_squared), eta_squared);
@@ -184,7 +185,8 @@ inline Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Mo
     // [4] d s = K' d eps_v, d q = G (d eps_x - d eps_y, d gamma_xy); s as it is, be it below the floor
     const double volumetric = strain.x + strain.y, difference = strain.x - strain.y;
     const double s_old = 0.5 * (state.sigma_x + state.sigma_y);
-    trial.shear = std::sqrt(difference * difference + strain.xy * strain.xy);
+    trial.strain_x = difference;
+    trial.strain_y = strain.xy;
     trial.q_x = q_x + moduli.G * difference;
     trial.q_y = q_y + moduli.G * strain.xy;
     trial.t = std::sqrt(trial.q_x * trial.q_x + trial.q_y * trial.q_y);
@@ -206,41 +208,58 @@ inline void rebuild_stress(const UbcSand& m, const Trial& trial, double s, doubl
     state.tau_xy = trial.q_y * ratio;
 }
 
-/// A confirmed unloading makes its reversal the origin of the present branch.
-inline void move_origin(const Trial& trial, UbcSandState& state)
+/// Of the longer of the present leg of the strain and the last one, which a reversal must go back.
+inline constexpr double least_share_of_a_leg = 0.25; // [-]
+
+/// Follow the strain in its plane of shear: the leg goes from where it last turned to the farthest point
+/// since; it has turned again when the strain has gone the ripple's strain, or a share of the leg if that is
+/// less, back from the farthest point. Without a ripple's strain every substep counts as a turn.
+inline bool follow_strain(const UbcSand& m, const Trial& trial, UbcSandState& state)
 {
-    const bool confirmed = (state.branch == just_reversed) & (trial.branch == far_from_reversal);
-    state.origin_x = select(confirmed, state.peak_x, state.origin_x);
-    state.origin_y = select(confirmed, state.peak_y, state.origin_y);
+    const double back_x = state.back_x + trial.strain_x, back_y = state.back_y + trial.strain_y;
+    const double all_x = state.leg_x + back_x, all_y = state.leg_y + back_y;
+    const double leg = state.leg_x * state.leg_x + state.leg_y * state.leg_y;
+    const double back = back_x * back_x + back_y * back_y;
+    const double share = least_share_of_a_leg * least_share_of_a_leg * larger(leg, state.last_leg);
+    const double least = smaller(m.ripple_squared, share);
+    const bool farther = all_x * all_x + all_y * all_y >= leg;
+    const bool turned = !farther & (back >= least);
+    state.last_leg = select(turned, leg, state.last_leg);
+    state.leg_x = select(turned, back_x, select(farther, all_x, state.leg_x));
+    state.leg_y = select(turned, back_y, select(farther, all_y, state.leg_y));
+    state.back_x = select(turned | farther, 0.0, back_x);
+    state.back_y = select(turned | farther, 0.0, back_y);
+    return turned | (m.ripple_squared <= 0.0);
 }
 
-/// [7] The elastic end: the first elastic substep after loading is a reversal, which is remembered; after a
-/// reloading that was not confirmed, the unloading goes on and the half cycle is taken back. The locus never
-/// lies above the largest ratio, so that does not change.
-inline void finish_elastic(const UbcSand& m, const Trial& trial, UbcSandState& state)
+/// A half cycle is a reversal of the strain and a beginning of loading, whichever comes first. The reversal
+/// makes where the stress turned the origin of the present branch.
+inline void count_half_cycles(bool turned, bool loads, UbcSandState& state)
 {
-    move_origin(trial, state);
-    const bool reversal = trial.branch == loading, ripple = trial.branch == reloading;
-    state.peak_x = select(reversal, trial.r_x, state.peak_x);
-    state.peak_y = select(reversal, trial.r_y, state.peak_y);
-    state.excursion = select(reversal, 0.0, state.excursion) + trial.shear;
-    state.half_cycles -= select(ripple, 1.0, 0.0);
-    state.branch = select(reversal, just_reversed, select(ripple, far_from_reversal, trial.branch));
-    rebuild_stress(m, trial, trial.s, 1.0, trial.sigma_z, state);
-}
-
-/// [8] Loading again after a real reversal counts a half cycle. Where it turned is remembered, by which a
-/// ripple of the unloading is told.
-inline void count_half_cycle(const Trial& trial, UbcSandState& state)
-{
-    move_origin(trial, state);
-    const bool counts = trial.branch == far_from_reversal;
-    state.excursion = select(counts, 0.0, state.excursion) + trial.shear;
+    const double waiting = select(turned & (state.waiting == even), reversal_waits, state.waiting);
+    const bool counts = (loads & (waiting == reversal_waits)) | (turned & (waiting == loading_waits));
     state.half_cycles += select(counts, 1.0, 0.0);
     state.active_dilation = select(counts, state.dilation, state.active_dilation);
-    state.peak_x = select(counts, trial.r_x, state.peak_x);
-    state.peak_y = select(counts, trial.r_y, state.peak_y);
-    state.branch = select(counts | (trial.branch == reloading), reloading, loading);
+    state.waiting = select(counts, even, select(loads, loading_waits, waiting));
+    state.origin_x = select(turned, state.peak_x, state.origin_x);
+    state.origin_y = select(turned, state.peak_y, state.origin_y);
+}
+
+/// Whether the trial's stress is on the other side of the isotropic axis than where the stress turned.
+inline bool is_opposed(const Trial& trial, double r_x, double r_y)
+{
+    return trial.q_x * r_x + trial.q_y * r_y <= 0.0;
+}
+
+/// [7] The elastic end: the first elastic substep after loading is a reversal, which is remembered.
+inline void finish_elastic(const UbcSand& m, const Trial& trial, UbcSandState& state)
+{
+    const bool reversal = trial.branch == loading;
+    state.peak_x = select(reversal, trial.r_x, state.peak_x);
+    state.peak_y = select(reversal, trial.r_y, state.peak_y);
+    state.branch = select(reversal, just_reversed, trial.branch);
+    count_half_cycles(follow_strain(m, trial, state), false, state);
+    rebuild_stress(m, trial, trial.s, 1.0, trial.sigma_z, state);
 }
 
 /// [8a, 8b] F: stiff on secondary loading, soft after a dilation once the branch has crossed the isotropic
@@ -249,7 +268,8 @@ inline double hardening_factor(const UbcSand& m, const Trial& trial, const UbcSa
 {
     const bool secondary = trial.eta_y < state.eta_max - 1e-9;
     const double F = select(secondary, m.h1 * m.h2 * (m.s0 + m.s1 * state.half_cycles), m.h1);
-    const bool crossed = trial.q_x * state.origin_x + trial.q_y * state.origin_y <= 0.0;
+    const bool crossed =
+        is_opposed(trial, state.origin_x, state.origin_y) | is_opposed(trial, state.peak_x, state.peak_y);
     const double loss = larger(-1000.0, -m.a_dil_log2 * state.active_dilation); // exp as a power of 2
     const double softened = larger(m.fac_post, F * exponential_2(loss));
     return select((state.active_dilation > 0.0) & crossed, softened, F);
@@ -304,7 +324,11 @@ inline PlasticFlow select(bool condition, const PlasticFlow& yes, const PlasticF
 /// [8] to [10] The plastic end of a substep; returns its flow.
 inline PlasticFlow finish_plastic(const UbcSand& m, const Trial& trial, UbcSandState& state)
 {
-    count_half_cycle(trial, state);
+    const bool loads = trial.branch == far_from_reversal;
+    count_half_cycles(follow_strain(m, trial, state), loads, state);
+    const bool other_sense = loads & is_opposed(trial, state.peak_x, state.peak_y);
+    state.active_dilation = select(other_sense, state.dilation, state.active_dilation);
+    state.branch = loading;
     const double G_p = plastic_modulus(m, trial, hardening_factor(m, trial, state));
     PlasticFlow flow = flow_on_locus(m, trial, G_p);
     flow = select(flow.t > m.eta_f * (flow.s + m.a), flow_at_failure(m, trial), flow);

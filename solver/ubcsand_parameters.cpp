@@ -100,7 +100,7 @@ void check(const UbcSandParameters& m)
     require_positive("secondary_start", m.secondary_start);
     require_not_negative("secondary_growth", m.secondary_growth);
     require_not_negative("reversal_tolerance", m.reversal_tolerance);
-    require_not_negative("reversal_strain", m.reversal_strain);
+    require_not_negative("ripple_strain", m.ripple_strain);
     require_not_negative("dilation_softening", m.dilation_softening);
     require_positive("softened_factor", m.softened_factor);
     require(m.static_poisson_ratio >= 0.0 && m.static_poisson_ratio < 0.5, "static_poisson_ratio",

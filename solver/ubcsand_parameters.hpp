@@ -3,10 +3,8 @@
 // Sources    [BB11] the generic set of Beaty and Byrne (2011), report 904aR, as the literature repeats it
 //            [IB08] Idriss and Boulanger (2008): relative density; triggering curve at 15 cycles
 //            [own]  the memory of cycles, a reconstruction: h2 calibrated to [IB08], the others chosen
-// Reversals  A change of sense counts as a reversal from a shear strain of 2e-5 on: above the 1e-5 to which
-// sand
-//            is linear (Vucetic 1994), well below the 1e-4 from which it gains pore pressure (Dobry et al.
-//            1982).
+//            [DL82] Dobry, Ladd, Yokel, Chung and Powell (1982): sand keeps its volume below a shear strain
+//            of 1e-4
 // Limits     Plane strain. The set is tied to a density: a soil that densifies keeps its parameters.
 #pragma once
 
@@ -33,12 +31,12 @@ struct UbcSandParameters {
     double cohesion = 0.0;                      // c [Pa]
 
     // memory of cycles: F = h1 on virgin loading, h1 h2 (s0 + s1 n) below the largest ratio [own]
-    double virgin_factor = 1.0;         // h1 [-]
-    double secondary_factor = 0.6;      // h2 [-], calibrated: 0.6 meets the triggering curve for N = 5 to 20
-    double secondary_start = 4.0;       // s0 [-]
-    double secondary_growth = 0.5;      // s1 [-] per half cycle
-    double reversal_tolerance = 0.02;   // smallest change of the stress ratio that counts as a reversal [-]
-    double reversal_strain = 2e-5;      // and smallest shear strain, see below [-]
+    double virgin_factor = 1.0;       // h1 [-]
+    double secondary_factor = 0.6;    // h2 [-], calibrated: 0.6 meets the triggering curve for N = 5 to 20
+    double secondary_start = 4.0;     // s0 [-]
+    double secondary_growth = 0.5;    // s1 [-] per half cycle
+    double reversal_tolerance = 0.02; // smallest change of the stress ratio that counts as a reversal [-]
+    double ripple_strain = 0.0;       // shear strain of ripples, which are no half cycles; 0: no ripples [-]
     double dilation_softening = 1000.0; // a_dil [-]; F falls by exp(-a_dil x shear strain in dilation)
     double softened_factor = 0.05;      // least F after dilation [-]
 
@@ -50,6 +48,9 @@ struct UbcSandParameters {
     double largest_stress_step = 0.02; // of the mean stress, relative [-]
     double stress_floor = 500.0;       // s_min, least mean stress [Pa]; dilation can lift a point off it
 };
+
+/// The ripple strain of runs, whose waves on the grid put ripples on the strain of every point [DL82] [-].
+inline constexpr double ripple_strain_of_runs = 1e-4;
 
 /// The generic set for a clean-sand blow count (N1)60 [-]. What the set derives from K_G^e [-] and phi_cv
 /// [deg] follows those given.

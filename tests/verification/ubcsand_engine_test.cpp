@@ -57,7 +57,7 @@ TEST(UbcSandInTheEngine, AParticleHasTheStressOfItsOwnStrainPath)
     UbcSandState point;
     point.sigma_x = point.sigma_z = 50e3;
     point.sigma_y = 100e3;
-    const UbcSand law = make_ubcsand(nevada_sand_55());
+    const UbcSand law = make_ubcsand(sand_of_runs());
     begin_shaking(law, point);
     PathObserver path(state, p);
     run(problem, 0.9, {&path}, state);

@@ -10,6 +10,8 @@
 namespace quicksand {
 namespace {
 
+constexpr std::size_t array_count = 23; // four of the motion, four of the stress, the memory
+
 /// Points in arrays with random stress, memory and motion.
 class RandomPoints {
 public:
@@ -43,10 +45,10 @@ public:
 
     UbcSandArrays points()
     {
-        std::array<double*, 18> a{};
+        std::array<double*, array_count> a{};
         for (std::size_t k = 0; k < a.size(); ++k) a[k] = arrays_[k].data();
-        return {a[0], a[1],  a[2],  a[3],  a[4],  a[5],  a[6],  a[7],  a[8],
-                a[9], a[10], a[11], a[12], a[13], a[14], a[15], a[16], a[17]};
+        return {a[0],  a[1],  a[2],  a[3],  a[4],  a[5],  a[6],  a[7],  a[8],  a[9],  a[10], a[11],
+                a[12], a[13], a[14], a[15], a[16], a[17], a[18], a[19], a[20], a[21], a[22]};
     }
 
     UbcSandIncrement increment(std::size_t p, double dt) const
@@ -57,7 +59,7 @@ public:
 
 private:
     std::mt19937 random_;
-    std::array<std::vector<double>, 18> arrays_;
+    std::array<std::vector<double>, array_count> arrays_;
 };
 
 std::vector<UbcSandState> states(RandomPoints& points, std::size_t count)

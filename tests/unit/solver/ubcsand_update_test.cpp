@@ -70,7 +70,7 @@ TEST(UbcSand, TheFactorStiffensReloadingAndSoftensAfterDilation)
     UbcSandState state;
     state.eta_max = 0.4;
     state.half_cycles = 6.0;
-    state.origin_x = 0.3;
+    state.origin_x = state.peak_x = 0.3;
     ubcsand::Trial trial{};
     trial.eta_y = 0.4;
     trial.q_x = -1.0;
@@ -119,12 +119,50 @@ TEST(UbcSand, OnlyARealReversalCountsAHalfCycle)
     update(law, shear(-5.0 * tiny), state);
     EXPECT_EQ(state.branch, ubcsand::far_from_reversal);
     update(law, shear(tiny), state);
-    EXPECT_EQ(state.branch, ubcsand::reloading);
+    EXPECT_EQ(state.branch, ubcsand::loading);
     EXPECT_EQ(state.half_cycles, 1.0);
     EXPECT_LT(mean(state), mean(peak));
     update(law, shear(20.0 * tiny), state);
     EXPECT_EQ(state.branch, ubcsand::loading);
     EXPECT_EQ(state.half_cycles, 1.0);
+}
+
+TEST(UbcSand, ARippleIsNoHalfCycleAndAReversalIsOneAtOnceAfterIt)
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.ripple_strain = 1e-4;
+    const UbcSand law = make_ubcsand(parameters);
+    UbcSandState state = consolidated(law, 1.0);
+    update(law, shear(5e-4), state);
+    update(law, shear(-5e-5), state); // far in ratio, loads again: a ripple of the loading
+    update(law, shear(6e-5), state);
+    EXPECT_EQ(state.half_cycles, 0.0);
+    EXPECT_EQ(state.waiting, ubcsand::loading_waits);
+    for (int k = 0; k < 40; ++k) update(law, shear(-1e-5), state); // 4e-4 back, loads on the other side
+    EXPECT_EQ(state.branch, ubcsand::loading);
+    EXPECT_EQ(state.half_cycles, 1.0);
+    for (int k = 0; k < 10; ++k) { // ripples of the way back
+        update(law, shear(4e-5), state);
+        update(law, shear(-5e-5), state);
+        EXPECT_LE(state.half_cycles, 2.0);
+    }
+    EXPECT_GT(state.origin_y, 0.0); // where the loading ended, not the ripples
+}
+
+TEST(UbcSand, RipplesAreMeasuredByTheLegWhenThatIsShort)
+{
+    // small stresses have small strains: legs of 4e-5 are half cycles although a ripple may have 1e-4
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.ripple_strain = 1e-4;
+    const UbcSand law = make_ubcsand(parameters);
+    UbcSandState state;
+    state.sigma_x = state.sigma_y = state.sigma_z = 2e3;
+    begin_shaking(law, state);
+    for (int k = 0; k < 10; ++k) update(law, shear(2e-6), state);
+    for (int half = 0; half < 6; ++half) {
+        for (int k = 0; k < 20; ++k) update(law, shear(half % 2 == 0 ? -2e-6 : 2e-6), state);
+    }
+    EXPECT_EQ(state.half_cycles, 6.0);
 }
 
 TEST(UbcSand, FailureCarriesTheCohesionOfMohrAndCoulomb)
