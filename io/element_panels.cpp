@@ -132,15 +132,25 @@ SheetPanel labelled(SheetPanel panel, const char* heading, const char* x_label, 
     return panel;
 }
 
-/// The failure limit, up and for cyclic tests down: shear stress = sin phi_f (x + a) [kPa].
-void add_failure(const UbcSand& law, double end, const char* name, bool downward, SheetPanel& panel)
+/// The failure limit of each sand, up and for cyclic tests down: shear stress = sin phi_f (x + a) [kPa].
+void add_failure(const std::vector<const ElementRun*>& runs, const ElementOutcome& outcome, double end,
+                 const char* name, bool downward, SheetPanel& panel)
 {
-    const double slope = law.eta_f, at_zero = 1e-3 * law.eta_f * law.a;
-    panel.curves.push_back(
-        {{name, guide_grey, {0.0, end}, {at_zero, at_zero + slope * end}}, SheetMark::guide});
-    if (!downward) return;
-    panel.curves.push_back(
-        {{"", guide_grey, {0.0, end}, {-at_zero, -at_zero - slope * end}}, SheetMark::guide});
+    std::vector<double> drawn;
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+        const UbcSand law = make_ubcsand(outcome.specimen(*runs[k]).soil);
+        if (std::find(drawn.begin(), drawn.end(), law.eta_f) != drawn.end()) continue;
+        const double slope = law.eta_f, at_zero = 1e-3 * law.eta_f * law.a;
+        const Colour colour = drawn.empty() ? guide_grey : curve_colour(k, runs.size());
+        panel.curves.push_back(
+            {{drawn.empty() ? name : "", colour, {0.0, end}, {at_zero, at_zero + slope * end}},
+             SheetMark::guide});
+        if (downward) {
+            panel.curves.push_back(
+                {{"", colour, {0.0, end}, {-at_zero, -at_zero - slope * end}}, SheetMark::guide});
+        }
+        drawn.push_back(slope);
+    }
 }
 
 double largest_x(const SheetPanel& panel)
@@ -162,14 +172,13 @@ SheetPanel shear_path(const std::vector<const ElementRun*>& runs, const ElementO
     SheetPanel panel = labelled(curves_of(runs, outcome, sigma_v_kpa, tau_kpa), "Stress path",
                                 "Vertical effective stress σ'v [kPa]", "Shear stress τ [kPa]");
     if (cyclic) panel.curves.front().curve.name.clear(); // it is that of the loops
-    const UbcSand law = make_ubcsand(outcome.specimen(*runs.front()).soil);
     double end = largest_x(panel);
     if (cyclic) { // the guides need not go far beyond the loops
         double tau = 0.0;
         for (const double y : panel.curves.front().curve.y) tau = std::max(tau, std::abs(y));
-        end = std::min(end, 1.4 * tau / law.eta_f);
+        end = std::min(end, 2.5 * tau);
     }
-    add_failure(law, end, "failure, τ = sin φf σ'v", cyclic, panel);
+    add_failure(runs, outcome, end, "failure, τ = sin φf σ'v", cyclic, panel);
     return panel;
 }
 
@@ -322,8 +331,7 @@ std::vector<NamedPanel> biaxial_panels(const ElementOutcome& outcome, Drainage d
     const std::vector<const ElementRun*> shown = shown_runs(outcome);
     SheetPanel path = labelled(curves_of(shown, outcome, s_kpa, t_kpa), "Stress path",
                                "s' = (σ'v + σ'h)/2 [kPa]", "t = (σ'v − σ'h)/2 [kPa]");
-    add_failure(make_ubcsand(outcome.specimen(*shown.front()).soil), largest_x(path),
-                "failure, t = sin φf s'", false, path);
+    add_failure(shown, outcome, largest_x(path), "failure, t = sin φf s'", false, path);
     std::vector<NamedPanel> panels = {
         {"stress_strain",
          labelled(curves_of(shown, outcome, vertical_strain_percent, deviator_kpa), "Stress and strain",

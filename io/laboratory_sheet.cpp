@@ -109,6 +109,26 @@ std::string axis(const char* name, SheetAxis kind, const std::optional<std::pair
                                 kind == SheetAxis::downward ? "reverse" : "noreverse");
 }
 
+/// The y range: that asked for, or around the values with room above them where the key stands at the top.
+std::optional<std::pair<double, double>> y_range(const SheetPanel& panel)
+{
+    if (panel.y_range || panel.y_axis != SheetAxis::linear || panel.key == KeyCorner::lower_right) {
+        return panel.y_range;
+    }
+    double low = INFINITY, high = -INFINITY, names = 0.0;
+    for (const SheetCurve& curve : panel.curves) {
+        if (!curve.curve.name.empty()) names += 1.0;
+        for (const double y : curve.curve.y) {
+            if (std::isfinite(y)) low = std::min(low, y), high = std::max(high, y);
+        }
+    }
+    const double span = high - low;
+    if (!(span > 0.0) || names == 0.0) return std::nullopt;
+    constexpr double name_height = 0.055; // of the panel
+    const double room = std::min(0.6, 0.04 + name_height * names);
+    return std::pair(low - 0.03 * span, high + span * room / (1.0 - room));
+}
+
 const char* corner_words(KeyCorner corner)
 {
     switch (corner) {
@@ -149,7 +169,7 @@ std::string panel_commands(std::size_t p, const Page& page)
         left / page_width, (left + panel_width) / page_width, 1.0 - top / page.height,
         1.0 - (top + panel_height) / page.height);
     script += label(1, panel.heading, {left, top - 20.0}, page, "font ':Bold,12'");
-    script += axis("x", panel.x_axis, panel.x_range) + axis("y", panel.y_axis, panel.y_range);
+    script += axis("x", panel.x_axis, panel.x_range) + axis("y", panel.y_axis, y_range(panel));
     script += fmt::format("set xlabel {}\nset ylabel {}\n", gnuplot_text(panel.x_label),
                           gnuplot_text(panel.y_label));
     script += fmt::format("set key {} vertical samplen 1.6 spacing 1.1 opaque width 1 font ',10'\nplot ",
