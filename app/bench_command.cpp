@@ -1,6 +1,7 @@
 #include "app/commands.hpp"
 #include "app/example_folder.hpp"
 #include "app/journal.hpp"
+#include "app/law_benchmark.hpp"
 #include "app/number_format.hpp"
 #include "app/scene_setup.hpp"
 #include "solver/simulation.hpp"
@@ -107,6 +108,7 @@ ExitCode measure_kernel(int threads)
     for (const int count : counts)
         costs.push_back(median_cost(setup.assembled.problem, setup.assembled.state, count));
     journal.say(cost_table(counts, costs, static_cast<double>(particles)));
+    journal.say(describe_law_cost());
     return ExitCode::good;
 }
 
