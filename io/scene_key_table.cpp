@@ -164,18 +164,27 @@ std::vector<SceneKey> material_keys()
          .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.2, 0.45},
          .when = ubcsand_only,
          .doc = "Poisson's ratio in the relaxation; level ground settles to K0 = nu / (1 - nu), 1/3 to 0.5."},
-        {.pattern = "materials.*.ripple_strain", .default_value = ripple_strain_of_runs,
+        {.pattern = "materials.*.ripple_strain", .default_value = UbcSandRunSettings().ripple_strain,
          .allowed = not_negative, .plausible = {0.0, 3e-4}, .when = ubcsand_only,
          .doc = "Reversals of less shear strain are ripples of the run, no half cycles; below it sand keeps its "
                 "volume [Dobry et al. 1982]."},
+        {.pattern = "materials.*.resolved_floors", .default_value = UbcSandRunSettings().resolved_floors,
+         .allowed = not_negative, .plausible = {0.0, 20.0}, .when = ubcsand_only,
+         .doc = "Below this multiple of stress_floor substeps are as long as there, which speeds liquefied sand up."},
     };
 }
 
-/// The keys of UBCSAND, but for the cohesion that Mohr-Coulomb has too.
+/// The keys of UBCSAND with the substeps of runs, but for the cohesion that Mohr-Coulomb has too.
 std::vector<SceneKey> sand_keys()
 {
     std::vector<SceneKey> keys = ubcsand_keys();
     std::erase_if(keys, [](const SceneKey& key) { return last_part(key.pattern) == "cohesion"; });
+    for (SceneKey& key : keys) {
+        if (last_part(key.pattern) == "largest_ratio_step")
+            key.default_value = UbcSandRunSettings().largest_ratio_step;
+        if (last_part(key.pattern) == "largest_stress_step")
+            key.default_value = UbcSandRunSettings().largest_stress_step;
+    }
     return keys;
 }
 

@@ -38,6 +38,7 @@ void read_ubcsand_materials(SceneValues& values, Scene& scene, Diagnostics& find
         UbcSandParameters parameters = resolve_ubcsand(table, values, findings);
         parameters.static_poisson_ratio = values.number(table.path + ".static_poisson_ratio");
         parameters.ripple_strain = values.number(table.path + ".ripple_strain");
+        parameters.resolved_floors = values.number(table.path + ".resolved_floors");
         check_k0(values, table, parameters, findings);
         material.ubcsand = parameters;
         if (!findings.has_errors()) material.material.law = make_ubcsand(parameters);

@@ -165,8 +165,8 @@ UbcSandParameters resolve_ubcsand(const NamedTable& material, SceneValues& value
     };
     UbcSandParameters set =
         ubcsand_from_blow_count(*n1_60, given("elastic_shear_number"), given("constant_volume_friction_deg"));
-    for (const auto& [key, parameter] : parameters) {
-        if (const auto value = given(key)) set.*parameter = *value;
+    for (const auto& [key, parameter] : parameters) { // those of the generic set have no value of their own
+        if (const auto value = values.find<double>(material.path + "." + key)) set.*parameter = *value;
         show(material.path + "." + key, set.*parameter, values);
     }
     if (findings.has_errors()) return set; // keys out of range have been reported

@@ -64,6 +64,7 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.static_poisson = m.static_poisson_ratio;
     law.per_ratio_step = 1.0 / m.largest_ratio_step;
     law.per_stress_step = 1.0 / m.largest_stress_step;
+    law.resolved = m.resolved_floors * m.stress_floor;
     law.square_roots = law.ne == 0.5 && law.me == 0.5;
     return law;
 }

@@ -35,6 +35,7 @@ struct UbcSand {
     double static_poisson;       // nu while settling under gravity [-]
     double per_ratio_step;       // 1 / largest elastic change of the stress ratio in a substep [-]
     double per_stress_step;      // 1 / largest relative elastic change of s in a substep [-]
+    double resolved;             // mean stress below which substeps are as long as there [Pa]
     bool square_roots;           // ne = me = 1/2
 };
 

@@ -103,16 +103,18 @@ struct Strain {
 /// Most substeps of one update: an absurd strain is then taken in larger ones, stable but coarse. [-]
 inline constexpr double most_substeps = 100000.0;
 
-/// [2] Number of substeps for the strain that remains: each moves the stress ratio by at most 0.004 and the
-/// mean stress by 2 %, were it elastic.
+/// [2] Number of substeps for the strain that remains: each moves the stress ratio and, relatively, the mean
+/// stress by at most the given steps, were it elastic. Below the resolved stress it may move the stresses by
+/// as much as there: in liquefied sand the ratios change at the least strain, but the stresses hardly.
 inline double substep_count(const UbcSand& m, const Moduli& moduli, double s, const Strain& strain,
                             double budget)
 {
     const double difference = strain.x - strain.y;
     const double shear = std::sqrt(difference * difference + strain.xy * strain.xy);
-    const double by_ratio = moduli.G * shear * m.per_ratio_step * s;
-    const double by_volume = moduli.K * std::abs(strain.x + strain.y) * m.per_stress_step * (s + m.a);
-    const double demand = smaller(larger(by_ratio, by_volume) / (s * (s + m.a)), budget);
+    const double resolved = larger(s, m.resolved), sb = resolved + m.a;
+    const double by_ratio = moduli.G * shear * m.per_ratio_step * resolved;
+    const double by_volume = moduli.K * std::abs(strain.x + strain.y) * m.per_stress_step * sb;
+    const double demand = smaller(larger(by_ratio, by_volume) / (resolved * sb), budget);
     // round up: adding 1.5 x 2^52 rounds to the nearest
     constexpr double shift = 0x1.8p52;
     const double nearest = (demand + shift) - shift;

@@ -74,6 +74,15 @@ UbcSandParameters ubcsand_from_relative_density(double relative_density)
     return ubcsand_from_blow_count(blow_count(relative_density));
 }
 
+UbcSandParameters with(const UbcSandRunSettings& settings, UbcSandParameters parameters)
+{
+    parameters.ripple_strain = settings.ripple_strain;
+    parameters.largest_ratio_step = settings.largest_ratio_step;
+    parameters.largest_stress_step = settings.largest_stress_step;
+    parameters.resolved_floors = settings.resolved_floors;
+    return parameters;
+}
+
 UbcSandParameters nevada_sand_55()
 {
     return ubcsand_from_relative_density(nevada_relative_density);
@@ -107,6 +116,7 @@ void check(const UbcSandParameters& m)
             m.static_poisson_ratio, "from 0 to below 0.5");
     require_positive("largest_ratio_step", m.largest_ratio_step);
     require_positive("largest_stress_step", m.largest_stress_step);
+    require_not_negative("resolved_floors", m.resolved_floors);
     require_positive("stress_floor", m.stress_floor);
     require_stable_flow(m);
 }

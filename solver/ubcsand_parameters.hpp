@@ -46,11 +46,22 @@ struct UbcSandParameters {
     // numerics: the elastic changes of a substep [own]
     double largest_ratio_step = 0.004; // of the stress ratio [-]
     double largest_stress_step = 0.02; // of the mean stress, relative [-]
+    double resolved_floors = 0.0;      // below this multiple of the floor substeps are as long as there [-]
     double stress_floor = 500.0;       // s_min, least mean stress [Pa]; dilation can lift a point off it
 };
 
-/// The ripple strain of runs, whose waves on the grid put ripples on the strain of every point [DL82] [-].
-inline constexpr double ripple_strain_of_runs = 1e-4;
+/// What a run sets otherwise. Waves on the grid put ripples on the strain of every point; below a strain of
+/// 1e-4 sand keeps its volume [DL82]. Steps of a run are short, so that coarse substeps cost little accuracy:
+/// at most 0.5 % of the initial stress in steps of a strain of 3e-5, 0.1 % in steps of 3e-6.
+struct UbcSandRunSettings {
+    double ripple_strain = 1e-4;       // [-]
+    double largest_ratio_step = 0.016; // [-]
+    double largest_stress_step = 0.05; // [-]
+    double resolved_floors = 10.0;     // [-]
+};
+
+/// The parameters with the settings of a run.
+UbcSandParameters with(const UbcSandRunSettings& settings, UbcSandParameters parameters);
 
 /// The generic set for a clean-sand blow count (N1)60 [-]. What the set derives from K_G^e [-] and phi_cv
 /// [deg] follows those given.

@@ -71,7 +71,7 @@ public:
         const Gradients& L = state_.particles.velocity_gradient_solid;
         for (std::size_t p = 0; p < gamma_.size(); ++p) {
             gamma_[p] += report.time_step.dt * (L.xy[p] + L.yx[p]);
-            legs[p].follow(gamma_[p], ripple_strain_of_runs);
+            legs[p].follow(gamma_[p], UbcSandRunSettings().ripple_strain);
         }
     }
 

@@ -126,9 +126,7 @@ void expect_sound_path(const UbcSandParameters& parameters, unsigned seed, int s
 
 TEST(UbcSandFuzz, MediumSandStaysSoundOnARandomPath)
 {
-    UbcSandParameters parameters = nevada_sand_55();
-    parameters.ripple_strain = ripple_strain_of_runs;
-    expect_sound_path(parameters, 1, 400000);
+    expect_sound_path(with(UbcSandRunSettings(), nevada_sand_55()), 1, 400000);
 }
 
 TEST(UbcSandFuzz, LooseSandStaysSoundOnARandomPath)

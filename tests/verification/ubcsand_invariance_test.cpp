@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -92,6 +93,39 @@ TEST(UbcSandSubsteps, AreFineEnough)
         parameters.largest_ratio_step /= 8.0;
         parameters.largest_stress_step /= 8.0;
         EXPECT_NEAR(usual, ru_after(parameters, 5.0), 0.002) << "(N1)60 = " << n1_60;
+    }
+}
+
+/// Largest difference of tau and sigma'_v of two laws on the same cycles of strain, over sigma'_v0 [-].
+double difference(const UbcSandParameters& a, const UbcSandParameters& b, double gamma, double step)
+{
+    Specimen one = consolidate(make_ubcsand(a), {}), other = consolidate(make_ubcsand(b), {});
+    const int steps_of_a_leg = static_cast<int>(std::lround(gamma / step));
+    double worst = 0.0;
+    for (int k = 0; k < 15 * steps_of_a_leg; ++k) {
+        const double sense = (k / steps_of_a_leg + 1) / 2 % 2 == 0 ? step : -step;
+        strain(0.0, 0.0, sense, one);
+        strain(0.0, 0.0, sense, other);
+        worst = std::max({worst, std::abs(one.state.tau_xy - other.state.tau_xy) / 100e3,
+                          std::abs(one.state.sigma_y - other.state.sigma_y) / 100e3});
+    }
+    return worst;
+}
+
+TEST(UbcSandSubsteps, OfARunAreFineEnoughBeforeAndAfterLiquefaction)
+{
+    for (const double n1_60 : {5.0, 13.9, 20.0}) {
+        UbcSandParameters fine = ubcsand_from_blow_count(n1_60);
+        UbcSandRunSettings settings;
+        settings.ripple_strain = 0.0;
+        const UbcSandParameters coarse = with(settings, fine);
+        fine.largest_ratio_step /= 4.0;
+        fine.largest_stress_step /= 4.0;
+        for (const double gamma : {5e-4, 2e-3, 2e-2}) {
+            // the steps of strain of a semi-implicit run
+            EXPECT_LT(difference(coarse, fine, gamma, 3e-5), 0.005) << n1_60 << " " << gamma;
+        }
+        EXPECT_LT(difference(coarse, fine, 5e-4, 3e-6), 0.001) << n1_60; // of an explicit one
     }
 }
 

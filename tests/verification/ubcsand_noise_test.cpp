@@ -53,9 +53,7 @@ struct Outcome {
 /// Undrained simple shear of Nevada sand at 100 kPa, K0 = 0.5; ru is its largest.
 Outcome shear_along(const std::vector<double>& path)
 {
-    UbcSandParameters parameters = nevada_sand_55();
-    parameters.ripple_strain = ripple_strain_of_runs;
-    const UbcSand law = make_ubcsand(parameters);
+    const UbcSand law = make_ubcsand(with(UbcSandRunSettings(), nevada_sand_55()));
     Specimen specimen = consolidate(law, {});
     Outcome outcome{};
     for (std::size_t k = 1; k < path.size(); ++k) {
