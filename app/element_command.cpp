@@ -8,6 +8,8 @@
 #include "solver/failure.hpp"
 
 #include <algorithm>
+#include <exception>
+#include <vector>
 
 namespace quicksand {
 
@@ -49,18 +51,36 @@ CyclicTest perform_named(const ElementOutcome& outcome, const ElementRun& run)
     }
 }
 
+/// All tests of the kind, side by side on the threads: the strengths of the specimens, then the runs.
 ElementOutcome perform_test(const ElementTest& test)
 {
     ElementOutcome outcome{test, {}, {}};
     for (std::size_t specimen = 0; specimen < test.specimens.size(); ++specimen) {
-        for (std::size_t loading = 0; loading < test.loadings.size(); ++loading) {
-            ElementRun run{specimen, loading, {}};
-            run.result = perform_named(outcome, run);
-            outcome.runs.push_back(std::move(run));
+        for (std::size_t loading = 0; loading < test.loadings.size(); ++loading)
+            outcome.runs.push_back({specimen, loading, {}});
+    }
+    if (std::holds_alternative<StressCycles>(test.loadings.front()))
+        outcome.strengths.resize(test.specimens.size());
+    const std::size_t strengths = outcome.strengths.size(), tasks = strengths + outcome.runs.size();
+    std::vector<std::exception_ptr> failures(tasks);
+#pragma omp parallel for schedule(dynamic)
+    for (std::size_t k = 0; k < tasks; ++k) {
+        try {
+            if (k < strengths) {
+                const ElementSpecimen& specimen = test.specimens[k];
+                outcome.strengths[k] = cyclic_strength(make_ubcsand(specimen.soil), specimen.start);
+            } else {
+                ElementRun& run = outcome.runs[k - strengths];
+                run.result = perform_named(outcome, run);
+            }
+        } catch (...) {
+            failures[k] = std::current_exception();
         }
-        if (!std::holds_alternative<StressCycles>(test.loadings.front())) continue;
-        const ElementSpecimen& state = test.specimens[specimen];
-        outcome.strengths.push_back(cyclic_strength(make_ubcsand(state.soil), state.start));
+    }
+    // the runs name themselves when they fail
+    std::rotate(failures.begin(), failures.begin() + static_cast<std::ptrdiff_t>(strengths), failures.end());
+    for (const std::exception_ptr& failure : failures) {
+        if (failure) std::rethrow_exception(failure);
     }
     return outcome;
 }

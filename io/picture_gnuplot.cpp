@@ -40,8 +40,9 @@ int start_gnuplot(std::FILE* script, std::FILE* messages, pid_t& child)
     posix_spawn_file_actions_adddup2(&actions, fileno(messages), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, fileno(messages), STDERR_FILENO);
     // -d: the user's own start-up file shall not change the pictures.
-    std::string program = "gnuplot", defaults = "-d";
-    const std::array<char*, 3> arguments{program.data(), defaults.data(), nullptr};
+    // A file by its name: of its standard input gnuplot reads each character by a call of the system.
+    std::string program = "gnuplot", defaults = "-d", input = "/dev/stdin";
+    const std::array<char*, 4> arguments{program.data(), defaults.data(), input.data(), nullptr};
     const int error = posix_spawnp(&child, "gnuplot", &actions, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     return error;
