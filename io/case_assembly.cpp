@@ -2,6 +2,7 @@
 
 #include "geometry/gmsh_file.hpp"
 #include "geometry/section_check.hpp"
+#include "io/ground_water.hpp"
 #include "io/scene_grid.hpp"
 #include "io/scene_section.hpp"
 #include "solver/boundary_pieces.hpp"
@@ -75,36 +76,8 @@ Sampling sample(const Scene& scene, const Section& section, const BackgroundGrid
     return sample_mesh(section, grid);
 }
 
-/// Weight of a material per volume that its grains carry, buoyant below water [N/m3].
-double effective_unit_weight(const Material& material, const Problem& problem)
-{
-    const double water_density = problem.water ? problem.water->density : 0.0;
-    return (1.0 - material.porosity) * (material.grain_density - water_density) * problem.gravity;
-}
-
-/// sigma'_v = sum over the regions of thickness above x unit weight, sigma'_h = K0 sigma'_v.
-void set_initial_stress(const Problem& problem, const Section& section,
-                        const std::vector<std::int32_t>& materials, double k0, Particles& particles)
-{
-    std::vector<double> unit_weight;
-    for (const std::int32_t material : materials) {
-        unit_weight.push_back(
-            effective_unit_weight(problem.materials[static_cast<std::size_t>(material)], problem));
-    }
-    const auto count = static_cast<std::ptrdiff_t>(particles.size());
-#pragma omp parallel for schedule(static)
-    for (std::ptrdiff_t k = 0; k < count; ++k) {
-        const auto p = static_cast<std::size_t>(k);
-        const auto thickness = thickness_above(section, particles.position[p]);
-        double vertical = 0.0; // sigma'_v, compression positive [Pa]
-        for (std::size_t r = 0; r < thickness.size(); ++r) vertical += thickness[r] * unit_weight[r];
-        particles.stress.yy[p] = -vertical;
-        particles.stress.xx[p] = particles.stress.zz[p] = -k0 * vertical;
-    }
-}
-
 Particles make_particles(const Problem& problem, const Sampling& sampling,
-                         const std::vector<std::int32_t>& materials)
+                         const std::vector<std::int32_t>& material_of_domain)
 {
     Particles particles;
     resize(particles, sampling.domains.size(), problem.water.has_value());
@@ -112,7 +85,7 @@ Particles make_particles(const Problem& problem, const Sampling& sampling,
     if (has_corners) particles.twist.x = particles.twist.y = Scalars(particles.size(), 0.0);
     for (std::size_t p = 0; p < sampling.domains.size(); ++p) {
         const ParticleDomain& domain = sampling.domains[p];
-        const std::int32_t m = materials[domain.region];
+        const std::int32_t m = material_of_domain[p];
         const Material& material = problem.materials[static_cast<std::size_t>(m)];
         particles.identifier[p] = static_cast<std::int32_t>(p);
         particles.material[p] = m;
@@ -151,7 +124,7 @@ void check_case(AssembledCase& assembled)
     Problem& problem = assembled.problem;
     Diagnostics& findings = assembled.warnings;
     check_names(scene, section, findings);
-    check_water_level(scene, section, findings);
+    check_phreatic_line(scene, findings);
     if (const auto grid = choose_grid(scene, section, findings)) {
         problem.grid = *grid;
         for (std::string& what : check_section(section, *grid)) {
@@ -211,12 +184,12 @@ AssembledCase assemble_case(SceneReading reading, Section section)
 
     assembled.sampling = sample(assembled.scene, assembled.section, assembled.problem.grid);
     check_sampling(assembled.sampling, assembled);
-    const auto materials = materials_of_regions(assembled.scene, assembled.section);
+    const auto of_region = materials_of_regions(assembled.scene, assembled.section);
+    const auto of_domain =
+        divide_materials(assembled.scene, assembled.sampling, of_region, assembled.problem);
     Particles& particles = assembled.state.particles;
-    particles = make_particles(assembled.problem, assembled.sampling, materials);
-    set_initial_stress(assembled.problem, assembled.section, materials, assembled.scene.k0, particles);
-    std::fill(particles.pore_pressure.begin(), particles.pore_pressure.end(),
-              assembled.scene.excess_pore_pressure);
+    particles = make_particles(assembled.problem, assembled.sampling, of_domain);
+    set_initial_state(assembled.scene, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
     return assembled;

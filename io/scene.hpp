@@ -36,6 +36,7 @@ struct MeshSampling {
 
 struct SceneMaterial {
     Material material;
+    double saturation_above_water = 0.0; // share of the pores filled above the phreatic line [-]
     SourcePlace place;
     std::optional<UbcSandParameters> ubcsand = std::nullopt; // of the law, when it is UBCSAND
 };
@@ -114,9 +115,10 @@ struct Scene {
     StrainForm strain = StrainForm::large;
     TimeScheme scheme = TimeScheme::explicit_steps;
 
-    double gravity = standard_gravity; // [m/s2]
-    std::optional<Water> water;        // none: a dry scene
-    SourcePlace water_place;           // of the level
+    double gravity = standard_gravity;  // [m/s2]
+    std::optional<Water> water;         // none: a dry scene
+    std::vector<Vector2> phreatic_line; // in the soil, left to right; none: the water level [m]
+    SourcePlace phreatic_place;
     std::vector<SceneMaterial> materials;
     std::vector<SceneRegion> regions;
     std::vector<SceneBoundary> boundaries;

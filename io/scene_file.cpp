@@ -98,10 +98,13 @@ void fill_ground(const SceneValues& values, Scene& scene)
     if (values.has_table("water")) {
         scene.water = Water{values.number("water.density"), values.number("water.bulk_modulus"),
                             values.number("water.level")};
-        scene.water_place = values.place("water.level");
+        scene.phreatic_line =
+            values.find<std::vector<Vector2>>("water.phreatic_line").value_or(std::vector<Vector2>());
+        scene.phreatic_place = values.place("water.phreatic_line");
     }
     for (const NamedTable& table : tables_named(values, "materials")) {
-        scene.materials.push_back({read_material(values, table), table.place});
+        scene.materials.push_back({read_material(values, table),
+                                   values.number(table.path + ".saturation_above_water"), table.place});
     }
     for (const NamedTable& table : tables_named(values, "regions")) {
         scene.regions.push_back({table.name, values.text(table.path + ".material"), table.place});

@@ -108,7 +108,10 @@ std::vector<SceneKey> ground_keys()
         {.pattern = "water.bulk_modulus", .dimension = Dimension::pressure, .default_value = 2.2e9,
          .allowed = positive, .plausible = {1e8, 3e9}, .doc = "Bulk modulus of the pore water."},
         {.pattern = "water.level", .dimension = Dimension::length, .required = true,
-         .doc = "y of the still water surface; the soil lies below it."},
+         .doc = "y of the lowest still water; soil above it is dry, unless a phreatic line rises over it."},
+        {.pattern = "water.phreatic_line", .type = point_list, .dimension = Dimension::length,
+         .default_note = "the level",
+         .doc = "Points from left to right: soil below is saturated, soil above drained; level beyond its ends."},
     };
 }
 
@@ -159,6 +162,9 @@ std::vector<SceneKey> material_keys()
          .saturated_only = true,
          .default_value = standard_gravity, .allowed = positive, .plausible = {1.0, 2000.0},
          .doc = "Gravity at which the conductivity was measured; at 120 g a wrong pairing is a factor 120."},
+        {.pattern = "materials.*.saturation_above_water", .saturated_only = true, .default_value = 0.0,
+         .allowed = {.lower = 0.0, .upper = 1.0},
+         .doc = "Share of the pores that is filled above the phreatic line; it counts as weight alone."},
         {.pattern = "materials.*.static_poisson_ratio",
          .default_value = UbcSandParameters().static_poisson_ratio,
          .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.2, 0.45},

@@ -22,6 +22,8 @@ std::string type_text(const SceneKey& key)
         return "file name";
     case ValueType::point:
         return "[x, y]";
+    case ValueType::point_list:
+        return "list of [x, y]";
     case ValueType::count_pair:
         return "[whole number, whole number]";
     case ValueType::number_table:
@@ -178,6 +180,12 @@ std::string value_text(const SceneValue& value)
         {
             std::string list;
             for (const double number : numbers) list += (list.empty() ? "" : ", ") + number_text(number);
+            return "[" + list + "]";
+        }
+        std::string operator()(const std::vector<Vector2>& points) const
+        {
+            std::string list;
+            for (const Vector2& point : points) list += (list.empty() ? "" : ", ") + operator()(point);
             return "[" + list + "]";
         }
     };

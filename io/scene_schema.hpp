@@ -21,7 +21,7 @@ namespace quicksand {
 /// A value of a scene key, in SI units.
 using SceneValue = std::variant<double, std::int64_t, std::string, Vector2, std::pair<int, int>,
                                 std::map<std::string, double>, std::vector<std::string>, std::vector<double>,
-                                std::vector<int>, std::map<std::string, std::vector<double>>>;
+                                std::vector<int>, std::vector<Vector2>, std::map<std::string, std::vector<double>>>;
 
 enum class ValueType {
     table,        // [grid]
@@ -32,6 +32,7 @@ enum class ValueType {
     word,         // one of a list
     path,         // of a file, relative to the scene
     point,        // [x, y]
+    point_list,   // [[x, y], ...]
     count_pair,   // two integers
     number_table, // NAME = number
     list_table,   // NAME = [number, ...]

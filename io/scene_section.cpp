@@ -263,16 +263,4 @@ std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& sect
     return TiedSides{tied[ordered ? 0 : 1]->name, tied[ordered ? 1 : 0]->name, left.x, right.x};
 }
 
-void check_water_level(const Scene& scene, const Section& section, Diagnostics& findings)
-{
-    if (!scene.water) return;
-    const double tolerance = 1e-9 * (section.upper - section.lower).maxCoeff();
-    if (section.upper.y() <= scene.water->level + tolerance) return;
-    findings.add(error_at(scene.water_place, "water-level",
-                          "the soil reaches up to y = " + number_text(section.upper.y()) +
-                              " m, the water only to " + number_text(scene.water->level) + " m",
-                          "a level of at least " + number_text(section.upper.y()) + " m",
-                          "this version runs sections wholly below the water, or dry ones without [water]"));
-}
-
 } // namespace quicksand

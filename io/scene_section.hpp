@@ -22,7 +22,4 @@ std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section
 std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& section,
                                          const BackgroundGrid& grid, Diagnostics& findings);
 
-/// Check that the whole section lies below the water level, if there is water.
-void check_water_level(const Scene& scene, const Section& section, Diagnostics& findings);
-
 } // namespace quicksand

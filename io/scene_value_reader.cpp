@@ -32,6 +32,7 @@ private:
     std::optional<SceneValue> read_text(const DocumentNode& node);
     std::optional<SceneValue> read_word(const DocumentNode& node);
     std::optional<SceneValue> read_pair(const DocumentNode& node);
+    std::optional<SceneValue> read_point_list(const DocumentNode& node);
     std::optional<SceneValue> read_number_table(const DocumentNode& node);
     std::optional<SceneValue> read_list_table(const DocumentNode& node);
     std::optional<SceneValue> read_text_list(const DocumentNode& node);
@@ -240,6 +241,23 @@ std::optional<SceneValue> ValueReader::read_pair(const DocumentNode& node)
     return Vector2(*x, *y);
 }
 
+std::optional<SceneValue> ValueReader::read_point_list(const DocumentNode& node)
+{
+    if (node.kind != Kind::array || node.children.size() < 2) {
+        refuse(node, "type",
+               path_ + " is " +
+                   (node.kind == Kind::array ? "a list of less than two" : describe_kind(node.kind)),
+               "two points or more, as [[0, 1.5], [10, 0.5]]");
+        return std::nullopt;
+    }
+    std::vector<Vector2> points;
+    for (const DocumentNode& child : node.children) {
+        if (const auto point = read_pair(child)) points.push_back(std::get<Vector2>(*point));
+    }
+    if (points.size() < node.children.size()) return std::nullopt;
+    return points;
+}
+
 std::optional<SceneValue> ValueReader::read_number_table(const DocumentNode& node)
 {
     if (node.kind != Kind::table) {
@@ -363,6 +381,8 @@ std::optional<SceneValue> ValueReader::read(const DocumentNode& node)
     case ValueType::point:
     case ValueType::count_pair:
         return read_pair(node);
+    case ValueType::point_list:
+        return read_point_list(node);
     case ValueType::number_table:
         return read_number_table(node);
     case ValueType::list_table:

@@ -9,11 +9,6 @@ namespace quicksand {
 
 namespace {
 
-double porosity_of(const Problem& problem, const TwoPhaseSums& node)
-{
-    return node.mass_fluid / (problem.water->density * node.volume);
-}
-
 /// Velocities of grains and water per impulse of the pressure's force, which the two share as 1-n and n.
 NodeResponse pressure_response(double n, const NodeResponse& response)
 {
@@ -30,7 +25,7 @@ void include_dashpots(const Problem& problem, const NodeConditions& conditions, 
     for (const Dashpot& dashpot : dashpots) {
         const std::size_t i = dashpot.node;
         if (!sums[i].active()) continue;
-        const double n = porosity_of(problem, sums[i]);
+        const double n = node_porosity(problem, sums[i]);
         const std::uint8_t held = conditions.of_node[i];
         const NodeResponse x = response(sums[i], dt, held, 0), y = response(sums[i], dt, held, 1);
         Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
@@ -58,7 +53,7 @@ std::vector<WallCompliance> wall_compliances(const Problem& problem, const NodeC
             const TwoPhaseSums& node = sums[compliance.node[a]];
             if (!node.active()) continue;
             const NodeResponse velocity =
-                pressure_response(porosity_of(problem, node), a == 0 ? pair.inner : pair.outer);
+                pressure_response(node_porosity(problem, node), a == 0 ? pair.inner : pair.outer);
             compliance.solid[a] = share[a] * velocity.solid;
             compliance.fluid[a] = share[a] * velocity.fluid;
         }

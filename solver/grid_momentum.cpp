@@ -43,7 +43,7 @@ NodeImpulses two_phase_impulses(const Problem& problem, double dt, double accele
     // the porosity of the node stands outside the sum of F^p: a constant pressure across a porosity jump
     // then gives no force between the phases
     const double fluid_density = problem.water->density;
-    const double porosity = node.mass_fluid / (fluid_density * node.volume);
+    const double porosity = node_porosity(problem, node);
     const double buoyant_mass = node.mass_solid + node.mass_fluid - fluid_density * node.volume;
     const Vector2 pressure_force(node.pressure_force_x, node.pressure_force_y);
     const Vector2 stress_force(node.stress_force_x, node.stress_force_y);
@@ -68,6 +68,7 @@ void set_flux_and_change(const Problem& problem, const TwoPhaseSums& node, TwoPh
     set_flux(problem, node, motion);
     motion.solid_change_x = motion.solid_x - node.momentum_solid_x / node.mass_solid;
     motion.solid_change_y = motion.solid_y - node.momentum_solid_y / node.mass_solid;
+    if (node.mass_fluid == 0.0) return; // and the change of no water is zero
     motion.fluid_change_x = motion.fluid_x - node.momentum_fluid_x / node.mass_fluid;
     motion.fluid_change_y = motion.fluid_y - node.momentum_fluid_y / node.mass_fluid;
 }
@@ -102,11 +103,6 @@ TwoPhaseMotion solve_slanted(const TwoPhaseSums& node, const NodeImpulses& impul
     return {solid.x(), solid.y(), fluid.x(), fluid.y(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
 }
 
-double node_porosity(const Problem& problem, const TwoPhaseSums& node)
-{
-    return node.mass_fluid / (problem.water->density * node.volume);
-}
-
 /// Impulses of a force of the pressure over a unit of time, shared by grains and water.
 NodeImpulses unit_pressure_impulses(double porosity, const Vector2& force)
 {
@@ -127,11 +123,16 @@ void add_tied(const NodeConditions& conditions, std::vector<Sums>& sums, Add&& a
 
 } // namespace
 
+double node_porosity(const Problem& problem, const TwoPhaseSums& node)
+{
+    return node.mass_fluid > 0.0 ? node.mass_fluid / (problem.water->density * node.volume) : 0.0;
+}
+
 void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
 {
-    const double porosity = node.mass_fluid / (problem.water->density * node.volume);
-    motion.flux_x = (1.0 - porosity) * motion.solid_x + porosity * motion.fluid_x;
-    motion.flux_y = (1.0 - porosity) * motion.solid_y + porosity * motion.fluid_y;
+    const Vector2 flux = flux_of(node_porosity(problem, node), motion);
+    motion.flux_x = flux.x();
+    motion.flux_y = flux.y();
 }
 
 void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums)
@@ -162,6 +163,11 @@ void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseS
         master.stress_force_x += node.stress_force_x;
         master.stress_force_y += node.stress_force_y;
     });
+}
+
+void gather_tied_sums(const NodeConditions& conditions, std::vector<double>& sums)
+{
+    add_tied(conditions, sums, [](double& master, double node) { master += node; });
 }
 
 PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,

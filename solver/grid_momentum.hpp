@@ -25,12 +25,16 @@ struct PhaseVelocities {
 PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,
                            double impulse_fluid);
 
+/// Porosity of the saturated soil at a node; zero where there is no water [-].
+double node_porosity(const Problem& problem, const TwoPhaseSums& node);
+
 /// The flux of grains and water that follows from a node's velocities.
 void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion);
 
 /// Add the sums of tied nodes to their masters.
 void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums);
 void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseSums>& sums);
+void gather_tied_sums(const NodeConditions& conditions, std::vector<double>& sums);
 
 /// Give tied nodes their masters' velocities.
 template <class Motion>

@@ -79,11 +79,12 @@ struct RelativeFilter {
     double solid, fluid; // [-]
 };
 
-/// a dt / (1 + a dt), a = C (1/r_s + 1/r_w), shared out by the masses of the other phase.
+/// a dt / (1 + a dt), a = C (1/r_s + 1/r_w), shared out by the masses of the other phase; none without water.
 inline RelativeFilter relative_filter(const Problem& problem, double dt, const Particles& particles,
                                       std::size_t p)
 {
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+    if (!material.saturated) return {0.0, 0.0};
     const double n = particles.porosity[p];
     const double r_s = particles.mass_solid[p] / particles.volume[p], r_w = n * problem.water->density;
     const double dt_drag = dt * drag_coefficient(material, *problem.water, n);
@@ -125,7 +126,7 @@ double noise_time(const Problem& problem)
     constexpr double cells_of_memory = 20.0; // the fastest wave crosses in tau [-]
     double fastest = 0.0;
     for (const Material& material : problem.materials) {
-        const WaveSpeeds speeds = wave_speeds(material, problem.water, material.porosity);
+        const WaveSpeeds speeds = wave_speeds(material, water_of(problem, material), material.porosity);
         fastest = std::max({fastest, speeds.fast, speeds.skeleton});
     }
     return cells_of_memory * problem.grid.cell_size / fastest;

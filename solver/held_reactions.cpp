@@ -99,16 +99,12 @@ Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vec
 /// Forces at the nodes of the state at rest, the pressure of the water included.
 std::vector<SinglePhaseSums> forces_at_rest(const Problem& problem, const State& state)
 {
-    State total = state;
-    total.stage = Stage::relaxation;
-    total.reactions = {};
-    for (std::size_t p = 0; p < total.particles.pore_pressure.size(); ++p) {
-        total.particles.stress.xx[p] -= total.particles.pore_pressure[p];
-        total.particles.stress.yy[p] -= total.particles.pore_pressure[p];
-    }
+    State held = state;
+    held.stage = Stage::relaxation;
+    held.reactions = {};
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
-    locate_particles(problem, 0.0, total, work);
-    scatter_to_nodes(problem, 0.0, total, work);
+    locate_particles(problem, 0.0, held, work);
+    scatter_to_nodes(problem, 0.0, held, work);
     return work.sums;
 }
 

@@ -1,6 +1,7 @@
 #include "solver/ledger.hpp"
 
 #include "solver/boundary_conditions.hpp"
+#include "solver/grid_momentum.hpp"
 #include "solver/monitors.hpp"
 #include "solver/threads.hpp"
 
@@ -83,7 +84,8 @@ void enter_reaction(const Vector2& reaction, const PhaseStep& phase, StepEntries
 }
 
 void enter_node(const Problem& problem, double dt, double acceleration, NodeKind kind,
-                const TwoPhaseSums& node, const TwoPhaseMotion& motion, StepEntries& entries)
+                const TwoPhaseSums& node, double risen_weight, const TwoPhaseMotion& motion,
+                StepEntries& entries)
 {
     const PhaseStep solid = phase_step(node.mass_solid, motion.solid_x, motion.solid_y, motion.solid_change_x,
                                        motion.solid_change_y);
@@ -95,21 +97,24 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
         Vector2(node.momentum_solid_x + node.momentum_fluid_x, node.momentum_solid_y + node.momentum_fluid_y);
 
     const double density = problem.water->density;
-    const double porosity = node.mass_fluid / (density * node.volume);
+    const double porosity = node_porosity(problem, node);
     const Vector2 stress = dt * Vector2(node.stress_force_x, node.stress_force_y);
     const Vector2 pressure = dt * Vector2(node.pressure_force_x, node.pressure_force_y);
     const Vector2 base_solid(-dt * node.mass_solid * acceleration, 0.0);
     const Vector2 base_fluid(-dt * node.mass_fluid * acceleration, 0.0);
     const Vector2 weight(0.0,
                          -dt * problem.gravity * (node.mass_solid + node.mass_fluid - density * node.volume));
+    const Vector2 risen(0.0, -dt * risen_weight);
     const Vector2 drag = dt * node.drag * (fluid.end - solid.end);
 
     entries.skeleton -= stress.dot(solid.mean);
-    entries.late_pressure -= 0.5 * pressure.dot(Vector2(motion.flux_x, motion.flux_y));
+    entries.late_pressure -=
+        0.5 * (pressure - risen).dot((1.0 - porosity) * solid.end + porosity * fluid.end);
     entries.drag += drag.dot(fluid.mean - solid.mean);
-    entries.gravity += weight.dot(solid.mean);
+    entries.gravity +=
+        weight.dot(solid.mean) + risen.dot((1.0 - porosity) * solid.mean + porosity * fluid.mean);
     entries.base += base_solid.dot(solid.mean) + base_fluid.dot(fluid.mean);
-    entries.impulse += weight + base_solid + base_fluid;
+    entries.impulse += weight + risen + base_solid + base_fluid;
     if (kind != wall_node) return;
     const Vector2 known_solid = stress + (1.0 - porosity) * pressure + base_solid + weight + drag;
     const Vector2 known_fluid = porosity * pressure + base_fluid - drag;
@@ -132,15 +137,9 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     if (kind == wall_node) enter_reaction(body.impulse - (stress + weight + base), body, entries);
 }
 
-template <class Sums, class Motion>
-void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                     double acceleration, const std::vector<Sums>& sums, const std::vector<Motion>& motion,
-                     Ledger& ledger)
+/// Add a step's sums to the books.
+void enter_step(const Problem& problem, double dt, const StepEntries& step, Ledger& ledger)
 {
-    const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t i, StepEntries& entries) {
-        if (nodes[i] == stands_for_nobody || !sums[i].active()) return;
-        enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i], motion[i], entries);
-    });
     ledger.kinetic_change += step.kinetic;
     ledger.skeleton_work += step.skeleton;
     ledger.late_pressure_work = step.late_pressure;
@@ -205,23 +204,37 @@ void open_ledger(const Problem& problem, State& state)
 }
 
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, const std::vector<TwoPhaseSums>& sums,
+                 double acceleration, const std::vector<TwoPhaseSums>& sums, const Scalars& risen_weight,
                  const std::vector<TwoPhaseMotion>& motion, Ledger& ledger)
 {
-    enter_all_nodes(problem, nodes, dt, acceleration, sums, motion, ledger);
+    const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t i, StepEntries& entries) {
+        if (nodes[i] == stands_for_nobody || !sums[i].active()) return;
+        const double risen = risen_weight.empty() ? 0.0 : risen_weight[i];
+        enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i], risen, motion[i],
+                   entries);
+    });
+    enter_step(problem, dt, step, ledger);
 }
 
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
                  double acceleration, const std::vector<SinglePhaseSums>& sums,
                  const std::vector<SinglePhaseMotion>& motion, Ledger& ledger)
 {
-    enter_all_nodes(problem, nodes, dt, acceleration, sums, motion, ledger);
+    const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t i, StepEntries& entries) {
+        if (nodes[i] == stands_for_nobody || !sums[i].active()) return;
+        enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i], motion[i], entries);
+    });
+    enter_step(problem, dt, step, ledger);
 }
 
-void enter_outflow(double dt, const Particles& particles, const Scalars& flux_divergence, Ledger& ledger)
+void enter_outflow(const Problem& problem, double dt, const Particles& particles,
+                   const Scalars& flux_divergence, Ledger& ledger)
 {
     const Gradients& L = particles.velocity_gradient_solid;
+    const bool all_wet = !has_unsaturated_soil(problem);
     const auto outflow = [&](std::size_t p) {
+        if (!all_wet && !problem.materials[static_cast<std::size_t>(particles.material[p])].saturated)
+            return 0.0;
         return particles.volume[p] * (flux_divergence[p] - (L.xx[p] + L.yy[p]));
     };
     // four sums side by side: one alone would wait for each addition
@@ -282,6 +295,7 @@ double water_content(const Problem& problem, const Particles& particles)
 {
     double sum = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
         const double pressure =
             particles.pore_pressure[p] + static_water_pressure(problem, particles.position.y[p]);
         sum += particles.porosity[p] * particles.volume[p] * (1.0 + pressure / problem.water->bulk_modulus);

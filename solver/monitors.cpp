@@ -73,7 +73,8 @@ Monitors monitor(const Problem& problem, const State& state, const std::vector<s
         monitors.max_velocity = std::max(monitors.max_velocity, particles.velocity_solid[p].norm());
         const Vector2 displacement = particles.position[p] - particles.reference_position[p];
         monitors.max_displacement = std::max(monitors.max_displacement, displacement.norm());
-        if (problem.water) add_fluid(problem, particles, p, monitors);
+        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        if (water_of(problem, material)) add_fluid(problem, particles, p, monitors);
     }
     monitors.crest_settlement = crest_settlement(particles, crest);
     return monitors;

@@ -9,7 +9,7 @@ namespace quicksand {
 struct alignas(64) TwoPhaseSums {
     double mass_solid;                         // m_s [kg/m]
     double mass_fluid;                         // m_w [kg/m]
-    double volume;                             // sum phi V [m3/m]
+    double volume;                             // sum phi V of the saturated soil [m3/m]
     double drag;                               // C = sum phi V n^2 rho_w g_k / k [N s/m2 per metre]
     double momentum_solid_x, momentum_solid_y; // [N s/m]
     double momentum_fluid_x, momentum_fluid_y; // [N s/m]

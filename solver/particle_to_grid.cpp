@@ -6,6 +6,9 @@
 #include "solver/gimp.hpp"
 #include "solver/lanes.hpp"
 #include "solver/linear_interpolation.hpp"
+#include "solver/pore_pressure.hpp"
+
+#include <algorithm>
 
 namespace quicksand {
 
@@ -32,7 +35,7 @@ void for_each_node(const StoredPatch& patch, const PatchStore& store, std::int32
 ///   phi amounts,  phi (momentum + slope_x d_x + slope_y d_y),  grad_x flow_x + grad_y flow_y
 /// for the masses, momenta and forces in the order of TwoPhaseSums.
 struct TwoPhaseShare {
-    Lanes amounts;                    // m_s, m_w, V, C V
+    Lanes amounts;                    // m_s, m_w, V_w of saturated soil, C V_w
     Lanes momentum, slope_x, slope_y; // m_s v_s and m_w v_w, and their gradients
     Lanes flow_x, flow_y;             // -V sigma' of the grains and V p, columns x and y
 };
@@ -42,14 +45,15 @@ inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
     const Gradients &Ls = particles.velocity_gradient_solid, &Lw = particles.velocity_gradient_fluid;
     const double V = particles.volume[p], n = particles.porosity[p];
-    const double m_s = particles.mass_solid[p], m_w = n * problem.water->density * V;
-    const double C = V * drag_coefficient(material, *problem.water, n);
+    const double V_w = material.saturated ? V : 0.0;
+    const double m_s = particles.mass_solid[p], m_w = n * problem.water->density * V_w;
+    const double C = V_w * drag_coefficient(material, *problem.water, n);
     const double sxx = V * particles.stress.xx[p], syy = V * particles.stress.yy[p],
                  sxy = V * particles.stress.xy[p];
     const double pressure = V * particles.pore_pressure[p];
     const Lanes masses = {m_s, m_s, m_w, m_w};
     TwoPhaseShare share;
-    share.amounts = Lanes{m_s, m_w, V, C};
+    share.amounts = Lanes{m_s, m_w, V_w, C};
     share.momentum = masses * Lanes{particles.velocity_solid.x[p], particles.velocity_solid.y[p],
                                     particles.velocity_fluid.x[p], particles.velocity_fluid.y[p]};
     share.slope_x = masses * Lanes{Ls.xx[p], Ls.yx[p], Lw.xx[p], Lw.yx[p]};
@@ -85,9 +89,13 @@ void compute_carried_masses(const Problem& problem, const Particles& particles, 
     masses.inertia = particles.mass_solid;
     masses.weight = particles.mass_solid;
     if (!problem.water) return;
+    const Vectors& place = place_in_equations(problem, particles);
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        masses.inertia[p] += problem.water->density * particles.porosity[p] * particles.volume[p];
-        masses.weight[p] = masses.inertia[p] - problem.water->density * particles.volume[p];
+        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+        const double displaced = problem.water->density * particles.volume[p];
+        masses.inertia[p] += particles.porosity[p] * displaced;
+        masses.weight[p] = masses.inertia[p];
+        if (place.y[p] < problem.water->level) masses.weight[p] -= displaced;
     }
 }
 
@@ -161,6 +169,46 @@ void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles
                           node.momentum_y += w.value * m * (v.y() + L.yx[p] * dx + L.yy[p] * dy);
                           node.stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
                           node.stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
+                      });
+    }
+}
+
+void scatter_risen_water(const Problem& problem, const Particles& particles, const CellLists& lists,
+                         const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums,
+                         Scalars& risen_weight)
+{
+    const StoredPatch* patch = store.patches.data();
+    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
+        const auto p = static_cast<std::size_t>(lists.order[k]);
+        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        if (!material.saturated || place_in_equations(problem, particles).y[p] < problem.water->level)
+            continue;
+        const double lift = problem.water->density * problem.gravity * particles.volume[p];
+        for_each_node(*patch, store, problem.grid.nodes_x(), problem.grid.cell_size,
+                      [&](std::size_t i, const NodeWeight& w, double, double) {
+                          sums[i].pressure_force_y -= w.value * lift;
+                          risen_weight[i] += w.value * lift;
+                      });
+    }
+}
+
+bool has_pressure(const Particles& particles)
+{
+    return std::any_of(particles.pore_pressure.begin(), particles.pore_pressure.end(),
+                       [](double pressure) { return pressure != 0.0; });
+}
+
+void scatter_held_pressure(const BackgroundGrid& grid, const Particles& particles, const CellLists& lists,
+                           const Tile& tile, const PatchStore& store, std::vector<SinglePhaseSums>& sums)
+{
+    const StoredPatch* patch = store.patches.data();
+    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
+        const auto p = static_cast<std::size_t>(lists.order[k]);
+        const double pressure = particles.volume[p] * particles.pore_pressure[p];
+        for_each_node(*patch, store, grid.nodes_x(), grid.cell_size,
+                      [&](std::size_t i, const NodeWeight& w, double, double) {
+                          sums[i].stress_force_x += pressure * w.gradient_x;
+                          sums[i].stress_force_y += pressure * w.gradient_y;
                       });
     }
 }

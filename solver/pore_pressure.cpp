@@ -70,6 +70,42 @@ Vector2 pressure_slope(const BackgroundGrid& grid, const CellLists& lists, const
 
 } // namespace
 
+void select_saturated(const Problem& problem, const Particles& particles, const CellLists& all,
+                      CellLists& wet)
+{
+    wet.order.clear();
+    const std::size_t slots = all.cell_start.size() - 1;
+    wet.cell_start.assign(all.cell_start.size(), 0);
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+        for (std::int32_t k = all.cell_start[slot]; k < all.cell_start[slot + 1]; ++k) {
+            const std::int32_t p = all.order[static_cast<std::size_t>(k)];
+            const auto material = static_cast<std::size_t>(particles.material[static_cast<std::size_t>(p)]);
+            if (problem.materials[material].saturated) wet.order.push_back(p);
+        }
+        wet.cell_start[slot + 1] = static_cast<std::int32_t>(wet.order.size());
+    }
+}
+
+void set_saturated_volumes(const Problem& problem, const Particles& particles, Scalars& volumes)
+{
+    volumes = particles.volume;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) volumes[p] = 0.0;
+    }
+}
+
+void carry_moisture(const Problem& problem, Particles& particles)
+{
+    const Gradients& Ls = particles.velocity_gradient_solid;
+    Gradients& Lw = particles.velocity_gradient_fluid;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+        particles.velocity_fluid.set(p, particles.velocity_solid[p]);
+        Lw.xx[p] = Ls.xx[p], Lw.xy[p] = Ls.xy[p];
+        Lw.yx[p] = Ls.yx[p], Lw.yy[p] = Ls.yy[p];
+    }
+}
+
 void explicit_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                          const Particles& particles, const Scalars& flux_divergence, Scalars& increment)
 {
@@ -112,8 +148,8 @@ void apply_increments(const Problem& problem, double dt, const CellLists& lists,
         const CellSums sums = sum_cell(lists, first, last, particles, place);
         means.volume[slot] = sums.volume;
         means.centre.set(slot, sums.moment / sums.volume);
-        means.pore_pressure[slot] =
-            (sums.pressure + dt * weight_density * sums.rise) / sums.volume + increment[slot];
+        const double slope = means.centre.y[slot] < problem.water->level ? weight_density : 0.0;
+        means.pore_pressure[slot] = (sums.pressure + dt * slope * sums.rise) / sums.volume + increment[slot];
         if (particles.pore_pressure_rate.empty()) return;
         for (std::size_t k = first; k < last; ++k)
             particles.pore_pressure_rate[static_cast<std::size_t>(lists.order[k])] = increment[slot] / dt;

@@ -3,11 +3,11 @@
 // The pressure is as rich as the cells, not as the particles: that is the cure for volumetric locking and its
 // noise. A cell's mean grows by
 //   dp = - dt K_w  sum V_p div[(1-n) v_s + n v_w] / sum n_p V_p
-// and, since the excess is counted from a static pressure that falls with height, by dt rho_w g v_y (not in
-// small strain, where nothing leaves its height). Within the cell the pressure is the plane through the mean
-// with the slope of the neighbours' means: second order at the particles where the mean alone would be first,
-// and without force on a filled cell's own volume mode, so that the means keep the balance of energy with the
-// velocities.
+// and, since the excess is counted from a static pressure that falls with height below the water level, by
+// dt rho_w g v_y there (not in small strain, where nothing leaves its height). Within the cell the pressure
+// is the plane through the mean with the slope of the neighbours' means: second order at the particles where
+// the mean alone would be first, and without force on a filled cell's own volume mode, so that the means keep
+// the balance of energy with the velocities.
 #pragma once
 
 #include "solver/background_grid.hpp"
@@ -29,6 +29,16 @@ struct CellMeans {
     Scalars pore_pressure; // [Pa]
     Vectors centre;        // of the soil in the cell [m]
 };
+
+/// The lists of the saturated particles alone: only these have a pore pressure.
+void select_saturated(const Problem& problem, const Particles& particles, const CellLists& all,
+                      CellLists& wet);
+
+/// Volumes of the saturated particles, 0 for the others [m3/m].
+void set_saturated_volumes(const Problem& problem, const Particles& particles, Scalars& volumes);
+
+/// What little water unsaturated soil holds moves with its grains.
+void carry_moisture(const Problem& problem, Particles& particles);
 
 /// dp of a tile's cells in an explicit step, from the divergence of the flux at the particles.
 void explicit_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,

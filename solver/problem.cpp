@@ -4,6 +4,18 @@
 
 namespace quicksand {
 
+const std::optional<Water>& water_of(const Problem& problem, const Material& material)
+{
+    static const std::optional<Water> none;
+    return material.saturated ? problem.water : none;
+}
+
+bool has_unsaturated_soil(const Problem& problem)
+{
+    return problem.water && std::any_of(problem.materials.begin(), problem.materials.end(),
+                                        [](const Material& material) { return !material.saturated; });
+}
+
 double static_water_pressure(const Problem& problem, double y)
 {
     if (!problem.water) return 0.0;

@@ -28,12 +28,14 @@ struct Material {
     double hydraulic_conductivity = 0.0;            // k [m/s]; not intrinsic permeability
     double conductivity_gravity = standard_gravity; // g_k, the gravity at which k is stated [m/s2]
     VolumetricStrain volumetric_strain = VolumetricStrain::particle;
+    bool saturated = true; // pores full of water where the scene has water; false above a phreatic line
 };
 
 struct Water {
-    double density = 1000.0;     // rho_w [kg/m3]
-    double bulk_modulus = 2.2e9; // K_w [Pa]
-    double level = 0.0;          // y of the still water surface [m]
+    double density = 1000.0;        // rho_w [kg/m3]
+    double bulk_modulus = 2.2e9;    // K_w [Pa]
+    double level = 0.0;             // y of the still water surface [m]
+    bool rises_above_level = false; // a phreatic line in the soil lies above the level somewhere
 };
 
 enum class SoilCondition {
@@ -161,6 +163,12 @@ struct Problem {
     /// [m/s2].
     std::function<Vector2(const Vector2&, double)> body_acceleration;
 };
+
+/// The water of a material's pores: none in a dry scene and above a phreatic line.
+const std::optional<Water>& water_of(const Problem& problem, const Material& material);
+
+/// Whether any material is not saturated in a scene with water.
+bool has_unsaturated_soil(const Problem& problem);
 
 /// Static pressure of the still water at height y, zero above the level [Pa].
 double static_water_pressure(const Problem& problem, double y);

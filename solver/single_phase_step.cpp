@@ -23,9 +23,11 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
     const Particles& particles = state.particles;
     compute_carried_masses(problem, particles, work.masses);
     work.sums.assign(work.sums.size(), SinglePhaseSums{});
+    const bool pressed = has_pressure(particles);
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
         const PatchStore& store = work.patches_of(tile);
         scatter_single_phase(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);
+        if (pressed) scatter_held_pressure(problem.grid, particles, work.lists, tile, store, work.sums);
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
     });

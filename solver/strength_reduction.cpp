@@ -52,7 +52,8 @@ double shear_crossing_time(const Problem& problem)
 {
     double slowest = std::numeric_limits<double>::infinity();
     for (const Material& material : problem.materials)
-        slowest = std::min(slowest, wave_speeds(material, problem.water, material.porosity).shear);
+        slowest =
+            std::min(slowest, wave_speeds(material, water_of(problem, material), material.porosity).shear);
     return problem.grid.cell_size * (problem.grid.cells_x + problem.grid.cells_y) / slowest;
 }
 

@@ -93,7 +93,7 @@ TimeStep wave_limit(const Problem& problem, const Extremes& extremes, double saf
 {
     return least_limit(problem, extremes, [&](const Material& material, double modulus, double porosity) {
         return safety * problem.grid.cell_size /
-               speed(wave_speeds(material, modulus, problem.water, porosity));
+               speed(wave_speeds(material, modulus, water_of(problem, material), porosity));
     });
 }
 
@@ -131,8 +131,9 @@ TimeStep semi_implicit_limit(const Problem& problem, const Extremes& extremes)
     return least_limit(problem, extremes, [&](const Material& material, double modulus, double n) {
         const double shear_share = std::visit(
             [](const auto& law) { return shear_modulus(law) / constrained_modulus(law); }, material.law);
-        const double r_s = (1.0 - n) * material.grain_density, r_w = n * problem.water->density;
-        const double drag = drag_coefficient(material, *problem.water, n);
+        const bool wet = material.saturated;
+        const double r_s = (1.0 - n) * material.grain_density, r_w = wet ? n * problem.water->density : 0.0;
+        const double drag = wet ? drag_coefficient(material, *problem.water, n) : 0.0;
         return semi_implicit_safety *
                std::min(slow_wave_limit(modulus, drag, n, r_s, r_w, h),
                         shear_safety * dragged_shear_limit(shear_share * modulus, drag, r_s, r_w, h));
@@ -184,8 +185,8 @@ std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& p
     for (std::size_t m = 0; m < problem.materials.size(); ++m) {
         const Material& material = problem.materials[m];
         const double M = extremes.materials[m].stiffest_modulus;
-        waves.push_back(M > 0.0 ? wave_speeds(material, M, problem.water, material.porosity)
-                                : wave_speeds(material, problem.water, material.porosity));
+        waves.push_back(M > 0.0 ? wave_speeds(material, M, water_of(problem, material), material.porosity)
+                                : wave_speeds(material, water_of(problem, material), material.porosity));
     }
     return waves;
 }
@@ -196,7 +197,7 @@ TimeStep stable_time_step(const Problem& problem, const Particles& particles)
     if (problem.water && problem.scheme == TimeScheme::semi_implicit)
         return limit_motion(problem, extremes, semi_implicit_limit(problem, extremes));
     const TimeStep wave = wave_limit(problem, extremes, wave_safety, [&](const WaveSpeeds& speeds) {
-        return problem.water ? speeds.fast : speeds.skeleton;
+        return std::max(speeds.fast, speeds.skeleton);
     });
     return limit_motion(problem, extremes, wave);
 }

@@ -10,18 +10,29 @@
 #include "solver/particle_to_grid.hpp"
 #include "solver/surface_loads.hpp"
 
+#include <algorithm>
 #include <string>
 
 namespace quicksand {
 
 namespace {
 
+void locate(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
+{
+    locate_particles(problem, dt, state, work);
+    if (work.partly_saturated) select_saturated(problem, state.particles, work.lists, work.wet_lists);
+}
+
 void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWorkspace& work)
 {
     const Particles& particles = state.particles;
     work.sums.assign(work.sums.size(), TwoPhaseSums{});
+    work.risen_weight.assign(work.risen_weight.size(), 0.0);
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
         scatter_two_phase(problem, particles, work.lists, tile, work.patches_of(tile), work.sums);
+        if (problem.water->rises_above_level)
+            scatter_risen_water(problem, particles, work.lists, tile, work.patches_of(tile), work.sums,
+                                work.risen_weight);
     });
     const double time = load_time(state, dt);
     scatter_surface_loads(problem, time, particles, work.places, work.sums);
@@ -29,6 +40,13 @@ void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWork
     scatter_reactions(problem, state, work.places, work.sums);
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
+    if (!work.risen_weight.empty()) gather_tied_sums(work.conditions, work.risen_weight);
+}
+
+/// The lists of the particles that have a pore pressure.
+const CellLists& lists_with_pressure(const TwoPhaseWorkspace& work)
+{
+    return work.partly_saturated ? work.wet_lists : work.lists;
 }
 
 void solve_velocities(const Problem& problem, double dt, const State& state, TwoPhaseWorkspace& work)
@@ -44,7 +62,8 @@ void enter_works(const Problem& problem, double dt, const TwoPhaseWorkspace& wor
 {
     if (!state.ledger) return;
     const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
-    enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.motion, *state.ledger);
+    enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.risen_weight, work.motion,
+                *state.ledger);
 }
 
 void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
@@ -55,30 +74,33 @@ void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& 
         gather_two_phase(problem, dt, share, work.lists, tile, work.patches_of(tile), work.motion, particles,
                          work.grid_velocity, work.flux_divergence);
     });
-    if (state.ledger) enter_outflow(dt, particles, work.flux_divergence, *state.ledger);
+    if (work.partly_saturated) carry_moisture(problem, particles);
+    if (state.ledger) enter_outflow(problem, dt, particles, work.flux_divergence, *state.ledger);
 }
 
 void update_explicit_pressure(const Problem& problem, double dt, Particles& particles,
                               TwoPhaseWorkspace& work)
 {
-    for_each_tile(work.lists, [&](const Tile& tile) {
-        explicit_increments(problem, dt, work.lists, tile, particles, work.flux_divergence,
+    const CellLists& lists = lists_with_pressure(work);
+    for_each_tile(lists, [&](const Tile& tile) {
+        explicit_increments(problem, dt, lists, tile, particles, work.flux_divergence,
                             work.pressure_increment);
-        apply_increments(problem, dt, work.lists, tile, work.pressure_increment, particles, work.cell_means);
+        apply_increments(problem, dt, lists, tile, work.pressure_increment, particles, work.cell_means);
     });
-    for_each_tile(work.lists, [&](const Tile& tile) {
-        reconstruct_pore_pressure(problem, work.lists, tile, work.cell_means, particles);
+    for_each_tile(lists, [&](const Tile& tile) {
+        reconstruct_pore_pressure(problem, lists, tile, work.cell_means, particles);
     });
 }
 
 void update_solved_pressure(const Problem& problem, double dt, Particles& particles,
                             SemiImplicitWorkspace& work)
 {
-    for_each_tile(work.lists, [&](const Tile& tile) {
-        apply_increments(problem, dt, work.lists, tile, work.pressure.increment, particles, work.cell_means);
+    const CellLists& lists = lists_with_pressure(work);
+    for_each_tile(lists, [&](const Tile& tile) {
+        apply_increments(problem, dt, lists, tile, work.pressure.increment, particles, work.cell_means);
     });
-    for_each_tile(work.lists, [&](const Tile& tile) {
-        reconstruct_pore_pressure(problem, work.lists, tile, work.cell_means, particles);
+    for_each_tile(lists, [&](const Tile& tile) {
+        reconstruct_pore_pressure(problem, lists, tile, work.cell_means, particles);
     });
 }
 
@@ -100,11 +122,19 @@ void solve_pressure(const Problem& problem, double dt, const State& state, SemiI
 {
     PressureSolve& pressure = work.pressure;
     const Particles& particles = state.particles;
+    if (work.partly_saturated) {
+        // soil without water gives cells no divergence, and cells of such soil alone an equation dp = 0
+        set_saturated_volumes(problem, particles, work.wet_volume);
+        std::fill(pressure.storage.begin(), pressure.storage.end(), 1.0);
+        std::fill(pressure.increment.begin(), pressure.increment.end(), 0.0);
+    }
+    const Scalars& volume = work.partly_saturated ? work.wet_volume : particles.volume;
+    const CellLists& lists = lists_with_pressure(work);
     for_each_tile(work.lists, [&](const Tile& tile) {
-        assemble_divergence(problem.grid, place_in_equations(problem, particles), particles.volume,
-                            work.lists, tile, work.patches_of(tile),
+        assemble_divergence(problem.grid, place_in_equations(problem, particles), volume, work.lists, tile,
+                            work.patches_of(tile),
                             pressure.divergence[static_cast<std::size_t>(tile.number)]);
-        prepare_increments(problem, dt, work.lists, tile, particles, pressure.storage, pressure.increment);
+        prepare_increments(problem, dt, lists, tile, particles, pressure.storage, pressure.increment);
     });
     set_pressure_compliances(problem, work.conditions, dt, work.sums, pressure.compliance);
     include_dashpots(problem, work.conditions, dt, work.dashpots, work.sums, pressure.compliance);
@@ -152,6 +182,9 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
     work.cell_means.centre.x.resize(problem.grid.cell_count());
     work.cell_means.centre.y.resize(problem.grid.cell_count());
     work.pressure_increment.resize(problem.grid.cell_count());
+    if (problem.water->rises_above_level) work.risen_weight.resize(problem.grid.node_count());
+    work.partly_saturated = has_unsaturated_soil(problem);
+    if (work.partly_saturated) work.wet_lists = work.lists;
     return work;
 }
 
@@ -167,7 +200,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
 {
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
-    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
+    timed(work.timers, Phase::sort, [&] { locate(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         solve_velocities(problem, dt, state, work);
@@ -183,7 +216,7 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
     particles.pore_pressure_rate.resize(particles.size());
-    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
+    timed(work.timers, Phase::sort, [&] { locate(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, state, work); });

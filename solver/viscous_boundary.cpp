@@ -90,10 +90,10 @@ Impedance impedance(const Problem& problem, const Boundary& boundary, const Mate
         return {rock.density * rock.compression_wave_speed, rock.density * rock.shear_wave_speed};
     }
     const double n = material.porosity;
-    const WaveSpeeds speeds = wave_speeds(material, problem.water, n);
-    const double density =
-        (1.0 - n) * material.grain_density + (problem.water ? n * problem.water->density : 0.0);
-    const bool sealed = problem.water && boundary.water == WaterCondition::impervious;
+    const std::optional<Water>& water = water_of(problem, material);
+    const WaveSpeeds speeds = wave_speeds(material, water, n);
+    const double density = (1.0 - n) * material.grain_density + (water ? n * water->density : 0.0);
+    const bool sealed = water && boundary.water == WaterCondition::impervious;
     return {density * (sealed ? speeds.undrained : speeds.skeleton), density * speeds.shear};
 }
 

@@ -64,16 +64,48 @@ hint: give the probe at = [x, y], or name a physical point after it
 )");
 }
 
-TEST(Assembly, RefusesSoilAboveTheWater)
+TEST(Assembly, HasNothingToSayOfSoilAboveTheWater)
 {
     const std::string text = replaced(column_scene, "level = 0.3175", "level = 0.3");
+    EXPECT_EQ(SceneFolder().assembly_message(text, column_section()), "");
+}
+
+TEST(Assembly, RefusesAPhreaticLineBelowTheWaterLevel)
+{
+    const std::string text =
+        replaced(column_scene, "level = 0.3175", "level = 0.2\nphreatic_line = [[0, 0.3], [0.0675, 0.1]]");
     EXPECT_EQ(
         SceneFolder().assembly_message(text, column_section()),
-        R"(scene.toml:17:9: error[water-level]: the soil reaches up to y = 0.3175 m, the water only to 0.3 m
-   17 | level = 0.3
-      |         ^~~
-expected: a level of at least 0.3175 m
-hint: this version runs sections wholly below the water, or dry ones without [water]
+        R"(scene.toml:18:17: error[phreatic-line]: the point [0.0675, 0.1] of the phreatic line lies below the water level 0.2 m
+   18 | phreatic_line = [[0, 0.3], [0.0675, 0.1]]
+      |                 ^~~~~~~~~~~~~~~~~~~~~~~~~
+expected: points at the water level or above
+hint: let level be that of the lowest still water
+)");
+}
+
+TEST(Assembly, RefusesAPhreaticLineThatTurnsBack)
+{
+    const std::string text =
+        replaced(column_scene, "level = 0.3175", "level = 0.2\nphreatic_line = [[0.05, 0.3], [0.05, 0.2]]");
+    EXPECT_EQ(
+        SceneFolder().assembly_message(text, column_section()),
+        R"(scene.toml:18:17: error[phreatic-line]: the point [0.05, 0.2] of the phreatic line does not lie to the right of the one before
+   18 | phreatic_line = [[0.05, 0.3], [0.05, 0.2]]
+      |                 ^~~~~~~~~~~~~~~~~~~~~~~~~~
+expected: points from left to right
+)");
+}
+
+TEST(Assembly, RefusesAPhreaticLineOfOnePoint)
+{
+    const std::string text =
+        replaced(column_scene, "level = 0.3175", "level = 0.2\nphreatic_line = [[0.05, 0.3]]");
+    EXPECT_EQ(SceneFolder().assembly_message(text, column_section()),
+              R"(scene.toml:18:17: error[type]: water.phreatic_line is a list of less than two
+   18 | phreatic_line = [[0.05, 0.3]]
+      |                 ^~~~~~~~~~~~~
+expected: two points or more, as [[0, 1.5], [10, 0.5]]
 )");
 }
 

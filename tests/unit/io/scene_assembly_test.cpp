@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace quicksand {
@@ -146,6 +147,49 @@ TEST(Assembly, AddsTheWeightOfTheLayersAbove)
         ASSERT_NEAR(particles.stress.yy[p], -vertical, 1e-9 * sand);
         ASSERT_EQ(particles.material[p], y > 0.15 ? 1 : 0);
         ASSERT_EQ(particles.region[p], y > 0.15 ? 1 : 0);
+    }
+}
+
+TEST(Assembly, DividesTheSoilAtTheWaterLevel)
+{
+    std::string text = replaced(column_scene, "level = 0.3175", "level = 0.15");
+    text = replaced(text, "porosity = 0.405", "porosity = 0.405\nsaturation_above_water = 0.4");
+    const AssembledCase column = assemble_case(SceneFolder().read(text), column_section());
+    const Problem& problem = column.problem;
+    ASSERT_EQ(problem.materials.size(), 2U);
+    EXPECT_TRUE(problem.materials[0].saturated);
+    EXPECT_FALSE(problem.materials[1].saturated);
+    EXPECT_EQ(problem.materials[1].name, "sand above the water");
+    EXPECT_FALSE(problem.water->rises_above_level);
+    const double gravity = 120 * 9.81, buoyant = 0.595 * 1670.0 * gravity,
+                 moist = (0.595 * 2670.0 + 0.4 * 0.405 * 1000.0) * gravity;
+    const Particles& particles = column.state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double y = particles.position.y[p];
+        const double vertical = y > 0.15 ? moist * (0.3175 - y) : moist * 0.1675 + buoyant * (0.15 - y);
+        ASSERT_NEAR(particles.stress.yy[p], -vertical, 1e-9 * buoyant);
+        ASSERT_EQ(particles.material[p], y > 0.15 ? 1 : 0);
+        ASSERT_EQ(particles.pore_pressure[p], 0.0);
+        const double density = (y > 0.15 ? moist : 0.595 * 2670.0 * gravity) / gravity;
+        ASSERT_NEAR(particles.mass_solid[p], density * particles.volume[p], 1e-12);
+    }
+}
+
+TEST(Assembly, GivesPorePressuresByTheDepthBelowAnInclinedPhreaticLine)
+{
+    const std::string text = replaced(column_scene, "level = 0.3175",
+                                      "level = 0.1\nphreatic_line = [[0, 0.25], [0.05, 0.15], [0.06, 0.15]]");
+    const AssembledCase column = assemble_case(SceneFolder().read(text), column_section());
+    EXPECT_TRUE(column.problem.water->rises_above_level);
+    const double gravity = 120 * 9.81, buoyant = 0.595 * 1670.0 * gravity, dry = 0.595 * 2670.0 * gravity;
+    const Particles& particles = column.state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double y = particles.position.y[p], line = std::max(0.15, 0.25 - 2.0 * particles.position.x[p]);
+        const double head = std::max(0.0, line - y);
+        const double vertical = dry * (0.3175 - std::max(line, y)) + buoyant * head;
+        ASSERT_NEAR(particles.stress.yy[p], -vertical, 1e-9 * buoyant);
+        ASSERT_NEAR(static_water_pressure(column.problem, y) + particles.pore_pressure[p],
+                    y > line ? 0.0 : 1000.0 * gravity * head, 1e-6);
     }
 }
 

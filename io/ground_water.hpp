@@ -1,0 +1,34 @@
+// Where the ground water stands in a scene's soil, and the state that follows: which soil is saturated, its
+// pore pressures, and the effective stresses under the weight of the soil above.
+#pragma once
+
+#include "geometry/particle_sampler.hpp"
+#include "geometry/section.hpp"
+#include "io/diagnostics.hpp"
+#include "io/scene.hpp"
+#include "solver/problem.hpp"
+#include "solver/state.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// y of the phreatic line at x: the scene's line, level beyond its ends, or else the water level [m].
+double phreatic_elevation(const Scene& scene, double x);
+
+/// A phreatic line needs points from left to right, none below the water level.
+void check_phreatic_line(const Scene& scene, Diagnostics& findings);
+
+/// Soil above the phreatic line is a material of its own, not saturated: add these to the problem where a
+/// domain of the sampling lies there, and note whether saturated soil rises above the water level. Returns
+/// the material of every domain; `of_region` holds the material of every region.
+std::vector<std::int32_t> divide_materials(const Scene& scene, const Sampling& sampling,
+                                           const std::vector<std::int32_t>& of_region, Problem& problem);
+
+/// sigma'_v from the weight of the column above each particle, regions and water heeded; sigma'_h = K0
+/// sigma'_v; pore pressures by the depth below the phreatic line, and the scene's excess.
+void set_initial_state(const Scene& scene, const Section& section, const std::vector<std::int32_t>& of_region,
+                       const Problem& problem, Particles& particles);
+
+} // namespace quicksand
