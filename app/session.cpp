@@ -88,6 +88,12 @@ std::string say_where_good(const ResultsFolder& folder)
     return text;
 }
 
+void keep_state(const Session& session)
+{
+    std::filesystem::create_directories(session.folder.checkpoint().parent_path());
+    write_checkpoint(session.folder.checkpoint(), session.state, session.hash);
+}
+
 void settle(Session& session)
 {
     if (!session.scene.relaxation) {
@@ -102,10 +108,18 @@ void settle(Session& session)
     }
     const RelaxationControls& controls = *session.scene.relaxation;
     ProgressLine progress(0.0, session.scene.end_time, session.state.particles.size(), session.journal);
+    using Clock = std::chrono::steady_clock;
+    const std::chrono::duration<double> interval(session.scene.output.checkpoint_interval);
+    auto last = Clock::now();
     const RelaxationReport report =
         relax(session.problem, controls, session.state, [&](std::int64_t steps, double out_of_balance) {
             progress.show_relaxation(steps, out_of_balance, controls.tolerance);
-            if (StopSignal::received()) throw StopRequest();
+            const bool stop = StopSignal::received();
+            if (stop || Clock::now() - last > interval) {
+                keep_state(session);
+                last = Clock::now();
+            }
+            if (stop) throw StopRequest();
         });
     progress.clear();
     session.journal.say(
@@ -119,15 +133,14 @@ void settle(Session& session)
     }
 }
 
-void shake(Session& session)
+/// `begins` the shaking, or goes on with it.
+void shake(Session& session, bool begins)
 {
-    if (!session.resume) {
+    if (begins) {
         if (session.scene.output.history_interval > 0.0) open_ledger(session.problem, session.state);
-        // From here a stop or a failure need not settle the soil again.
-        std::filesystem::create_directories(session.folder.checkpoint().parent_path());
-        write_checkpoint(session.folder.checkpoint(), session.state, session.hash);
+        keep_state(session); // from here a stop or a failure need not settle the soil again
     }
-    const OutputSettings settings{session.folder.directory, session.hash, session.resume};
+    const OutputSettings settings{session.folder.directory, session.hash, !begins};
     const auto writers = make_output_observers(session.scene, session.problem, session.state, settings);
     ProgressLine progress(session.state.time, session.scene.end_time, session.state.particles.size(),
                           session.journal);
@@ -143,7 +156,7 @@ void shake(Session& session)
     }
     progress.clear();
     session.manifest.reach(session.state.time, progress.steps());
-    write_checkpoint(session.folder.checkpoint(), session.state, session.hash);
+    keep_state(session);
     const double seconds = progress.elapsed();
     const double work =
         static_cast<double>(session.state.particles.size()) * static_cast<double>(progress.steps());
@@ -157,11 +170,12 @@ bool run_stages(Session& session)
 {
     const StopSignal signal;
     try {
-        if (!session.resume) settle(session);
-        shake(session);
+        const bool begins = !session.resume || session.state.stage == Stage::relaxation;
+        if (begins) settle(session);
+        shake(session, begins);
     } catch (const StopRequest&) {
         session.manifest.end(RunStatus::stopped, "stopped on request while settling");
-        session.journal.say("\nStopped on request while settling; there is nothing to resume, start again.");
+        session.journal.say("\nStopped on request while settling. Go on with the same command and --resume.");
         return false;
     }
     if (session.state.time < session.scene.end_time) {
@@ -209,8 +223,9 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
 
     RunManifest manifest =
         begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
-    if (choice.resume) manifest.resumed_at = state.time;
-    if (choice.resume && state.time >= scene.end_time) {
+    const bool shakes_on = choice.resume && state.stage == Stage::shaking;
+    if (shakes_on) manifest.resumed_at = state.time;
+    if (shakes_on && state.time >= scene.end_time) {
         journal.say(
             fmt::format("Nothing to do: the results reach t = {} s already.", short_number(state.time, 6)));
         outcome.finished = true;

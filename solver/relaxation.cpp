@@ -95,7 +95,7 @@ Problem settling_problem(const Problem& problem)
 {
     Problem settling = problem;
     for (Material& material : settling.materials) {
-        const double buoyancy = problem.water ? problem.water->density : 0.0;
+        const double buoyancy = water_of(problem, material) ? problem.water->density : 0.0;
         const double cell_weight = (1.0 - material.porosity) * (material.grain_density - buoyancy) *
                                    problem.gravity * problem.grid.cell_size;
         if (const auto* sand = std::get_if<UbcSand>(&material.law)) {
@@ -109,9 +109,11 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
                        const std::function<void(std::int64_t, double)>& progress)
 {
     const Problem problem = settling_problem(shaken);
-    state.stage = Stage::relaxation;
-    state.time = 0.0;
-    state.step = 0;
+    if (state.stage != Stage::relaxation) {
+        state.stage = Stage::relaxation;
+        state.time = 0.0;
+        state.step = 0;
+    }
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
     RelaxationReport report;
     for (;;) {

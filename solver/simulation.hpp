@@ -49,11 +49,13 @@ struct RelaxationReport {
 };
 
 /// Out-of-balance force / body force of the state, all forces in the norm sum_i |f_i| over the free
-/// directions of the nodes [-].
+/// directions of the nodes; without gravity, relative to the internal forces [-].
 double out_of_balance(const Problem& problem, const State& state);
 
-/// Settle under gravity, drained and damped; then velocities are zero, displacements are counted from the
-/// settled shape and sigma'_v0 is frozen. `progress(steps, out_of_balance)` is called now and then.
+/// Settle under gravity, damped and with the pore pressures held; then velocities are zero, displacements are
+/// counted from the settled shape and sigma'_v0 is frozen. A state of the stage relaxation goes on where it
+/// stopped. `progress(steps, out_of_balance)` is called now and then, between two steps; it may throw to
+/// stop.
 RelaxationReport relax(const Problem& problem, const RelaxationControls& controls, State& state,
                        const std::function<void(std::int64_t, double)>& progress = {});
 

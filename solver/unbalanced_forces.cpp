@@ -36,7 +36,7 @@ double unbalanced_forces(const Problem& problem, double acceleration, const Node
     const std::vector<std::uint8_t> held = held_directions(conditions);
     std::vector<const SlantedNode*> wall(sums.size(), nullptr);
     for (const SlantedNode& slanted : conditions.slanted) wall[slanted.node] = &slanted;
-    double residual = 0.0, weight = 0.0;
+    double residual = 0.0, weight = 0.0, internal = 0.0;
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const SinglePhaseSums& node = sums[i];
         if (!node.active() || conditions.master[i] != i) continue; // the master stands for its tied nodes
@@ -46,8 +46,10 @@ double unbalanced_forces(const Problem& problem, double acceleration, const Node
         if (!(held[i] & solid_x_fixed)) residual += std::abs(force.x());
         if (!(held[i] & solid_y_fixed)) residual += std::abs(force.y());
         weight += node_weight;
+        internal += std::abs(node.stress_force_x) + std::abs(node.stress_force_y);
     }
-    return weight > 0.0 ? residual / weight : 0.0;
+    const double scale = weight > 0.0 ? weight : internal;
+    return scale > 0.0 ? residual / scale : 0.0;
 }
 
 } // namespace quicksand

@@ -98,6 +98,36 @@ TEST_F(SameBits, AfterAKillAndAResume)
     expect_same_files("killed");
 }
 
+TEST(Settling, GoesOnWhereItWasStopped)
+{
+    const WorkFolder folder;
+    const std::string run =
+        "run " + example("dike") +
+        " --set grid.cell_size=0.015 --set relaxation.tolerance=1e-4 --set run.end_time=1e-4"
+        " --set output.checkpoint_interval=0.001 --threads 1 -o ";
+    const Outcome whole = run_program(run + (folder / "whole").string());
+    ASSERT_EQ(whole.code, 0) << whole.output;
+    const std::string results = (folder / "stopped").string();
+    const Outcome stopped = run_shell("\"$QUICKSAND\" " + run + results +
+                                      " & pid=$!\n"
+                                      "for k in $(seq 3000); do\n"
+                                      "  [ -f " +
+                                      results +
+                                      "/checkpoint/state.h5 ] && break\n"
+                                      "  sleep 0.01\n"
+                                      "done\n"
+                                      "kill -TERM $pid; wait $pid");
+    ASSERT_EQ(stopped.code, 0) << stopped.output;
+    EXPECT_NE(
+        stopped.output.find("Stopped on request while settling. Go on with the same command and --resume."),
+        std::string::npos)
+        << stopped.output;
+    const Outcome resumed = run_program(run + results + " --resume");
+    ASSERT_EQ(resumed.code, 0) << resumed.output;
+    EXPECT_EQ(read_file(results + "/history.csv"), read_file(folder / "whole/history.csv"));
+    EXPECT_EQ(read_file(results + "/fields.pvd"), read_file(folder / "whole/fields.pvd"));
+}
+
 } // namespace
 
 } // namespace quicksand

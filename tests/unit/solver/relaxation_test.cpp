@@ -1,0 +1,79 @@
+// The damped settling before the shaking.
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+struct Stop {};
+
+/// A block whose stress is not that of its weight.
+State unsettled(const Problem& problem)
+{
+    State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 0.5 + 0.25 * x.x(); });
+    state.stage = Stage::relaxation;
+    return state;
+}
+
+Problem block_problem(bool saturated)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.25, 6, 6};
+    problem.materials = {stiff_sand()};
+    if (saturated) problem.water = water_to(2.0);
+    problem.boundaries =
+        rectangle(0.0, 0.0, 1.5, 1.0, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
+    return problem;
+}
+
+TEST(Relaxation, GoesOnToTheSameBitsAfterAStop)
+{
+    const Problem problem = block_problem(true);
+    const RelaxationControls controls{0.7, 1e-8, 100'000};
+    State whole = unsettled(problem), stopped = whole;
+    const RelaxationReport report = relax(problem, controls, whole);
+    ASSERT_GT(report.steps, 100);
+    EXPECT_THROW(relax(problem, controls, stopped,
+                       [](std::int64_t steps, double) {
+                           if (steps == 50) throw Stop();
+                       }),
+                 Stop);
+    EXPECT_EQ(stopped.stage, Stage::relaxation);
+    EXPECT_EQ(relax(problem, controls, stopped).steps, report.steps);
+    EXPECT_EQ(stopped.particles.stress.yy, whole.particles.stress.yy);
+    EXPECT_EQ(stopped.particles.position.y, whole.particles.position.y);
+}
+
+TEST(Relaxation, HoldsThePorePressure)
+{
+    // half the weight rests on the water: the skeleton carries what is left
+    const Problem problem = [] {
+        Problem column = block_problem(true);
+        column.grid.cells_y = 8;
+        return column;
+    }();
+    State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
+    state.stage = Stage::relaxation;
+    const Material& sand = problem.materials[0];
+    const double weight = (1.0 - sand.porosity) * (sand.grain_density - 1000.0) * problem.gravity;
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        state.particles.pore_pressure[p] = 0.5 * weight * (1.0 - state.particles.position.y[p]);
+    relax(problem, {0.7, 1e-8, 100'000}, state);
+    // the strain that sets in is constant within a cell: its two rows of particles share their mean stress
+    double sum = 0.0, expected = 0.0;
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        const double y = state.particles.reference_position.y[p], row = std::floor(8.0 * y);
+        if (row != 0.0 && row != 1.0) continue;
+        sum += state.particles.stress.yy[p];
+        expected -= 0.5 * weight * (1.0 - y);
+    }
+    EXPECT_NEAR(sum, expected, -1e-4 * expected);
+}
+
+} // namespace
+} // namespace quicksand
