@@ -20,7 +20,7 @@ constexpr double cells_per_wavelength = 10.0; // of a shear wave that the grid c
 std::string describe_waves(const Material& material, const WaveSpeeds& waves, const Problem& problem)
 {
     std::string text = fmt::format("  {:<16}", material.name);
-    if (problem.water) {
+    if (problem.water && material.saturated) {
         text += fmt::format("fast P {:.0f}, undrained P {:.0f}, slow P {:.0f}, ", waves.fast, waves.undrained,
                             waves.slow);
     }
@@ -98,6 +98,28 @@ std::string describe_soil(const AssembledCase& assembled)
     return text;
 }
 
+std::string describe_initial_state(const AssembledCase& assembled)
+{
+    const double residual = out_of_balance(assembled.problem, assembled.state);
+    std::string text = "Initial state\n";
+    const auto& materials = assembled.problem.materials;
+    std::size_t above = 0;
+    for (const std::int32_t m : assembled.state.particles.material)
+        above += materials[static_cast<std::size_t>(m)].saturated ? 0 : 1;
+    if (above > 0) {
+        text += fmt::format("  {} particles lie above the phreatic line and carry no pore water\n",
+                            grouped(static_cast<long long>(above)));
+    }
+    text += fmt::format("  out-of-balance force {} of the {}: ", short_number(residual, 2),
+                        assembled.problem.gravity > 0.0 ? "weight" : "internal forces");
+    const auto& controls = assembled.scene.relaxation;
+    const double tolerance = controls.value_or(RelaxationControls{}).tolerance;
+    if (residual <= tolerance) return text + "the run starts in equilibrium\n";
+    return text +
+           (controls ? "the soil settles before the run\n"
+                     : "the run does not start in equilibrium; a table [relaxation] lets the soil settle\n");
+}
+
 std::string describe_time_step(const AssembledCase& assembled)
 {
     const Problem& problem = assembled.problem;
@@ -112,9 +134,7 @@ std::string describe_time_step(const AssembledCase& assembled)
     if (assembled.scene.relaxation) {
         const TimeStep settling =
             stable_relaxation_step(settling_problem(problem), assembled.state.particles);
-        text +=
-            fmt::format("  {} s while settling drained; out-of-balance force at the start {} of the weight\n",
-                        short_number(settling.dt), short_number(out_of_balance(problem, assembled.state), 2));
+        text += fmt::format("  {} s while settling\n", short_number(settling.dt));
     }
     return text;
 }

@@ -20,6 +20,9 @@ std::string describe_boundaries(const AssembledCase& assembled);
 /// What the parameters of UBCSAND mean; nothing without such a material.
 std::string describe_sands(const AssembledCase& assembled);
 
+/// What the initial state leaves out of balance, and what becomes of it.
+std::string describe_initial_state(const AssembledCase& assembled);
+
 /// Wave speeds, the time step and what limits it.
 std::string describe_time_step(const AssembledCase& assembled);
 

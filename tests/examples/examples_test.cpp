@@ -43,6 +43,8 @@ TEST(Column, CheckCountsParticlesCellsAndSteps)
         run_program("check " + example("column") + " --until 1e-3 -o " + (folder / "check").string());
     EXPECT_EQ(check.code, 0) << check.output;
     EXPECT_NE(check.output.find("3,429 particles in 9 x 52 = 468 cells"), std::string::npos) << check.output;
+    EXPECT_NE(check.output.find("of the weight: the run starts in equilibrium"), std::string::npos)
+        << check.output;
     EXPECT_TRUE(std::filesystem::exists(folder / "check/fields.pvd"));
     EXPECT_TRUE(std::filesystem::exists(folder / "check/grid.pvd"));
 
@@ -120,6 +122,34 @@ TEST(Keys, TheReferencePageIsUpToDate)
     EXPECT_EQ(outcome.code, 0);
     EXPECT_TRUE(outcome.output == read_file(QUICKSAND_SOURCE_DIR "/io/SCENE.md"))
         << "make it anew: quicksand keys --markdown > io/SCENE.md";
+}
+
+TEST(Check, SaysThatASlopeDoesNotStartInEquilibriumAndWhatLiesAboveTheWater)
+{
+    const WorkFolder folder;
+    const std::string coarse = "check " + example("dike") + " --set grid.cell_size=0.03 --until 1e-4 -o ";
+    const Outcome settled = run_program(coarse + (folder / "settled").string());
+    EXPECT_EQ(settled.code, 0) << settled.output;
+    EXPECT_NE(settled.output.find("of the weight: the soil settles before the run"), std::string::npos)
+        << settled.output;
+    std::string scene = read_file(std::filesystem::path(QUICKSAND_SOURCE_DIR) / "examples/dike/scene.toml");
+    const auto table = scene.find("[relaxation]"), next = scene.find("[motion]");
+    scene.erase(table, next - table);
+    std::filesystem::create_directories(folder / "dike");
+    std::filesystem::copy(std::filesystem::path(QUICKSAND_SOURCE_DIR) / "examples/dike", folder / "dike",
+                          std::filesystem::copy_options::overwrite_existing);
+    std::ofstream(folder / "dike/scene.toml") << scene;
+    const Outcome open = run_program("check " + (folder / "dike").string() +
+                                     " --set grid.cell_size=0.03 --set water.level=0.15 --until 1e-4 -o " +
+                                     (folder / "open").string());
+    EXPECT_EQ(open.code, 0) << open.output;
+    EXPECT_NE(open.output.find("particles lie above the phreatic line and carry no pore water"),
+              std::string::npos)
+        << open.output;
+    EXPECT_NE(
+        open.output.find("the run does not start in equilibrium; a table [relaxation] lets the soil settle"),
+        std::string::npos)
+        << open.output;
 }
 
 } // namespace
