@@ -165,9 +165,16 @@ void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseS
     });
 }
 
-void gather_tied_sums(const NodeConditions& conditions, std::vector<double>& sums)
+void gather_tied_sums(const NodeConditions& conditions, std::vector<OuterForce>& outer)
 {
-    add_tied(conditions, sums, [](double& master, double node) { master += node; });
+    if (outer.empty()) return;
+    add_tied(conditions, outer, [](OuterForce& master, const OuterForce& node) {
+        master.load_x += node.load_x;
+        master.load_y += node.load_y;
+        master.water_x += node.water_x;
+        master.water_y += node.water_y;
+        master.risen_weight += node.risen_weight;
+    });
 }
 
 PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,

@@ -34,7 +34,7 @@ void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& 
 /// Add the sums of tied nodes to their masters.
 void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums);
 void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseSums>& sums);
-void gather_tied_sums(const NodeConditions& conditions, std::vector<double>& sums);
+void gather_tied_sums(const NodeConditions& conditions, std::vector<OuterForce>& outer);
 
 /// Give tied nodes their masters' velocities.
 template <class Motion>

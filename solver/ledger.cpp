@@ -84,7 +84,7 @@ void enter_reaction(const Vector2& reaction, const PhaseStep& phase, StepEntries
 }
 
 void enter_node(const Problem& problem, double dt, double acceleration, NodeKind kind,
-                const TwoPhaseSums& node, double risen_weight, const TwoPhaseMotion& motion,
+                const TwoPhaseSums& node, const OuterForce& outer, const TwoPhaseMotion& motion,
                 StepEntries& entries)
 {
     const PhaseStep solid = phase_step(node.mass_solid, motion.solid_x, motion.solid_y, motion.solid_change_x,
@@ -104,17 +104,20 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     const Vector2 base_fluid(-dt * node.mass_fluid * acceleration, 0.0);
     const Vector2 weight(0.0,
                          -dt * problem.gravity * (node.mass_solid + node.mass_fluid - density * node.volume));
-    const Vector2 risen(0.0, -dt * risen_weight);
+    const Vector2 risen(0.0, -dt * outer.risen_weight);
+    const Vector2 load(dt * outer.load_x, dt * outer.load_y);
+    const Vector2 water(dt * outer.water_x, dt * outer.water_y);
+    const Vector2 mean_flux = (1.0 - porosity) * solid.mean + porosity * fluid.mean;
     const Vector2 drag = dt * node.drag * (fluid.end - solid.end);
 
-    entries.skeleton -= stress.dot(solid.mean);
+    entries.skeleton -= (stress - load).dot(solid.mean);
+    entries.boundary += load.dot(solid.mean) + water.dot(mean_flux);
     entries.late_pressure -=
-        0.5 * (pressure - risen).dot((1.0 - porosity) * solid.end + porosity * fluid.end);
+        0.5 * (pressure - risen - water).dot((1.0 - porosity) * solid.end + porosity * fluid.end);
     entries.drag += drag.dot(fluid.mean - solid.mean);
-    entries.gravity +=
-        weight.dot(solid.mean) + risen.dot((1.0 - porosity) * solid.mean + porosity * fluid.mean);
+    entries.gravity += weight.dot(solid.mean) + risen.dot(mean_flux);
     entries.base += base_solid.dot(solid.mean) + base_fluid.dot(fluid.mean);
-    entries.impulse += weight + risen + base_solid + base_fluid;
+    entries.impulse += weight + risen + load + water + base_solid + base_fluid;
     if (kind != wall_node) return;
     const Vector2 known_solid = stress + (1.0 - porosity) * pressure + base_solid + weight + drag;
     const Vector2 known_fluid = porosity * pressure + base_fluid - drag;
@@ -123,17 +126,20 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
 }
 
 void enter_node(const Problem& problem, double dt, double acceleration, NodeKind kind,
-                const SinglePhaseSums& node, const SinglePhaseMotion& motion, StepEntries& entries)
+                const SinglePhaseSums& node, const OuterForce& outer, const SinglePhaseMotion& motion,
+                StepEntries& entries)
 {
     const PhaseStep body = phase_step(node.mass, motion.x, motion.y, motion.change_x, motion.change_y);
     enter_phase(node.mass, body, entries);
     entries.before += Vector2(node.momentum_x, node.momentum_y);
     const Vector2 stress = dt * Vector2(node.stress_force_x, node.stress_force_y);
     const Vector2 base(-dt * node.mass * acceleration, 0.0), weight(0.0, -dt * node.weight * problem.gravity);
-    entries.skeleton -= stress.dot(body.mean);
+    const Vector2 load(dt * outer.load_x, dt * outer.load_y);
+    entries.skeleton -= (stress - load).dot(body.mean);
+    entries.boundary += load.dot(body.mean);
     entries.gravity += weight.dot(body.mean);
     entries.base += base.dot(body.mean);
-    entries.impulse += weight + base;
+    entries.impulse += weight + load + base;
     if (kind == wall_node) enter_reaction(body.impulse - (stress + weight + base), body, entries);
 }
 
@@ -158,6 +164,19 @@ void enter_step(const Problem& problem, double dt, const StepEntries& step, Ledg
     ledger.momentum_x = step.after.x();
     ledger.momentum_y = step.after.y();
     ledger.time_step = dt;
+}
+
+template <class Sums, class Motion>
+void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                     double acceleration, const std::vector<Sums>& sums, const std::vector<OuterForce>& outer,
+                     const std::vector<Motion>& motion, Ledger& ledger)
+{
+    const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t i, StepEntries& entries) {
+        if (nodes[i] == stands_for_nobody || !sums[i].active()) return;
+        enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i],
+                   outer.empty() ? OuterForce{} : outer[i], motion[i], entries);
+    });
+    enter_step(problem, dt, step, ledger);
 }
 
 /// Momentum that the water gained since the last step's balance, by the change of the pores in it [N s/m].
@@ -204,27 +223,19 @@ void open_ledger(const Problem& problem, State& state)
 }
 
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, const std::vector<TwoPhaseSums>& sums, const Scalars& risen_weight,
-                 const std::vector<TwoPhaseMotion>& motion, Ledger& ledger)
+                 double acceleration, const std::vector<TwoPhaseSums>& sums,
+                 const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
+                 Ledger& ledger)
 {
-    const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t i, StepEntries& entries) {
-        if (nodes[i] == stands_for_nobody || !sums[i].active()) return;
-        const double risen = risen_weight.empty() ? 0.0 : risen_weight[i];
-        enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i], risen, motion[i],
-                   entries);
-    });
-    enter_step(problem, dt, step, ledger);
+    enter_all_nodes(problem, nodes, dt, acceleration, sums, outer, motion, ledger);
 }
 
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
                  double acceleration, const std::vector<SinglePhaseSums>& sums,
-                 const std::vector<SinglePhaseMotion>& motion, Ledger& ledger)
+                 const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
+                 Ledger& ledger)
 {
-    const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t i, StepEntries& entries) {
-        if (nodes[i] == stands_for_nobody || !sums[i].active()) return;
-        enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i], motion[i], entries);
-    });
-    enter_step(problem, dt, step, ledger);
+    enter_all_nodes(problem, nodes, dt, acceleration, sums, outer, motion, ledger);
 }
 
 void enter_outflow(const Problem& problem, double dt, const Particles& particles,

@@ -26,15 +26,16 @@ void open_ledger(const Problem& problem, State& state);
 /// a wall, whose reaction is what the known forces leave of the change of momentum.
 std::vector<std::uint8_t> ledger_nodes(const NodeConditions& conditions);
 
-/// Enter the works of one step's forces on the nodes; `acceleration` is that of the base [m/s2],
-/// `risen_weight` the part of the pressure's force that is the weight of water above its level, or nothing
-/// [N/m].
+/// Enter the works of one step's forces on the nodes; `acceleration` is that of the base [m/s2], `outer` what
+/// of the forces comes from outside, or nothing.
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, const std::vector<TwoPhaseSums>& sums, const Scalars& risen_weight,
-                 const std::vector<TwoPhaseMotion>& motion, Ledger& ledger);
+                 double acceleration, const std::vector<TwoPhaseSums>& sums,
+                 const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
+                 Ledger& ledger);
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
                  double acceleration, const std::vector<SinglePhaseSums>& sums,
-                 const std::vector<SinglePhaseMotion>& motion, Ledger& ledger);
+                 const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
+                 Ledger& ledger);
 
 /// Enter the water that left the soil in a step: dt sum V (div[(1-n) v_s + n v_w] - div v_s). Before the
 /// particles move.

@@ -28,6 +28,13 @@ struct TwoPhaseMotion {
     double flux_x, flux_y;                 // (1-n) v_s + n v_w [m/s]
 };
 
+/// Outer forces at a node that the sums hold among those of stress and pressure, kept for the ledger.
+struct OuterForce {
+    double load_x, load_y;   // of loads and held reactions, within the force of the stress [N/m]
+    double water_x, water_y; // of water beyond a curve, within the force of the pressure [N/m]
+    double risen_weight;     // of water above its level, downward, within the force of the pressure [N/m]
+};
+
 /// Sums scattered from the particles of a body that moves as one phase.
 struct alignas(64) SinglePhaseSums {
     double mass;                           // inertia [kg/m]

@@ -175,7 +175,7 @@ void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles
 
 void scatter_risen_water(const Problem& problem, const Particles& particles, const CellLists& lists,
                          const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums,
-                         Scalars& risen_weight)
+                         std::vector<OuterForce>& outer)
 {
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
@@ -187,7 +187,7 @@ void scatter_risen_water(const Problem& problem, const Particles& particles, con
         for_each_node(*patch, store, problem.grid.nodes_x(), problem.grid.cell_size,
                       [&](std::size_t i, const NodeWeight& w, double, double) {
                           sums[i].pressure_force_y -= w.value * lift;
-                          risen_weight[i] += w.value * lift;
+                          outer[i].risen_weight += w.value * lift;
                       });
     }
 }

@@ -40,7 +40,7 @@ void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles
 /// by node [N/m].
 void scatter_risen_water(const Problem& problem, const Particles& particles, const CellLists& lists,
                          const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums,
-                         Scalars& risen_weight);
+                         std::vector<OuterForce>& outer);
 
 /// Whether any excess pore pressure is there to be held.
 bool has_pressure(const Particles& particles);

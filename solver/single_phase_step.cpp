@@ -15,6 +15,7 @@ SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage s
     set_up_workspace(problem, work, stage);
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
+    if (has_outer_forces(problem)) work.outer.resize(problem.grid.node_count());
     return work;
 }
 
@@ -35,6 +36,10 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
     scatter_reactions(problem, state, work.places, work.sums);
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
+    if (work.outer.empty() || !state.ledger) return;
+    work.outer.assign(work.outer.size(), OuterForce{});
+    note_outer_forces(problem, load_time(state, dt), state, work.places, work.outer);
+    gather_tied_sums(work.conditions, work.outer);
 }
 
 void advance_single_phase_step(const Problem& problem, double dt, double damping, State& state,
@@ -52,7 +57,8 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         brake_by_dashpots(work.conditions, dt, work.dashpots, work.sums, work.motion);
         hold_at_walls(work.conditions, dt, work.sums, work.motion);
         if (state.ledger)
-            enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.motion, *state.ledger);
+            enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.outer, work.motion,
+                        *state.ledger);
         spread_tied_motion(work.conditions, work.motion);
     });
     timed(work.timers, Phase::gather, [&] {

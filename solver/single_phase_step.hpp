@@ -10,6 +10,7 @@ namespace quicksand {
 
 struct SinglePhaseWorkspace : StepWorkspace {
     std::vector<SinglePhaseSums> sums;
+    std::vector<OuterForce> outer; // none where there are none
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
 };

@@ -1,5 +1,9 @@
 #include "solver/surface_loads.hpp"
 
+#include "solver/viscous_boundary.hpp"
+
+#include <algorithm>
+
 namespace quicksand {
 
 namespace {
@@ -10,9 +14,10 @@ Vector2 full_force(const SurfaceLoad& load, const BoundaryPiece& piece, const Pr
     return piece.length * load.traction - load.pressure * present.outward();
 }
 
-template <class Sums>
-void scatter(const Problem& problem, double time, const Particles& particles, ParticlePlaces& places,
-             std::vector<Sums>& sums)
+/// Call add(node, force) for every share of every load.
+template <class Add>
+void for_each_nodal_load(const Problem& problem, double time, const Particles& particles,
+                         ParticlePlaces& places, Add&& add)
 {
     for (const Boundary& boundary : problem.boundaries) {
         if (!boundary.load) continue;
@@ -21,12 +26,40 @@ void scatter(const Problem& problem, double time, const Particles& particles, Pa
             const std::size_t p = places.find(particles, piece.identifier);
             const PresentPiece present = present_piece(problem, particles, piece, p);
             const Vector2 force = factor * full_force(*boundary.load, piece, present);
-            for_each_loaded_node(problem.grid, present, [&](std::size_t i, double share) {
-                sums[i].stress_force_x += share * force.x();
-                sums[i].stress_force_y += share * force.y();
-            });
+            for_each_loaded_node(problem.grid, present,
+                                 [&](std::size_t i, double share) { add(i, share * force); });
         }
     }
+}
+
+/// Call add(node, force) for every share of the excess pressure of the water beyond curves.
+template <class Add>
+void for_each_nodal_water(const Problem& problem, double time, const Particles& particles,
+                          ParticlePlaces& places, Add&& add)
+{
+    for (const Boundary& boundary : problem.boundaries) {
+        if (!boundary.outer_water) continue;
+        const double factor = history_value(boundary.outer_water->history, time);
+        for (const BoundaryPiece& piece : boundary.pieces) {
+            const std::size_t p = places.find(particles, piece.identifier);
+            const PresentPiece present = present_piece(problem, particles, piece, p);
+            const double excess =
+                factor * outer_excess_pressure(problem, *boundary.outer_water, present.middle().y());
+            const Vector2 force = -excess * present.outward();
+            for_each_loaded_node(problem.grid, present,
+                                 [&](std::size_t i, double share) { add(i, share * force); });
+        }
+    }
+}
+
+template <class Sums>
+void scatter(const Problem& problem, double time, const Particles& particles, ParticlePlaces& places,
+             std::vector<Sums>& sums)
+{
+    for_each_nodal_load(problem, time, particles, places, [&](std::size_t i, const Vector2& force) {
+        sums[i].stress_force_x += force.x();
+        sums[i].stress_force_y += force.y();
+    });
 }
 
 } // namespace
@@ -46,21 +79,32 @@ void scatter_surface_loads(const Problem& problem, double time, const Particles&
 void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
                          ParticlePlaces& places, std::vector<TwoPhaseSums>& sums)
 {
-    for (const Boundary& boundary : problem.boundaries) {
-        if (!boundary.outer_water) continue;
-        const double factor = history_value(boundary.outer_water->history, time);
-        for (const BoundaryPiece& piece : boundary.pieces) {
-            const std::size_t p = places.find(particles, piece.identifier);
-            const PresentPiece present = present_piece(problem, particles, piece, p);
-            const double excess =
-                factor * outer_excess_pressure(problem, *boundary.outer_water, present.middle().y());
-            const Vector2 force = -excess * present.outward();
-            for_each_loaded_node(problem.grid, present, [&](std::size_t i, double share) {
-                sums[i].pressure_force_x += share * force.x();
-                sums[i].pressure_force_y += share * force.y();
-            });
-        }
-    }
+    for_each_nodal_water(problem, time, particles, places, [&](std::size_t i, const Vector2& force) {
+        sums[i].pressure_force_x += force.x();
+        sums[i].pressure_force_y += force.y();
+    });
+}
+
+bool has_outer_forces(const Problem& problem)
+{
+    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [](const Boundary& boundary) {
+        return boundary.load || boundary.outer_water || boundary.soil == SoilCondition::viscous;
+    });
+}
+
+void note_outer_forces(const Problem& problem, double time, const State& state, ParticlePlaces& places,
+                       std::vector<OuterForce>& outer)
+{
+    const auto add_load = [&](std::size_t i, const Vector2& force) {
+        outer[i].load_x += force.x();
+        outer[i].load_y += force.y();
+    };
+    for_each_nodal_load(problem, time, state.particles, places, add_load);
+    for_each_nodal_reaction(problem, state, places, add_load);
+    for_each_nodal_water(problem, time, state.particles, places, [&](std::size_t i, const Vector2& force) {
+        outer[i].water_x += force.x();
+        outer[i].water_y += force.y();
+    });
 }
 
 double load_time(const State& state, double dt)

@@ -22,6 +22,13 @@ void scatter_surface_loads(const Problem& problem, double time, const Particles&
 void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
                          ParticlePlaces& places, std::vector<TwoPhaseSums>& sums);
 
+/// Whether anything on the boundary curves acts on the nodes: loads, water, held reactions.
+bool has_outer_forces(const Problem& problem);
+
+/// The same forces, and the reactions held at viscous curves, kept apart for the ledger.
+void note_outer_forces(const Problem& problem, double time, const State& state, ParticlePlaces& places,
+                       std::vector<OuterForce>& outer);
+
 /// The time at which a state's loads act: that of the shaking, 0 while the soil settles [s].
 double load_time(const State& state, double dt);
 

@@ -27,20 +27,21 @@ void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWork
 {
     const Particles& particles = state.particles;
     work.sums.assign(work.sums.size(), TwoPhaseSums{});
-    work.risen_weight.assign(work.risen_weight.size(), 0.0);
+    work.outer.assign(work.outer.size(), OuterForce{});
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
         scatter_two_phase(problem, particles, work.lists, tile, work.patches_of(tile), work.sums);
         if (problem.water->rises_above_level)
             scatter_risen_water(problem, particles, work.lists, tile, work.patches_of(tile), work.sums,
-                                work.risen_weight);
+                                work.outer);
     });
     const double time = load_time(state, dt);
     scatter_surface_loads(problem, time, particles, work.places, work.sums);
     scatter_outer_water(problem, time, particles, work.places, work.sums);
     scatter_reactions(problem, state, work.places, work.sums);
+    if (state.ledger && !work.outer.empty()) note_outer_forces(problem, time, state, work.places, work.outer);
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
-    if (!work.risen_weight.empty()) gather_tied_sums(work.conditions, work.risen_weight);
+    gather_tied_sums(work.conditions, work.outer);
 }
 
 /// The lists of the particles that have a pore pressure.
@@ -62,7 +63,7 @@ void enter_works(const Problem& problem, double dt, const TwoPhaseWorkspace& wor
 {
     if (!state.ledger) return;
     const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
-    enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.risen_weight, work.motion,
+    enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.outer, work.motion,
                 *state.ledger);
 }
 
@@ -182,7 +183,8 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
     work.cell_means.centre.x.resize(problem.grid.cell_count());
     work.cell_means.centre.y.resize(problem.grid.cell_count());
     work.pressure_increment.resize(problem.grid.cell_count());
-    if (problem.water->rises_above_level) work.risen_weight.resize(problem.grid.node_count());
+    if (problem.water->rises_above_level || has_outer_forces(problem))
+        work.outer.resize(problem.grid.node_count());
     work.partly_saturated = has_unsaturated_soil(problem);
     if (work.partly_saturated) work.wet_lists = work.lists;
     return work;

@@ -15,7 +15,7 @@ struct TwoPhaseWorkspace : StepWorkspace {
     Scalars wet_volume;            // of the saturated particles, 0 of the others [m3/m]
     bool partly_saturated = false; // a phreatic line runs through the soil
     std::vector<TwoPhaseSums> sums;
-    Scalars risen_weight; // of the water above the level, by node; none where there is none [N/m]
+    std::vector<OuterForce> outer; // none where there are none
     std::vector<TwoPhaseMotion> motion;
     Scalars flux_divergence;    // [1/s]
     Scalars pressure_increment; // of the cells [Pa]

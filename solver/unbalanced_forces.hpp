@@ -10,8 +10,8 @@
 namespace quicksand {
 
 /// sum |f_i| over the free directions of the nodes / sum of their weights, from sums with tied nodes
-/// gathered; without gravity the internal forces of all nodes stand for the weights. `acceleration` is that of
-/// the base, in x [m/s2].
+/// gathered; without gravity the internal forces of all nodes stand for the weights. `acceleration` is that
+/// of the base, in x [m/s2].
 double unbalanced_forces(const Problem& problem, double acceleration, const NodeConditions& conditions,
                          const std::vector<SinglePhaseSums>& sums);
 

@@ -65,20 +65,10 @@ void brake(const NodeConditions& conditions, double dt, const std::vector<Dashpo
 template <class Sums>
 void scatter(const Problem& problem, const State& state, ParticlePlaces& places, std::vector<Sums>& sums)
 {
-    if (state.reactions.x.empty() || state.stage != Stage::shaking) return;
-    std::size_t k = 0;
-    for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil != SoilCondition::viscous) continue;
-        for (const BoundaryPiece& piece : boundary.pieces) {
-            const std::size_t p = places.find(state.particles, piece.identifier);
-            const Vector2 force = state.reactions[k++];
-            for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
-                                 [&](std::size_t i, double share) {
-                                     sums[i].stress_force_x += share * force.x();
-                                     sums[i].stress_force_y += share * force.y();
-                                 });
-        }
-    }
+    for_each_nodal_reaction(problem, state, places, [&](std::size_t i, const Vector2& force) {
+        sums[i].stress_force_x += force.x();
+        sums[i].stress_force_y += force.y();
+    });
 }
 
 } // namespace

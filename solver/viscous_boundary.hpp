@@ -50,10 +50,30 @@ void brake_by_dashpots(const NodeConditions& conditions, double dt, const std::v
 /// each piece, whose sums at the nodes are the held nodes' forces. Nothing without viscous curves.
 void hold_reactions(const Problem& problem, State& state);
 
+/// Call add(node, force) for every share of the held forces.
+template <class Add>
+void for_each_nodal_reaction(const Problem& problem, const State& state, ParticlePlaces& places, Add&& add);
+
 /// Add the held forces to the nodes.
 void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
                        std::vector<TwoPhaseSums>& sums);
 void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
                        std::vector<SinglePhaseSums>& sums);
+
+template <class Add>
+void for_each_nodal_reaction(const Problem& problem, const State& state, ParticlePlaces& places, Add&& add)
+{
+    if (state.reactions.x.empty() || state.stage != Stage::shaking) return;
+    std::size_t k = 0;
+    for (const Boundary& boundary : problem.boundaries) {
+        if (boundary.soil != SoilCondition::viscous) continue;
+        for (const BoundaryPiece& piece : boundary.pieces) {
+            const std::size_t p = places.find(state.particles, piece.identifier);
+            const Vector2 force = state.reactions[k++];
+            for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
+                                 [&](std::size_t i, double share) { add(i, share * force); });
+        }
+    }
+}
 
 } // namespace quicksand

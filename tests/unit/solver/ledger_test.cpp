@@ -1,4 +1,5 @@
 // Balances of energy, momentum and water.
+#include "solver/boundary_pieces.hpp"
 #include "solver/ledger.hpp"
 #include "solver/monitors.hpp"
 #include "solver/single_phase_step.hpp"
@@ -206,6 +207,28 @@ TEST(Ledger, WaterThatLeavesAConsolidatingLayerIsTheChangeOfItsWater)
     // the step leaves the water's density out of its flux: p0 / K_w = 5e-6 of the outflow
     EXPECT_LT(std::abs(balance(problem, state).water_error), 1e-8);
     EXPECT_EQ(monitor(problem, state, {}).mass_solid, mass);
+}
+
+TEST(Ledger, LoadsWorkAtTheBoundaryAndNotInTheSkeleton)
+{
+    for (const bool saturated : {false, true}) {
+        Problem problem = free_block(saturated);
+        problem.boundaries =
+            rectangle(0.5, 0.5, 1.5, 1.5, SoilCondition::free, SoilCondition::free, SoilCondition::free);
+        problem.boundaries[1].load = SurfaceLoad{{3e4, -1e4}, 0.0, {}};
+        State state = block_at_centre(problem);
+        ASSERT_TRUE(attach_boundaries(problem, state.particles).empty());
+        open_ledger(problem, state);
+        run_steps(problem, 60.0 * stable_time_step(problem, state.particles).dt, 60, state);
+        const Ledger& ledger = *state.ledger;
+        const LedgerBalance balances = balance(problem, state);
+        EXPECT_NEAR(ledger.impulse_x, 3e4 * state.time, 1e-10);
+        EXPECT_NEAR(ledger.impulse_y, -1e4 * state.time, 1e-10);
+        EXPECT_LT(std::hypot(balances.momentum_error_x, balances.momentum_error_y), 1e-13 * ledger.impulse_x);
+        EXPECT_GT(ledger.boundary_work, 0.0);
+        EXPECT_GT(ledger.skeleton_work, 0.0);
+        EXPECT_LT(std::abs(balances.energy_error), saturated ? 0.02 : 1e-14);
+    }
 }
 
 TEST(Ledger, HasTheSameBitsForAnyNumberOfThreads)
