@@ -89,17 +89,16 @@ HeldShape hold_shape(const Problem& problem, State& state)
             std::fill(values.begin(), values.end(), 0.0);
     });
     shape.rest.assign(problem.grid.node_count(), SinglePhaseSums{});
-    const bool pressed = has_pressure(resting);
     for_each_tile_by_colour(shape.lists, [&](const Tile& tile) {
         PatchStore& store = shape.patches[static_cast<std::size_t>(tile.number)];
         evaluate_weights(problem, resting, shape.lists, tile, store);
         scatter_single_phase(problem.grid, resting, masses, shape.lists, tile, store, shape.rest);
-        if (pressed) scatter_held_pressure(problem.grid, resting, shape.lists, tile, store, shape.rest);
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, resting, masses, shape.lists, tile, store, shape.rest);
     });
     ParticlePlaces places;
     scatter_surface_loads(problem, state.time, resting, places, shape.rest);
+    if (has_pressure(resting)) scatter_outer_water(problem, state.time, resting, places, shape.rest);
     shape.sums = shape.rest;
     shape.average = make_volumetric_average(problem);
     shape.motion.resize(problem.grid.node_count());

@@ -32,13 +32,15 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
     });
-    scatter_surface_loads(problem, load_time(state, dt), particles, work.places, work.sums);
+    const double time = load_time(state, dt);
+    scatter_surface_loads(problem, time, particles, work.places, work.sums);
+    if (pressed) scatter_outer_water(problem, time, particles, work.places, work.sums);
     scatter_reactions(problem, state, work.places, work.sums);
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     if (work.outer.empty() || !state.ledger) return;
     work.outer.assign(work.outer.size(), OuterForce{});
-    note_outer_forces(problem, load_time(state, dt), state, work.places, work.outer);
+    note_outer_forces(problem, time, state, work.places, work.outer);
     gather_tied_sums(work.conditions, work.outer);
 }
 

@@ -85,6 +85,15 @@ void scatter_outer_water(const Problem& problem, double time, const Particles& p
     });
 }
 
+void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
+                         ParticlePlaces& places, std::vector<SinglePhaseSums>& sums)
+{
+    for_each_nodal_water(problem, time, particles, places, [&](std::size_t i, const Vector2& force) {
+        sums[i].stress_force_x += force.x();
+        sums[i].stress_force_y += force.y();
+    });
+}
+
 bool has_outer_forces(const Problem& problem)
 {
     return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [](const Boundary& boundary) {

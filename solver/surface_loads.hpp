@@ -22,6 +22,10 @@ void scatter_surface_loads(const Problem& problem, double time, const Particles&
 void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
                          ParticlePlaces& places, std::vector<TwoPhaseSums>& sums);
 
+/// The same onto a body of one phase whose pores hold their pressure.
+void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
+                         ParticlePlaces& places, std::vector<SinglePhaseSums>& sums);
+
 /// Whether anything on the boundary curves acts on the nodes: loads, water, held reactions.
 bool has_outer_forces(const Problem& problem);
 

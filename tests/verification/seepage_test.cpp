@@ -83,6 +83,13 @@ TEST(Seepage, StaysSteadyWithAnyStep)
     }
 }
 
+TEST(Seepage, IsInEquilibriumWhileTheSoilSettles)
+{
+    Problem problem = seeping_column(0.1);
+    const State state = steady_state(problem);
+    EXPECT_LT(out_of_balance(problem, state), 1e-12);
+}
+
 TEST(Seepage, DevelopsFromRest)
 {
     Problem problem = seeping_column(0.2);
