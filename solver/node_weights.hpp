@@ -80,4 +80,18 @@ struct PatchStore {
     }
 };
 
+/// Call visit(node, weight) for the nodes of a patch.
+template <class Visit>
+void for_each_node(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x, Visit&& visit)
+{
+    auto k = static_cast<std::size_t>(patch.first);
+    for (std::int32_t b = 0; b < patch.height; ++b) {
+        const auto row = static_cast<std::size_t>(patch.base + b * nodes_x);
+        for (std::int32_t a = 0; a < patch.width; ++a, ++k) {
+            visit(row + static_cast<std::size_t>(a),
+                  NodeWeight{store.value[k], store.gradient_x[k], store.gradient_y[k]});
+        }
+    }
+}
+
 } // namespace quicksand

@@ -13,14 +13,6 @@
 
 namespace quicksand {
 
-/// Take out of the velocities of the grains what the grid cannot see of them, at the rate at which
-/// deformation makes it: v <- v + theta (v_grid - v), theta = 4 dt |D| / (1 + 4 dt |D|), |D| the norm of the
-/// rate of strain. Points of a cell that is sheared by its own size have moved against each other by as much,
-/// with velocities that are known at the nodes only; a quarter of that strain fades them by a factor e. The
-/// filter in time of grid_to_particle.hpp is too slow for it where waves are no faster than the deformation.
-/// `grid_velocity` is that with which the particles move, sum phi v_i.
-void fade_noise_of_deformation(double dt, const Vectors& grid_velocity, Particles& particles);
-
 /// Move and deform the particles as the scene's interpolation and strain form ask, and bring the porosity up
 /// to date. `velocity(node)` is the velocity of the grains at a node [m/s]. Throws NumericalError.
 template <class Velocity>

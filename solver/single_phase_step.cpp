@@ -9,6 +9,17 @@
 
 namespace quicksand {
 
+namespace {
+
+void fade_noise(const Problem& problem, double dt, Particles& particles, SinglePhaseWorkspace& work)
+{
+    fade_noise_of_deformation(dt, work.grid_velocity, particles, work.fading.change);
+    keep_momentum(problem.grid, work.lists, work.patches, work.conditions, work.masses.inertia, work.sums,
+                  work.fading, particles);
+}
+
+} // namespace
+
 SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage stage)
 {
     SinglePhaseWorkspace work;
@@ -71,7 +82,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         });
     });
     timed(work.timers, Phase::motion, [&] {
-        if (problem.strain == StrainForm::large) fade_noise_of_deformation(dt, work.grid_velocity, particles);
+        if (problem.strain == StrainForm::large) fade_noise(problem, dt, particles, work);
         const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });

@@ -1,6 +1,7 @@
 // The step of a body that moves as one phase: dry soil, or saturated soil that settles drained.
 #pragma once
 
+#include "solver/deformation_noise.hpp"
 #include "solver/nodes.hpp"
 #include "solver/step_workspace.hpp"
 
@@ -13,6 +14,7 @@ struct SinglePhaseWorkspace : StepWorkspace {
     std::vector<OuterForce> outer; // none where there are none
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
+    NoiseFading fading;
 };
 
 SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage stage = Stage::shaking);
