@@ -124,6 +124,9 @@ std::string describe_time_step(const AssembledCase& assembled)
 {
     const Problem& problem = assembled.problem;
     std::string text = "Waves, where the soil is stiffest\n";
+    if (problem.water && problem.water->flow != WaterFlow::drained)
+        text += fmt::format("  the water's bulk modulus, with its air, is {} Pa\n",
+                            short_number(problem.water->bulk_modulus));
     const std::vector<WaveSpeeds> waves = fastest_waves(problem, assembled.state.particles);
     for (std::size_t m = 0; m < waves.size(); ++m) {
         text += describe_waves(problem.materials[m], waves[m], problem);
@@ -170,6 +173,11 @@ std::string describe_left_out(const Scene& scene)
     };
     leave_out(!scene.water,
               "pore water: dry soil moves as one phase and its particles carry no arrays for water");
+    leave_out(
+        scene.water && scene.water->flow == WaterFlow::undrained,
+        "relative flow: undrained, grains and water share one velocity and the pressure follows from it");
+    leave_out(scene.water && scene.water->flow == WaterFlow::drained,
+              "excess pore pressure: drained, the water weighs and moves along and resists nothing");
     leave_out(scene.strain == StrainForm::small,
               "the update of domains, volumes and weights: small strain, on the drawn shape");
     leave_out(scene.scheme == TimeScheme::semi_implicit,

@@ -80,9 +80,7 @@ Particles make_particles(const Problem& problem, const Sampling& sampling,
                          const std::vector<std::int32_t>& material_of_domain)
 {
     Particles particles;
-    resize(particles, sampling.domains.size(), problem.water.has_value());
-    const bool has_corners = problem.interpolation == Interpolation::cpdi2;
-    if (has_corners) particles.twist.x = particles.twist.y = Scalars(particles.size(), 0.0);
+    resize_particles(problem, sampling.domains.size(), particles);
     for (std::size_t p = 0; p < sampling.domains.size(); ++p) {
         const ParticleDomain& domain = sampling.domains[p];
         const std::int32_t m = material_of_domain[p];
@@ -93,7 +91,7 @@ Particles make_particles(const Problem& problem, const Sampling& sampling,
         particles.position.set(p, domain.centre);
         particles.half_edge_1.set(p, domain.half_edge_1);
         particles.half_edge_2.set(p, domain.half_edge_2);
-        if (has_corners) particles.twist.set(p, domain.twist);
+        if (problem.interpolation == Interpolation::cpdi2) particles.twist.set(p, domain.twist);
         particles.volume[p] = domain.volume;
         particles.mass_solid[p] = (1.0 - material.porosity) * material.grain_density * domain.volume;
         if (problem.water) particles.porosity[p] = material.porosity;

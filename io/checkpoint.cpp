@@ -1,7 +1,7 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
-// particles, reactions. The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look
-// at: the file is checked before HDF5 opens it, since it copes badly with damaged tables.
+// last_step, particles, reactions. The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does
+// not look at: the file is checked before HDF5 opens it, since it copes badly with damaged tables.
 #include "io/checkpoint.hpp"
 
 #include "io/atomic_file.hpp"

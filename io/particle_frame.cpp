@@ -48,12 +48,13 @@ FrameArray stress_array(const SymmetricTensors& stress)
 void add_fluid(const Problem& problem, const Particles& particles, std::vector<FrameArray>& arrays)
 {
     const std::size_t count = particles.size();
-    arrays.push_back(
-        vector("velocity_fluid", "m/s", count, [&](std::size_t p) { return particles.velocity_fluid[p]; }));
+    if (!particles.velocity_fluid.x.empty())
+        arrays.push_back(vector("velocity_fluid", "m/s", count,
+                                [&](std::size_t p) { return particles.velocity_fluid[p]; }));
     arrays.push_back(scalar("pore_pressure", "Pa", count,
                             [&](std::size_t p) { return total_pore_pressure(problem, particles, p); }));
     arrays.push_back(scalar("excess_pore_pressure", "Pa", count,
-                            [&](std::size_t p) { return particles.pore_pressure[p]; }));
+                            [&](std::size_t p) { return excess_pore_pressure(particles, p); }));
     arrays.push_back(scalar("ru", "-", count,
                             [&](std::size_t p) { return excess_pressure_ratio(problem, particles, p); }));
     arrays.push_back(scalar("porosity", "-", count, [&](std::size_t p) { return particles.porosity[p]; }));

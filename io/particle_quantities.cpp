@@ -16,14 +16,14 @@ Vector2 displacement(const Particles& particles, std::size_t p)
 
 double total_pore_pressure(const Problem& problem, const Particles& particles, std::size_t p)
 {
-    return static_water_pressure(problem, particles.position.y[p]) + particles.pore_pressure[p];
+    return static_water_pressure(problem, particles.position.y[p]) + excess_pore_pressure(particles, p);
 }
 
 double excess_pressure_ratio(const Problem& problem, const Particles& particles, std::size_t p)
 {
     const double initial = particles.initial_vertical_effective_stress[p];
     return initial < ru_stress_threshold(problem) ? std::numeric_limits<double>::quiet_NaN()
-                                                  : particles.pore_pressure[p] / initial;
+                                                  : excess_pore_pressure(particles, p) / initial;
 }
 
 double mean_effective_stress(const SymmetricTensors& stress, std::size_t p)

@@ -34,6 +34,7 @@ private:
 
     void resolve_table(const Entry& table);
     void resolve_key(const SceneKey& key, const Entry& table);
+    bool flow_uses(const SceneKey& key, const std::string& path, const DocumentNode* node);
     bool condition_holds(const SceneKey& key, const KeyPath& table, const DocumentNode* node);
     void refuse_missing(const SceneKey& key, const Entry& table);
     void put_default(const SceneKey& key, const KeyPath& table, const std::string& path);
@@ -143,6 +144,20 @@ void DocumentCheck::collect(const DocumentNode& table, const KeyPath& path, std:
     }
 }
 
+/// Whether the key is of use with the water's flow; one that is given all the same is warned of.
+bool DocumentCheck::flow_uses(const SceneKey& key, const std::string& path, const DocumentNode* node)
+{
+    const std::string flow = values_.text("water.flow");
+    const bool uses =
+        key.flows.empty() || std::find(key.flows.begin(), key.flows.end(), flow) != key.flows.end();
+    if (!uses && node != nullptr && !flow.empty()) {
+        findings_.add(warning_at(
+            node->name_place, path, "unused", path + " has no effect with water.flow = \"" + flow + "\"", "",
+            "remove it, or set water.flow = \"" + std::string(key.flows.front()) + "\""));
+    }
+    return uses;
+}
+
 bool DocumentCheck::condition_holds(const SceneKey& key, const KeyPath& table, const DocumentNode* node)
 {
     const std::string path = join_path(table + last_part(key.pattern));
@@ -153,6 +168,7 @@ bool DocumentCheck::condition_holds(const SceneKey& key, const KeyPath& table, c
         }
         return false;
     }
+    if (!flow_uses(key, path, node)) return false;
     if (key.when.sibling.empty()) return true;
     const auto word = values_.find<std::string>(join_path(table + key.when.sibling));
     if (!word) return false; // the sibling is wrong itself and has been reported

@@ -43,6 +43,17 @@ constexpr std::array<std::pair<std::string_view, StrainForm>, 2> strain_words = 
     {"small", StrainForm::small},
 }};
 
+constexpr std::array<std::pair<std::string_view, WaterFlow>, 3> flow_words = {{
+    {"coupled", WaterFlow::coupled},
+    {"undrained", WaterFlow::undrained},
+    {"drained", WaterFlow::drained},
+}};
+constexpr std::array<std::pair<std::string_view, PermeabilityLaw>, 3> permeability_words = {{
+    {"constant", PermeabilityLaw::constant},
+    {"kozeny_carman", PermeabilityLaw::kozeny_carman},
+    {"specific_volume_squared", PermeabilityLaw::specific_volume_squared},
+}};
+
 const std::vector<NamedTable>& tables_named(const SceneValues& values, const std::string& table)
 {
     static const std::vector<NamedTable> none;
@@ -86,7 +97,23 @@ Material read_material(const SceneValues& values, const NamedTable& table)
     material.hydraulic_conductivity = number("hydraulic_conductivity");
     material.conductivity_gravity =
         values.find<double>(table.path + ".conductivity_gravity").value_or(standard_gravity);
+    material.permeability_law = word_of(permeability_words, values.text(table.path + ".permeability_law"));
     return material;
+}
+
+Water read_water(const SceneValues& values)
+{
+    Water water;
+    water.density = values.number("water.density");
+    water.bulk_modulus = values.number("water.bulk_modulus");
+    water.level = values.number("water.level");
+    water.flow = word_of(flow_words, values.text("water.flow"));
+    if (const auto saturation = values.find<double>("water.saturation")) {
+        water.bulk_modulus =
+            modulus_with_air(water.bulk_modulus, *saturation, values.number("water.air_pressure"));
+    }
+    water.cavitation_pressure = values.find<double>("water.cavitation_pressure");
+    return water;
 }
 
 void fill_ground(const SceneValues& values, Scene& scene)
@@ -96,8 +123,7 @@ void fill_ground(const SceneValues& values, Scene& scene)
     if (values.has_table("water")) scene.scheme = word_of(scheme_words, values.text("analysis.scheme"));
     scene.gravity = values.number("gravity.acceleration");
     if (values.has_table("water")) {
-        scene.water = Water{values.number("water.density"), values.number("water.bulk_modulus"),
-                            values.number("water.level")};
+        scene.water = read_water(values);
         scene.phreatic_line =
             values.find<std::vector<Vector2>>("water.phreatic_line").value_or(std::vector<Vector2>());
         scene.phreatic_place = values.place("water.phreatic_line");

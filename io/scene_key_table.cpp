@@ -38,6 +38,8 @@ const Condition viscous_only{"soil", {"viscous"}};
 const Condition manufactured_only{"problem", {"axis_aligned", "largest_vortex", "vortex"}};
 const Condition sine_only{"kind", {"sine"}};
 const Condition file_only{"kind", {"file"}};
+const std::vector<std::string_view> coupled_only{"coupled"}, with_pressure{"coupled", "undrained"};
+const Condition water_with_pressure{"flow", with_pressure};
 const Condition profile_only{"kind", {"profile"}};
 
 // One row, one key: the formatter would make it ten lines.
@@ -112,6 +114,23 @@ std::vector<SceneKey> ground_keys()
         {.pattern = "water.phreatic_line", .type = point_list, .dimension = Dimension::length,
          .default_note = "the level",
          .doc = "Points from left to right: soil below is saturated, soil above drained; level beyond its ends."},
+        {.pattern = "water.flow", .type = word, .default_value = "coupled",
+         .words = {"coupled", "undrained", "drained"},
+         .doc = "Water with a velocity of its own, moving with the grains, or leaving no excess pressure."},
+        {.pattern = "water.saturation", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
+         .plausible = {0.85, 1.0},
+         .caution = "air is entrapped in bubbles above 85 per cent or so; below, suction would count",
+         .when = water_with_pressure,
+         .doc = "Share of water in the pores; the rest is entrapped air, 1/K = S/K_w + (1-S)/p_air."},
+        {.pattern = "water.air_pressure", .dimension = Dimension::pressure, .default_value = atmospheric_pressure,
+         .allowed = positive, .plausible = {5e4, 5e6}, .when = water_with_pressure,
+         .doc = "Absolute pressure of the entrapped air, taken as constant; of use with saturation < 1."},
+        {.pattern = "water.cavitation_pressure", .dimension = Dimension::pressure,
+         .default_note = "water bears any tension",
+         .allowed = {.upper = atmospheric_pressure, .upper_open = true}, .plausible = {0.0, 2e4},
+         .caution = "this is an absolute pressure; the vapour pressure of water at 20 degrees is 2.3 kPa",
+         .when = water_with_pressure,
+         .doc = "Absolute pore pressure (atmosphere: 100 kPa) at which cavities open instead of more tension."},
     };
 }
 
@@ -155,16 +174,19 @@ std::vector<SceneKey> material_keys()
          .caution = "porosity is the void volume over the total volume, not the void ratio",
          .doc = "Initial porosity: void volume over total volume."},
         {.pattern = "materials.*.hydraulic_conductivity", .dimension = Dimension::velocity, .required = true,
-         .saturated_only = true, .allowed = positive, .plausible = {1e-10, 1.0},
+         .saturated_only = true, .flows = coupled_only, .allowed = positive, .plausible = {1e-10, 1.0},
          .caution = "this is Darcy's conductivity in m/s, not an intrinsic permeability in m2, not k/gamma_w",
          .doc = "Darcy's conductivity k, at the gravity of conductivity_gravity."},
         {.pattern = "materials.*.conductivity_gravity", .dimension = Dimension::acceleration,
-         .saturated_only = true,
+         .saturated_only = true, .flows = coupled_only,
          .default_value = standard_gravity, .allowed = positive, .plausible = {1.0, 2000.0},
          .doc = "Gravity at which the conductivity was measured; at 120 g a wrong pairing is a factor 120."},
         {.pattern = "materials.*.saturation_above_water", .saturated_only = true, .default_value = 0.0,
          .allowed = {.lower = 0.0, .upper = 1.0},
          .doc = "Share of the pores that is filled above the phreatic line; it counts as weight alone."},
+        {.pattern = "materials.*.permeability_law", .type = word, .saturated_only = true, .flows = coupled_only,
+         .default_value = "constant", .words = {"constant", "kozeny_carman", "specific_volume_squared"},
+         .doc = "How k follows the porosity: not, as n^3/(1-n)^2, or as 1/(1-n)^2."},
         {.pattern = "materials.*.static_poisson_ratio",
          .default_value = UbcSandParameters().static_poisson_ratio,
          .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.2, 0.45},
@@ -263,7 +285,7 @@ std::vector<SceneKey> condition_keys()
         {.pattern = "initial.k0", .default_value = 0.5, .allowed = not_negative, .plausible = {0.2, 2.0},
          .doc = "Horizontal over vertical effective stress."},
         {.pattern = "initial.excess_pore_pressure", .dimension = Dimension::pressure,
-         .saturated_only = true, .default_value = 0.0, .plausible = {-1e5, 1e7},
+         .saturated_only = true, .flows = with_pressure, .default_value = 0.0, .plausible = {-1e5, 1e7},
          .doc = "Excess pore pressure everywhere at the start of the run, as a load leaves it behind."},
         {.pattern = "relaxation", .type = table, .default_note = "the run starts from the K0 state as it is",
          .doc = "A damped stage in which the soil settles under gravity before the shaking."},

@@ -74,7 +74,13 @@ std::string use_text(const SceneKey& key)
         text += (text.empty() ? "with " + std::string(key.when.sibling) + " = " : " or ") + '"' +
                 std::string(word) + '"';
     }
-    if (key.saturated_only) text += (text.empty() ? "" : ", ") + std::string("with [water]");
+    if (key.saturated_only && key.flows.empty())
+        text += (text.empty() ? "" : ", ") + std::string("with [water]");
+    for (const std::string_view flow : key.flows) {
+        const bool first = flow == key.flows.front();
+        text += (first ? std::string(text.empty() ? "" : ", ") + "with water.flow = " : " or ") + '"' +
+                std::string(flow) + '"';
+    }
     return text;
 }
 

@@ -84,6 +84,37 @@ void check_tied_boundary(const SceneValues& values, const NamedTable& boundary,
     }
 }
 
+/// The semi-implicit scheme is that of two phases, with water that bears tension.
+void check_scheme(const SceneValues& values, Diagnostics& findings)
+{
+    if (values.text("analysis.scheme") != "semi_implicit") return;
+    const std::string flow = values.text("water.flow");
+    const auto refuse = [&](const std::string& what, const std::string& expected) {
+        findings.add(error_at(values.place("analysis.scheme"), "combination", what, expected));
+    };
+    if (flow == "undrained" || flow == "drained") {
+        refuse("scheme = \"semi_implicit\" has no pressure to solve for with water.flow = \"" + flow + "\"",
+               "scheme = \"explicit\", or water.flow = \"coupled\"");
+    }
+    if (values.find<double>("water.cavitation_pressure")) {
+        refuse("scheme = \"semi_implicit\" cannot hold a cavitation_pressure within a step",
+               "scheme = \"explicit\", or no water.cavitation_pressure");
+    }
+}
+
+/// Laws of the porosity have nothing to follow where the porosity stays.
+void check_permeability(const SceneValues& values, Diagnostics& findings)
+{
+    if (values.text("analysis.strain") != "small") return;
+    for (const NamedTable& material : tables_named(values, "materials")) {
+        const std::string path = material.path + ".permeability_law", law = values.text(path);
+        if (law.empty() || law == "constant") continue;
+        findings.add(warning_at(values.place(path), path, "unused",
+                                path + " has no effect in small strain: the porosity stays", "",
+                                "set analysis.strain = \"large\", or remove it"));
+    }
+}
+
 void check_boundaries(const SceneValues& values, Diagnostics& findings)
 {
     const auto boundaries = tables_named(values, "boundaries");
@@ -177,6 +208,8 @@ void check_references(const SceneValues& values, Diagnostics& findings)
     check_materials(values, findings);
     check_boundaries(values, findings);
     check_interpolation(values, findings);
+    check_permeability(values, findings);
+    check_scheme(values, findings);
     check_probes(values, findings);
     check_accepted(values, findings);
 }

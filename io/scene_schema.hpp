@@ -76,6 +76,7 @@ struct SceneKey {
     Dimension dimension = Dimension::none;
     bool required = false;
     bool saturated_only = false;                  // of no use without [water]
+    std::vector<std::string_view> flows = {};     // words of water.flow it is of use with; none: all
     std::optional<SceneValue> default_value = {}; // none: required, derived or simply absent
     DerivedDefault derived = {};
     std::string_view default_note = {}; // what absence means, where there is no default value

@@ -127,7 +127,7 @@ double noise_time(const Problem& problem)
     double fastest = 0.0;
     for (const Material& material : problem.materials) {
         const WaveSpeeds speeds = wave_speeds(material, water_of(problem, material), material.porosity);
-        fastest = std::max({fastest, speeds.fast, speeds.skeleton});
+        fastest = std::max(fastest, fastest_speed(problem, speeds));
     }
     return cells_of_memory * problem.grid.cell_size / fastest;
 }

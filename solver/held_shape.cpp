@@ -29,7 +29,7 @@ void scatter_forces(const Problem& problem, const Particles& particles, const Ti
 {
     for_each_particle(shape, tile, [&](std::size_t p, const StoredPatch& patch, const PatchStore& store) {
         const double V = particles.volume[p];
-        const double pressure = particles.has_fluid() ? particles.pore_pressure[p] : 0.0;
+        const double pressure = excess_pore_pressure(particles, p);
         const double sxx = V * (particles.stress.xx[p] - pressure),
                      syy = V * (particles.stress.yy[p] - pressure), sxy = V * particles.stress.xy[p];
         for_each_node(patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
@@ -68,7 +68,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     shape.patches.resize(shape.lists.tile_count);
     sort_particles(problem.grid, 0.0, state, shape.lists);
     CarriedMasses masses;
-    compute_carried_masses(problem, state.particles, masses);
+    compute_carried_masses(problem, state, masses);
     Particles resting = state.particles; // their momenta and forces are none of the shape's
     for_each_array(resting, [](std::string_view name, Scalars& values) {
         if (name.starts_with("velocity") || name.starts_with("stress"))

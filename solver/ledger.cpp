@@ -134,7 +134,7 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     entries.before += Vector2(node.momentum_x, node.momentum_y);
     const Vector2 stress = dt * Vector2(node.stress_force_x, node.stress_force_y);
     const Vector2 base(-dt * node.mass * acceleration, 0.0), weight(0.0, -dt * node.weight * problem.gravity);
-    const Vector2 load(dt * outer.load_x, dt * outer.load_y);
+    const Vector2 load(dt * (outer.load_x + outer.water_x), dt * (outer.load_y + outer.water_y));
     entries.skeleton -= (stress - load).dot(body.mean);
     entries.boundary += load.dot(body.mean);
     entries.gravity += weight.dot(body.mean);
@@ -144,7 +144,7 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
 }
 
 /// Add a step's sums to the books.
-void enter_step(const Problem& problem, double dt, const StepEntries& step, Ledger& ledger)
+void enter_step(const Problem& problem, const StepEntries& step, Ledger& ledger)
 {
     ledger.kinetic_change += step.kinetic;
     ledger.skeleton_work += step.skeleton;
@@ -176,19 +176,21 @@ void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& no
         enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i],
                    outer.empty() ? OuterForce{} : outer[i], motion[i], entries);
     });
-    enter_step(problem, dt, step, ledger);
+    enter_step(problem, step, ledger);
 }
 
 /// Momentum that the water gained since the last step's balance, by the change of the pores in it [N s/m].
 Vector2 latest_exchange(const Problem& problem, double dt, const Particles& particles)
 {
     Vector2 sum = Vector2::Zero();
+    if (problem.strain == StrainForm::small || water_flow(problem) == WaterFlow::undrained) return sum;
     const Gradients& L = particles.velocity_gradient_solid;
     for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
         const double growth =
             (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p]; // V / V of before
         const double mass = problem.water->density * particles.volume[p] * (1.0 - 1.0 / growth);
-        sum += mass * particles.velocity_fluid[p];
+        sum += mass * velocity_of_water(particles, p);
     }
     return sum;
 }
@@ -274,11 +276,14 @@ LedgerBalance balance(const Problem& problem, const State& state)
     Vector2 exchange(ledger.exchange_x, ledger.exchange_y);
     if (problem.water) {
         storage = storage_energy(problem, state.particles);
-        stored = storage - ledger.late_pressure_work - ledger.opening_storage_energy;
+        // undrained, the skeleton's work is that of the total stress: the water's share is in it
+        if (water_flow(problem) == WaterFlow::coupled)
+            stored = storage - ledger.late_pressure_work - ledger.opening_storage_energy;
         exchange += latest_exchange(problem, ledger.time_step, state.particles);
         const double content = water_content(problem, state.particles);
-        result.water_error =
-            (content + ledger.outflow - ledger.opening_water_content) / ledger.opening_water_content;
+        if (water_flow(problem) != WaterFlow::drained) // where water comes and goes uncounted
+            result.water_error =
+                (content + ledger.outflow - ledger.opening_water_content) / ledger.opening_water_content;
     }
     const double error =
         kinetic + result.numerical_loss + ledger.skeleton_work + stored + ledger.drag_dissipation - outside;
@@ -296,7 +301,7 @@ double storage_energy(const Problem& problem, const Particles& particles)
 {
     double sum = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double pressure = particles.pore_pressure[p];
+        const double pressure = excess_pore_pressure(particles, p);
         sum += particles.porosity[p] * particles.volume[p] * pressure * pressure;
     }
     return 0.5 * sum / problem.water->bulk_modulus;
@@ -304,12 +309,17 @@ double storage_energy(const Problem& problem, const Particles& particles)
 
 double water_content(const Problem& problem, const Particles& particles)
 {
+    const bool fixed = problem.strain == StrainForm::small;
+    const Scalars& heights = fixed ? particles.reference_position.y : particles.position.y;
     double sum = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+        // cavities hold the volume that the missing tension stands for
+        const double cavities = particles.tension_deficit.empty() ? 0.0 : particles.tension_deficit[p];
         const double pressure =
-            particles.pore_pressure[p] + static_water_pressure(problem, particles.position.y[p]);
+            excess_pore_pressure(particles, p) + cavities + static_water_pressure(problem, heights[p]);
         sum += particles.porosity[p] * particles.volume[p] * (1.0 + pressure / problem.water->bulk_modulus);
+        if (fixed) sum += particles.volume[p] * (deformation_gradient(particles, p).trace() - 2.0);
     }
     return sum;
 }

@@ -17,11 +17,13 @@ void add_phase(double mass, const Vector2& velocity, Monitors& monitors)
 
 void add_fluid(const Problem& problem, const Particles& particles, std::size_t p, Monitors& monitors)
 {
-    const double mass = problem.water->density * particles.porosity[p] * particles.volume[p];
+    const double volume = particles.water_volume.empty() ? particles.porosity[p] * particles.volume[p]
+                                                         : particles.water_volume[p];
+    const double mass = problem.water->density * volume;
     monitors.mass_fluid += mass;
-    monitors.kinetic_energy_fluid += 0.5 * mass * particles.velocity_fluid[p].squaredNorm();
-    add_phase(mass, particles.velocity_fluid[p], monitors);
-    const double pressure = particles.pore_pressure[p];
+    monitors.kinetic_energy_fluid += 0.5 * mass * velocity_of_water(particles, p).squaredNorm();
+    add_phase(mass, velocity_of_water(particles, p), monitors);
+    const double pressure = excess_pore_pressure(particles, p);
     monitors.max_excess_pore_pressure = std::max(monitors.max_excess_pore_pressure, pressure);
     const double initial = particles.initial_vertical_effective_stress[p];
     if (initial >= ru_stress_threshold(problem))

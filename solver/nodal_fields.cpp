@@ -12,7 +12,7 @@ namespace {
 
 /// Call visit(array) for every averaged array, in one fixed order.
 template <class Visit>
-void for_each_field(NodalFields& fields, bool saturated, Visit&& visit)
+void for_each_field(NodalFields& fields, std::optional<WaterFlow> flow, Visit&& visit)
 {
     visit(fields.displacement.x);
     visit(fields.displacement.y);
@@ -21,16 +21,17 @@ void for_each_field(NodalFields& fields, bool saturated, Visit&& visit)
     visit(fields.mean_effective_stress);
     visit(fields.vertical_effective_stress);
     visit(fields.shear_stress_xy);
-    if (!saturated) return;
-    visit(fields.velocity_fluid.x);
-    visit(fields.velocity_fluid.y);
+    if (!flow) return;
     visit(fields.pore_pressure);
     visit(fields.excess_pore_pressure);
     visit(fields.ru);
     visit(fields.porosity);
+    if (flow != WaterFlow::coupled) return;
+    visit(fields.velocity_fluid.x);
+    visit(fields.velocity_fluid.y);
 }
 
-constexpr std::size_t dry_fields = 7, saturated_fields = 13;
+constexpr std::size_t most_fields = 13;
 
 /// The particle's values in the order of for_each_field.
 void particle_values(const Problem& problem, const Particles& particles, std::size_t p, double* values)
@@ -43,34 +44,33 @@ void particle_values(const Problem& problem, const Particles& particles, std::si
     *values++ = -(stress.xx[p] + stress.yy[p] + stress.zz[p]) / 3.0;
     *values++ = -stress.yy[p];
     *values++ = stress.xy[p];
-    if (!problem.water) return;
-    const double excess = particles.pore_pressure[p];
+    if (!particles.has_fluid()) return;
+    const double excess = excess_pore_pressure(particles, p);
     const double initial = particles.initial_vertical_effective_stress[p];
-    *values++ = particles.velocity_fluid.x[p];
-    *values++ = particles.velocity_fluid.y[p];
     *values++ = static_water_pressure(problem, particles.position.y[p]) + excess;
     *values++ = excess;
     *values++ = excess / std::max(initial, ru_stress_threshold(problem));
     *values++ = particles.porosity[p];
+    if (particles.velocity_fluid.x.empty()) return;
+    *values++ = particles.velocity_fluid.x[p];
+    *values++ = particles.velocity_fluid.y[p];
 }
 
 } // namespace
 
 NodalFields nodal_fields(const Problem& problem, const Particles& particles)
 {
-    const bool saturated = problem.water.has_value();
-    const std::size_t count = saturated ? saturated_fields : dry_fields;
     const BackgroundGrid& grid = problem.grid;
     NodalFields fields;
     fields.volume.assign(grid.node_count(), 0.0);
     std::vector<Scalars*> arrays;
-    for_each_field(fields, saturated, [&](Scalars& field) {
+    for_each_field(fields, carried_flow(particles), [&](Scalars& field) {
         field.assign(grid.node_count(), 0.0);
         arrays.push_back(&field);
     });
 
     NodePatch patch;
-    double values[saturated_fields];
+    double values[most_fields];
     for (std::size_t p = 0; p < particles.size(); ++p) {
         ParallelogramDomain domain{particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
         limit_domain(grid.cell_size, domain);
@@ -80,7 +80,7 @@ NodalFields nodal_fields(const Problem& problem, const Particles& particles)
             const int node = patch.base + k / patch.width * grid.nodes_x() + k % patch.width;
             const double weight = patch.weights[k].value * particles.volume[p];
             fields.volume[static_cast<std::size_t>(node)] += weight;
-            for (std::size_t f = 0; f < count; ++f)
+            for (std::size_t f = 0; f < arrays.size(); ++f)
                 (*arrays[f])[static_cast<std::size_t>(node)] += weight * values[f];
         }
     }

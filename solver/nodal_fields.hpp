@@ -9,8 +9,8 @@
 
 namespace quicksand {
 
-/// One entry per node of the grid with its rim; zero where `volume` is zero. Fluid arrays are empty in a
-/// dry scene.
+/// One entry per node of the grid with its rim; zero where `volume` is zero. Arrays of water are empty in a
+/// dry scene, its velocity in all but coupled flow.
 struct NodalFields {
     Scalars volume;                    // V_i, soil volume carried by the node [m3/m]
     Vectors displacement;              // since the reference [m]

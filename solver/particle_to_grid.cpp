@@ -82,20 +82,51 @@ std::int64_t evaluate_tile(const BackgroundGrid& grid, const Particles& particle
     return limited;
 }
 
+/// `pressure(p)` acts besides the effective stress [Pa].
+template <class Pressure>
+void scatter_one_velocity(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
+                          const CellLists& lists, const Tile& tile, const PatchStore& store,
+                          std::vector<SinglePhaseSums>& sums, Pressure&& pressure)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    const StoredPatch* patch = store.patches.data();
+    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
+        const auto p = static_cast<std::size_t>(lists.order[k]);
+        const double V = particles.volume[p], m = masses.inertia[p], weight = masses.weight[p];
+        const double sxx = V * (particles.stress.xx[p] - pressure(p)),
+                     syy = V * (particles.stress.yy[p] - pressure(p)), sxy = V * particles.stress.xy[p];
+        const Vector2 v = particles.velocity_solid[p];
+
+        for_each_node(*patch, store, grid.nodes_x(), grid.cell_size,
+                      [&](std::size_t i, const NodeWeight& w, double dx, double dy) {
+                          SinglePhaseSums& node = sums[i];
+                          node.mass += w.value * m;
+                          node.weight += w.value * weight;
+                          node.momentum_x += w.value * m * (v.x() + L.xx[p] * dx + L.xy[p] * dy);
+                          node.momentum_y += w.value * m * (v.y() + L.yx[p] * dx + L.yy[p] * dy);
+                          node.stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
+                          node.stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
+                      });
+    }
+}
+
 } // namespace
 
-void compute_carried_masses(const Problem& problem, const Particles& particles, CarriedMasses& masses)
+void compute_carried_masses(const Problem& problem, const State& state, CarriedMasses& masses)
 {
+    const Particles& particles = state.particles;
     masses.inertia = particles.mass_solid;
     masses.weight = particles.mass_solid;
     if (!problem.water) return;
     const Vectors& place = place_in_equations(problem, particles);
+    const bool kept = state.stage == Stage::shaking && problem.water->flow == WaterFlow::undrained;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
-        const double displaced = problem.water->density * particles.volume[p];
-        masses.inertia[p] += particles.porosity[p] * displaced;
+        const double V = particles.volume[p];
+        const double water = kept ? particles.water_volume[p] : particles.porosity[p] * V;
+        masses.inertia[p] += problem.water->density * water;
         masses.weight[p] = masses.inertia[p];
-        if (place.y[p] < problem.water->level) masses.weight[p] -= displaced;
+        if (place.y[p] < problem.water->level) masses.weight[p] -= problem.water->density * V;
     }
 }
 
@@ -151,26 +182,15 @@ void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles
                           const CellLists& lists, const Tile& tile, const PatchStore& store,
                           std::vector<SinglePhaseSums>& sums)
 {
-    const Gradients& L = particles.velocity_gradient_solid;
-    const StoredPatch* patch = store.patches.data();
-    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
-        const auto p = static_cast<std::size_t>(lists.order[k]);
-        const double V = particles.volume[p], m = masses.inertia[p], weight = masses.weight[p];
-        const double sxx = V * particles.stress.xx[p], syy = V * particles.stress.yy[p],
-                     sxy = V * particles.stress.xy[p];
-        const Vector2 v = particles.velocity_solid[p];
+    scatter_one_velocity(grid, particles, masses, lists, tile, store, sums, [](std::size_t) { return 0.0; });
+}
 
-        for_each_node(*patch, store, grid.nodes_x(), grid.cell_size,
-                      [&](std::size_t i, const NodeWeight& w, double dx, double dy) {
-                          SinglePhaseSums& node = sums[i];
-                          node.mass += w.value * m;
-                          node.weight += w.value * weight;
-                          node.momentum_x += w.value * m * (v.x() + L.xx[p] * dx + L.xy[p] * dy);
-                          node.momentum_y += w.value * m * (v.y() + L.yx[p] * dx + L.yy[p] * dy);
-                          node.stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
-                          node.stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
-                      });
-    }
+void scatter_total_stress(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
+                          const CellLists& lists, const Tile& tile, const PatchStore& store,
+                          std::vector<SinglePhaseSums>& sums)
+{
+    scatter_one_velocity(grid, particles, masses, lists, tile, store, sums,
+                         [&](std::size_t p) { return particles.pore_pressure[p]; });
 }
 
 void scatter_risen_water(const Problem& problem, const Particles& particles, const CellLists& lists,
@@ -196,21 +216,6 @@ bool has_pressure(const Particles& particles)
 {
     return std::any_of(particles.pore_pressure.begin(), particles.pore_pressure.end(),
                        [](double pressure) { return pressure != 0.0; });
-}
-
-void scatter_held_pressure(const BackgroundGrid& grid, const Particles& particles, const CellLists& lists,
-                           const Tile& tile, const PatchStore& store, std::vector<SinglePhaseSums>& sums)
-{
-    const StoredPatch* patch = store.patches.data();
-    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
-        const auto p = static_cast<std::size_t>(lists.order[k]);
-        const double pressure = particles.volume[p] * particles.pore_pressure[p];
-        for_each_node(*patch, store, grid.nodes_x(), grid.cell_size,
-                      [&](std::size_t i, const NodeWeight& w, double, double) {
-                          sums[i].stress_force_x += pressure * w.gradient_x;
-                          sums[i].stress_force_y += pressure * w.gradient_y;
-                      });
-    }
 }
 
 void scatter_body_force(const Problem& problem, double time, const Particles& particles,

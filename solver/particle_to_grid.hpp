@@ -18,9 +18,10 @@ struct CarriedMasses {
     Scalars weight;  // mass that gravity acts on, less the water it displaces [kg/m]
 };
 
-/// Dry: both are the grains' mass. Saturated: inertia of grains and water, weight buoyant below the water
-/// level.
-void compute_carried_masses(const Problem& problem, const Particles& particles, CarriedMasses& masses);
+/// Dry: both are the grains' mass. With water: inertia of grains and water, weight buoyant below the water
+/// level. Water fills the pores, unless it is kept from leaving them: in undrained shaking its mass is
+/// constant.
+void compute_carried_masses(const Problem& problem, const State& state, CarriedMasses& masses);
 
 /// Weights of the particles of a tile, in the order of the lists. Returns how many domains were shortened.
 std::int64_t evaluate_weights(const Problem& problem, const Particles& particles, const CellLists& lists,
@@ -35,19 +36,19 @@ void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles
                           const CellLists& lists, const Tile& tile, const PatchStore& store,
                           std::vector<SinglePhaseSums>& sums);
 
+/// The same with the total stress, sigma' - p I.
+void scatter_total_stress(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
+                          const CellLists& lists, const Tile& tile, const PatchStore& store,
+                          std::vector<SinglePhaseSums>& sums);
+
 /// Saturated soil above the water level has no static pressure to be buoyant in: take the lift that
-/// solve_two_phase_momentum reckons with out again, as a force of the pressure. `risen_weight` gets its size,
-/// by node [N/m].
+/// solve_two_phase_momentum reckons with out again, as a force of the pressure. `outer` notes its size.
 void scatter_risen_water(const Problem& problem, const Particles& particles, const CellLists& lists,
                          const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums,
                          std::vector<OuterForce>& outer);
 
-/// Whether any excess pore pressure is there to be held.
+/// Whether any excess pore pressure acts.
 bool has_pressure(const Particles& particles);
-
-/// Add the excess pore pressure, held as it is, to the forces of the stress.
-void scatter_held_pressure(const BackgroundGrid& grid, const Particles& particles, const CellLists& lists,
-                           const Tile& tile, const PatchStore& store, std::vector<SinglePhaseSums>& sums);
 
 /// Add the problem's own body force at `time` [s].
 void scatter_body_force(const Problem& problem, double time, const Particles& particles,

@@ -8,6 +8,29 @@ namespace quicksand {
 
 namespace {
 
+/// Whether such a flow needs the arrays of a group.
+bool needs(std::optional<WaterFlow> flow, ArrayGroup group)
+{
+    switch (group) {
+    case ArrayGroup::always:
+        return true;
+    case ArrayGroup::pores:
+        return flow.has_value();
+    case ArrayGroup::pressure:
+        return flow == WaterFlow::coupled || flow == WaterFlow::undrained;
+    case ArrayGroup::fluid_motion:
+        return flow == WaterFlow::coupled;
+    case ArrayGroup::kept_water:
+        return flow == WaterFlow::undrained;
+    case ArrayGroup::cavities:
+    case ArrayGroup::pressure_rate:
+    case ArrayGroup::twist:
+    case ArrayGroup::cycles:
+        return false;
+    }
+    ENSURE(false);
+}
+
 template <class Value>
 void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order, std::vector<Value>& buffer)
 {
@@ -22,23 +45,23 @@ void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order,
 
 ArrayGroup group_of(std::string_view name)
 {
-    if (name.starts_with("velocity_fluid") || name.starts_with("velocity_gradient_fluid") ||
-        name == "porosity" || name == "pore_pressure") {
-        return ArrayGroup::fluid;
-    }
-    if (name == "pore_pressure_rate") return ArrayGroup::implicit_pressure;
+    if (name.starts_with("velocity_fluid") || name.starts_with("velocity_gradient_fluid"))
+        return ArrayGroup::fluid_motion;
+    if (name == "porosity") return ArrayGroup::pores;
+    if (name == "pore_pressure") return ArrayGroup::pressure;
+    if (name == "pore_pressure_rate") return ArrayGroup::pressure_rate;
+    if (name == "water_volume") return ArrayGroup::kept_water;
+    if (name == "tension_deficit") return ArrayGroup::cavities;
     if (name.starts_with("twist")) return ArrayGroup::twist;
     return name.starts_with("cycles_") ? ArrayGroup::cycles : ArrayGroup::always;
 }
 
-void resize(Particles& particles, std::size_t count, bool saturated)
+void resize(Particles& particles, std::size_t count, std::optional<WaterFlow> flow)
 {
     for_each_index_array(particles,
                          [&](const char*, std::vector<std::int32_t>& values) { values.assign(count, 0); });
     for_each_array(particles, [&](const char* name, Scalars& values) {
-        const ArrayGroup group = group_of(name);
-        const bool present = group == ArrayGroup::always || (group == ArrayGroup::fluid && saturated);
-        values.assign(present ? count : 0, 0.0);
+        values.assign(needs(flow, group_of(name)) ? count : 0, 0.0);
     });
 }
 
@@ -47,6 +70,14 @@ void add_cycle_memory(Particles& particles)
     for_each_array(particles, [&](const char* name, Scalars& values) {
         if (group_of(name) == ArrayGroup::cycles) values.assign(particles.size(), 0.0);
     });
+}
+
+std::optional<WaterFlow> carried_flow(const Particles& particles)
+{
+    if (!particles.velocity_fluid.x.empty()) return WaterFlow::coupled;
+    if (!particles.water_volume.empty()) return WaterFlow::undrained;
+    if (!particles.porosity.empty()) return WaterFlow::drained;
+    return std::nullopt;
 }
 
 void reorder(Particles& particles, const std::vector<std::int32_t>& order)

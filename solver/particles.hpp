@@ -2,9 +2,11 @@
 #pragma once
 
 #include "solver/conventions.hpp"
+#include "solver/water_flow.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -37,7 +39,8 @@ struct CycleMemory {
 
 /// In small strain the equations are set up on the reference shape; position and edges show the displaced
 /// one. Structure of arrays; every array has `size()` entries, or none where the scene does not need it: a
-/// dry scene carries no fluid arrays.
+/// dry scene carries nothing of water, a drained one the porosity only, and velocities of the water are there
+/// in coupled flow alone.
 struct Particles {
     std::vector<std::int32_t> identifier; // lasting number, as sampled; the arrays are reordered [-]
     std::vector<std::int32_t> material;   // index into Problem::materials [-]
@@ -60,14 +63,17 @@ struct Particles {
     Vectors velocity_fluid;            // v_w, true velocity [m/s]
     Gradients velocity_gradient_fluid; // L_w [1/s]
     Scalars porosity;                  // n [-]
-    Scalars pore_pressure;             // excess over the static water pressure, compression positive [Pa]
+    Scalars water_volume;       // of the water a particle keeps when undrained, without pressure [m3/m]
+    Scalars tension_deficit;    // excess pressure that cavities keep from the water, see pore_pressure.hpp,
+                                // never positive; none without a cavitation limit [Pa]
+    Scalars pore_pressure;      // excess over the static water pressure, compression positive [Pa]
     Scalars pore_pressure_rate; // of the cell in the last semi-implicit step, none in explicit runs [Pa/s]
     Scalars initial_vertical_effective_stress; // sigma'_v0 at the start of shaking, compression positive [Pa]
 
     CycleMemory cycles; // none without a material of UBCSAND
 
     std::size_t size() const { return identifier.size(); }
-    bool has_fluid() const { return !pore_pressure.empty(); }
+    bool has_fluid() const { return !porosity.empty(); }
     bool has_cycles() const { return !cycles.branch.empty(); }
 };
 
@@ -106,6 +112,8 @@ void for_each_array(ParticleSet& particles, Visitor&& visit)
     gradients("velocity_gradient_fluid_xx", "velocity_gradient_fluid_xy", "velocity_gradient_fluid_yx",
               "velocity_gradient_fluid_yy", particles.velocity_gradient_fluid);
     visit("porosity", particles.porosity);
+    visit("water_volume", particles.water_volume);
+    visit("tension_deficit", particles.tension_deficit);
     visit("pore_pressure", particles.pore_pressure);
     visit("pore_pressure_rate", particles.pore_pressure_rate);
     visit("initial_vertical_effective_stress", particles.initial_vertical_effective_stress);
@@ -132,14 +140,39 @@ void for_each_index_array(ParticleSet& particles, Visitor&& visit)
 }
 
 /// The arrays that come and go together.
-enum class ArrayGroup { always, fluid, twist, cycles, implicit_pressure };
+enum class ArrayGroup {
+    always,
+    pores,         // with water
+    pressure,      // with water that has an excess pressure
+    fluid_motion,  // with water that moves by itself
+    kept_water,    // with water that cannot
+    cavities,      // with a cavitation limit
+    pressure_rate, // with the semi-implicit scheme
+    twist,         // with quadrilaterals
+    cycles,        // with a material of UBCSAND
+};
 
 /// The group of an array by its name in for_each_array.
 ArrayGroup group_of(std::string_view name);
 
-/// Size every array for `count` particles at zero; the fluid arrays only when `saturated`, no twist, no rate
-/// of the pressure and no memory of cycles.
-void resize(Particles& particles, std::size_t count, bool saturated);
+/// Size the arrays that such a flow of water (none: a dry scene) needs for `count` particles, at zero; none
+/// that depend on more than the flow.
+void resize(Particles& particles, std::size_t count, std::optional<WaterFlow> flow);
+
+/// The flow whose arrays the particles carry; none: dry.
+std::optional<WaterFlow> carried_flow(const Particles& particles);
+
+/// Excess pore pressure, zero where none is carried [Pa].
+inline double excess_pore_pressure(const Particles& particles, std::size_t p)
+{
+    return particles.pore_pressure.empty() ? 0.0 : particles.pore_pressure[p];
+}
+
+/// Velocity of the water, that of the grains where it has none of its own [m/s].
+inline Vector2 velocity_of_water(const Particles& particles, std::size_t p)
+{
+    return particles.velocity_fluid.x.empty() ? particles.velocity_solid[p] : particles.velocity_fluid[p];
+}
 
 /// Give every particle a memory of cycles, at zero.
 void add_cycle_memory(Particles& particles);

@@ -2,6 +2,7 @@
 
 #include "solver/slope_fit.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace quicksand {
@@ -43,6 +44,7 @@ CellSums sum_cell(const CellLists& lists, std::size_t first, std::size_t last, c
         const double V = particles.volume[p];
         sums.volume += V;
         sums.pressure += V * particles.pore_pressure[p];
+        if (!particles.tension_deficit.empty()) sums.pressure += V * particles.tension_deficit[p];
         sums.rise += V * particles.velocity_solid.y[p];
         sums.moment += V * place[p];
     }
@@ -66,6 +68,36 @@ Vector2 pressure_slope(const BackgroundGrid& grid, const CellLists& lists, const
         }
     }
     return fit.slope(grid.cell_size);
+}
+
+/// dp of a tile's cells from divergence(p) of the flux [1/s].
+template <class Divergence>
+void increments_of(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                   const Particles& particles, Divergence&& divergence, Scalars& increment)
+{
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        double pores = 0.0, outflow = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            pores += particles.volume[p] * particles.porosity[p];
+            outflow += particles.volume[p] * divergence(p);
+        }
+        increment[slot] = -dt * problem.water->bulk_modulus * outflow / pores;
+    });
+}
+
+/// Least excess pressure that water at height y bears without cavities [Pa].
+double lowest_excess(const Problem& problem, double y)
+{
+    return *problem.water->cavitation_pressure - atmospheric_pressure - static_water_pressure(problem, y);
+}
+
+/// Keep the excess pressure at or above `lowest` and what is beyond as a deficit besides the cell's [Pa].
+void cavitate(double lowest, double deficit_of_cell, std::size_t p, Particles& particles)
+{
+    const double wanted = particles.pore_pressure[p];
+    particles.pore_pressure[p] = std::max(wanted, lowest);
+    particles.tension_deficit[p] = deficit_of_cell + wanted - particles.pore_pressure[p];
 }
 
 } // namespace
@@ -106,18 +138,25 @@ void carry_moisture(const Problem& problem, Particles& particles)
     }
 }
 
+CellMeans make_cell_means(const Problem& problem)
+{
+    const Scalars zeros(problem.grid.cell_count(), 0.0);
+    return {zeros, zeros, {zeros, zeros}, problem.water->cavitation_pressure ? zeros : Scalars()};
+}
+
 void explicit_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                          const Particles& particles, const Scalars& flux_divergence, Scalars& increment)
 {
-    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
-        double pores = 0.0, outflow = 0.0;
-        for (std::size_t k = first; k < last; ++k) {
-            const auto p = static_cast<std::size_t>(lists.order[k]);
-            pores += particles.volume[p] * particles.porosity[p];
-            outflow += particles.volume[p] * flux_divergence[p];
-        }
-        increment[slot] = -dt * problem.water->bulk_modulus * outflow / pores;
-    });
+    increments_of(
+        problem, dt, lists, tile, particles, [&](std::size_t p) { return flux_divergence[p]; }, increment);
+}
+
+void undrained_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                          const Particles& particles, Scalars& increment)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    increments_of(
+        problem, dt, lists, tile, particles, [&](std::size_t p) { return L.xx[p] + L.yy[p]; }, increment);
 }
 
 void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
@@ -150,6 +189,11 @@ void apply_increments(const Problem& problem, double dt, const CellLists& lists,
         means.centre.set(slot, sums.moment / sums.volume);
         const double slope = means.centre.y[slot] < problem.water->level ? weight_density : 0.0;
         means.pore_pressure[slot] = (sums.pressure + dt * slope * sums.rise) / sums.volume + increment[slot];
+        if (problem.water->cavitation_pressure) {
+            const double wanted = means.pore_pressure[slot];
+            means.pore_pressure[slot] = std::max(wanted, lowest_excess(problem, means.centre.y[slot]));
+            means.tension_deficit[slot] = wanted - means.pore_pressure[slot];
+        }
         if (particles.pore_pressure_rate.empty()) return;
         for (std::size_t k = first; k < last; ++k)
             particles.pore_pressure_rate[static_cast<std::size_t>(lists.order[k])] = increment[slot] / dt;
@@ -160,11 +204,14 @@ void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, c
                                const CellMeans& means, Particles& particles)
 {
     const Vectors& place = place_in_equations(problem, particles);
+    const bool cavitates = problem.water->cavitation_pressure.has_value();
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
         const Vector2 slope = pressure_slope(problem.grid, lists, means, slot), centre = means.centre[slot];
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
             particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre);
+            if (cavitates)
+                cavitate(lowest_excess(problem, place.y[p]), means.tension_deficit[slot], p, particles);
         }
     });
 }

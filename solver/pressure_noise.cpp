@@ -124,7 +124,7 @@ PressureNoise measure_pressure_noise(const Problem& problem, const Particles& pa
     const CellField field = cell_field(grid, particles, mean_stress);
     noise.mean_stress_checkerboard = checkerboard(grid, field, least);
     noise.mean_stress_scatter = scatter(grid, particles, field, least, mean_stress);
-    if (particles.has_fluid()) {
+    if (!particles.pore_pressure.empty()) {
         const auto pressure = [&](std::size_t p) { return particles.pore_pressure[p]; };
         noise.pore_pressure_checkerboard =
             checkerboard(grid, cell_field(grid, particles, pressure),

@@ -5,7 +5,9 @@
 #include "solver/base_motion.hpp"
 #include "solver/history.hpp"
 #include "solver/interpolation.hpp"
+#include "solver/particles.hpp"
 #include "solver/skeleton_law.hpp"
+#include "solver/water_flow.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -20,6 +22,13 @@ namespace quicksand {
 /// volumetric_average.hpp.
 enum class VolumetricStrain { particle, cell };
 
+/// How the conductivity follows the porosity n, from its value k_0 at the initial n_0.
+enum class PermeabilityLaw {
+    constant,                // k_0
+    kozeny_carman,           // k_0 [n^3 / (1-n)^2] / [n_0^3 / (1-n_0)^2]
+    specific_volume_squared, // k_0 [(1-n_0) / (1-n)]^2 = k_0 J^2 (Xie and Leo 2004)
+};
+
 struct Material {
     std::string name;
     SkeletonLaw law;
@@ -28,14 +37,17 @@ struct Material {
     double hydraulic_conductivity = 0.0;            // k [m/s]; not intrinsic permeability
     double conductivity_gravity = standard_gravity; // g_k, the gravity at which k is stated [m/s2]
     VolumetricStrain volumetric_strain = VolumetricStrain::particle;
+    PermeabilityLaw permeability_law = PermeabilityLaw::constant;
     bool saturated = true; // pores full of water where the scene has water; false above a phreatic line
 };
 
 struct Water {
     double density = 1000.0;        // rho_w [kg/m3]
-    double bulk_modulus = 2.2e9;    // K_w [Pa]
+    double bulk_modulus = 2.2e9;    // K_w, of the water with the air in it [Pa]
     double level = 0.0;             // y of the still water surface [m]
     bool rises_above_level = false; // a phreatic line in the soil lies above the level somewhere
+    WaterFlow flow = WaterFlow::coupled;
+    std::optional<double> cavitation_pressure = {}; // absolute; none: water bears any tension [Pa]
 };
 
 enum class SoilCondition {
@@ -170,17 +182,38 @@ const std::optional<Water>& water_of(const Problem& problem, const Material& mat
 /// Whether any material is not saturated in a scene with water.
 bool has_unsaturated_soil(const Problem& problem);
 
+/// How water flows in the scene; none: the scene is dry.
+std::optional<WaterFlow> water_flow(const Problem& problem);
+
+/// Size the arrays that the problem needs for `count` particles, at zero.
+void resize_particles(const Problem& problem, std::size_t count, Particles& particles);
+
 /// Static pressure of the still water at height y, zero above the level [Pa].
 double static_water_pressure(const Problem& problem, double y);
 
 /// Excess over the still water that a boundary's outer water has at height y, at its full value [Pa].
 double outer_excess_pressure(const Problem& problem, const OuterWater& outer, double y);
 
-/// C = n^2 rho_w g_k / k, the drag between water and grains [N s/m4].
+/// Modulus of water that holds air bubbles (Verruijt 1969): 1/K = S/K_w + (1-S)/p_air, with the saturation S
+/// and the absolute pressure p_air of the air, both constant [Pa].
+double modulus_with_air(double water_modulus, double saturation, double air_pressure);
+
+/// k at the porosity [m/s].
+inline double hydraulic_conductivity(const Material& material, double porosity)
+{
+    const double k = material.hydraulic_conductivity;
+    if (material.permeability_law == PermeabilityLaw::constant) return k;
+    const double J = (1.0 - material.porosity) / (1.0 - porosity); // volume over the initial volume
+    if (material.permeability_law == PermeabilityLaw::specific_volume_squared) return k * J * J;
+    const double ratio = porosity / material.porosity;
+    return k * ratio * ratio * ratio * J * J;
+}
+
+/// C = n^2 rho_w g_k / k(n), the drag between water and grains [N s/m4].
 inline double drag_coefficient(const Material& material, const Water& water, double porosity)
 {
     return porosity * porosity * water.density * material.conductivity_gravity /
-           material.hydraulic_conductivity;
+           hydraulic_conductivity(material, porosity);
 }
 
 } // namespace quicksand

@@ -153,6 +153,8 @@ void begin_shaking(State& state)
     state.time = 0.0;
     state.step = 0;
     reset_reference(state.particles);
+    for (std::size_t p = 0; p < state.particles.water_volume.size(); ++p)
+        state.particles.water_volume[p] = state.particles.porosity[p] * state.particles.volume[p];
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
         state.particles.initial_vertical_effective_stress[p] = -state.particles.stress.yy[p];
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::int64_t steps_between_restarts = 32;
 
-/// The stepper of a scene: what a saturated or a dry body needs for a step, and no more.
+/// The stepper of a scene: what its body needs for a step, and no more.
 class TwoPhaseStepper {
 public:
     explicit TwoPhaseStepper(const Problem& problem) : work_(make_two_phase_workspace(problem)) {}
@@ -46,9 +46,9 @@ private:
     SemiImplicitWorkspace work_;
 };
 
-class DryStepper {
+class SinglePhaseStepper {
 public:
-    explicit DryStepper(const Problem& problem) : work_(make_single_phase_workspace(problem)) {}
+    explicit SinglePhaseStepper(const Problem& problem) : work_(make_single_phase_workspace(problem)) {}
     void advance(const Problem& problem, double dt, State& state)
     {
         advance_single_phase_step(problem, dt, 0.0, state, work_);
@@ -118,12 +118,13 @@ void run(const Problem& problem, double end_time, const std::vector<Observer*>& 
          const std::function<bool()>& stop_requested)
 {
     if (state.step == 0) hold_reactions(problem, state);
-    if (problem.water && problem.scheme == TimeScheme::semi_implicit) {
+    const bool coupled = water_flow(problem) == WaterFlow::coupled;
+    if (coupled && problem.scheme == TimeScheme::semi_implicit) {
         run_with<SemiImplicitStepper>(problem, end_time, observers, state, stop_requested);
-    } else if (problem.water) {
+    } else if (coupled) {
         run_with<TwoPhaseStepper>(problem, end_time, observers, state, stop_requested);
     } else {
-        run_with<DryStepper>(problem, end_time, observers, state, stop_requested);
+        run_with<SinglePhaseStepper>(problem, end_time, observers, state, stop_requested);
     }
 }
 

@@ -18,6 +18,19 @@ void fade_noise(const Problem& problem, double dt, Particles& particles, SingleP
                   work.fading, particles);
 }
 
+/// Whether the water takes part with a pressure that follows from the change of volume.
+bool is_undrained(const Problem& problem, const State& state)
+{
+    return state.stage == Stage::shaking && water_flow(problem) == WaterFlow::undrained;
+}
+
+/// Whether pore pressures act on the body: they follow from its motion, or are held as they are.
+bool carries_pressure(const State& state)
+{
+    const Particles& particles = state.particles;
+    return !particles.pore_pressure.empty() && (state.stage == Stage::shaking || has_pressure(particles));
+}
+
 } // namespace
 
 SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage stage)
@@ -27,19 +40,23 @@ SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage s
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
     if (has_outer_forces(problem)) work.outer.resize(problem.grid.node_count());
+    if (water_flow(problem) == WaterFlow::undrained) {
+        work.cell_means = make_cell_means(problem);
+        work.pressure_increment.resize(problem.grid.cell_count());
+    }
     return work;
 }
 
 void scatter_to_nodes(const Problem& problem, double dt, const State& state, SinglePhaseWorkspace& work)
 {
     const Particles& particles = state.particles;
-    compute_carried_masses(problem, particles, work.masses);
+    const bool pressed = carries_pressure(state);
+    const auto scatter = pressed ? scatter_total_stress : scatter_single_phase;
+    compute_carried_masses(problem, state, work.masses);
     work.sums.assign(work.sums.size(), SinglePhaseSums{});
-    const bool pressed = has_pressure(particles);
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
         const PatchStore& store = work.patches_of(tile);
-        scatter_single_phase(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);
-        if (pressed) scatter_held_pressure(problem.grid, particles, work.lists, tile, store, work.sums);
+        scatter(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
     });
@@ -52,6 +69,8 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
     if (work.outer.empty() || !state.ledger) return;
     work.outer.assign(work.outer.size(), OuterForce{});
     note_outer_forces(problem, time, state, work.places, work.outer);
+    if (!pressed)
+        for (OuterForce& outer : work.outer) outer.water_x = outer.water_y = 0.0;
     gather_tied_sums(work.conditions, work.outer);
 }
 
@@ -81,9 +100,19 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
                                 particles, work.grid_velocity);
         });
     });
+    if (is_undrained(problem, state))
+        timed(work.timers, Phase::pore_pressure, [&] {
+            advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure_increment, particles,
+                                  work.cell_means, [&](const Tile& tile) {
+                                      undrained_increments(problem, dt, work.lists_with_pressure(), tile,
+                                                           particles, work.pressure_increment);
+                                  });
+        });
     timed(work.timers, Phase::motion, [&] {
-        if (problem.strain == StrainForm::large) fade_noise(problem, dt, particles, work);
         const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
+        // undrained waves are far faster than any deformation, and grains and water keep their momentum
+        if (problem.strain == StrainForm::large && !is_undrained(problem, state))
+            fade_noise(problem, dt, particles, work);
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress, [&] {

@@ -1,8 +1,9 @@
-// The step of a body that moves as one phase: dry soil, or saturated soil that settles drained.
+// The step of a body that moves as one phase: dry soil, undrained or drained soil, soil that settles.
 #pragma once
 
 #include "solver/deformation_noise.hpp"
 #include "solver/nodes.hpp"
+#include "solver/pore_pressure.hpp"
 #include "solver/step_workspace.hpp"
 
 #include <vector>
@@ -15,6 +16,8 @@ struct SinglePhaseWorkspace : StepWorkspace {
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
     NoiseFading fading;
+    CellMeans cell_means;       // of the pore pressure, undrained only
+    Scalars pressure_increment; // of the cells, undrained only [Pa]
 };
 
 SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage stage = Stage::shaking);
@@ -24,7 +27,8 @@ SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage s
 void scatter_to_nodes(const Problem& problem, double dt, const State& state, SinglePhaseWorkspace& work);
 
 /// Advance the state by one explicit step, t -> t + dt: steps 1-4, 6 and 7 of advance_two_phase_step with one
-/// velocity. `damping` is the local damping factor, 0 for a real motion [-]. Throws NumericalError.
+/// velocity, and step 5 in undrained shaking. Settling is drained in every scene. `damping` is the local
+/// damping factor, 0 for a real motion [-]. Throws NumericalError.
 void advance_single_phase_step(const Problem& problem, double dt, double damping, State& state,
                                SinglePhaseWorkspace& work);
 

@@ -4,6 +4,7 @@
 #include "solver/ledger.hpp"
 #include "solver/moving_walls.hpp"
 #include "solver/particle_order.hpp"
+#include "solver/pore_pressure.hpp"
 
 #include <utility>
 
@@ -47,6 +48,8 @@ void keep_reference_weights(const Problem& problem, double dt, State& state, Ste
 void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
 {
     work.lists = make_cell_lists(problem.grid);
+    work.partly_saturated = has_unsaturated_soil(problem);
+    if (work.partly_saturated) work.wet_lists = work.lists;
     work.conditions = node_conditions(problem, stage);
     work.ledger_nodes = ledger_nodes(work.conditions);
     work.patches.resize(work.lists.tile_count);
@@ -72,6 +75,7 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
     } else {
         sort_particles(problem.grid, dt, state, work.lists);
     }
+    if (work.partly_saturated) select_saturated(problem, state.particles, work.lists, work.wet_lists);
 }
 
 } // namespace quicksand

@@ -21,6 +21,8 @@ namespace quicksand {
 /// Memory of the steps; nothing of it has to survive a checkpoint.
 struct StepWorkspace {
     CellLists lists;
+    CellLists wet_lists;           // the saturated particles alone, where there are others
+    bool partly_saturated = false; // a phreatic line runs through the soil
     NodeConditions conditions;
     std::vector<PatchStore> patches;        // per tile
     bool patches_are_kept = false;          // small strain: they hold for all steps
@@ -32,6 +34,9 @@ struct StepWorkspace {
     double noise_time = 0.0;                // tau of the velocity filter, see grid_to_particle.hpp [s]
     std::int64_t limited_domains = 0;       // domains scaled down in the last step [-]
     PhaseTimers timers;
+
+    /// The lists of the particles that have a pore pressure.
+    const CellLists& lists_with_pressure() const { return partly_saturated ? wet_lists : lists; }
 
     const PatchStore& patches_of(const Tile& tile) const
     {

@@ -191,13 +191,26 @@ std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& p
     return waves;
 }
 
+double fastest_speed(const Problem& problem, const WaveSpeeds& speeds)
+{
+    switch (water_flow(problem).value_or(WaterFlow::drained)) {
+    case WaterFlow::coupled:
+        return std::max(speeds.fast, speeds.skeleton); // soil above the phreatic line has the latter alone
+    case WaterFlow::undrained:
+        return std::max(speeds.undrained, speeds.skeleton);
+    case WaterFlow::drained:
+        return speeds.skeleton; // of the dry soil where there is no water
+    }
+    ENSURE(false);
+}
+
 TimeStep stable_time_step(const Problem& problem, const Particles& particles)
 {
     const Extremes extremes = find_extremes(problem, particles);
-    if (problem.water && problem.scheme == TimeScheme::semi_implicit)
+    if (water_flow(problem) == WaterFlow::coupled && problem.scheme == TimeScheme::semi_implicit)
         return limit_motion(problem, extremes, semi_implicit_limit(problem, extremes));
     const TimeStep wave = wave_limit(problem, extremes, wave_safety, [&](const WaveSpeeds& speeds) {
-        return std::max(speeds.fast, speeds.skeleton);
+        return fastest_speed(problem, speeds);
     });
     return limit_motion(problem, extremes, wave);
 }

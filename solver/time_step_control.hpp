@@ -29,6 +29,9 @@ WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const 
 /// without particles where there are none of it.
 std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles);
 
+/// The fastest wave in the form of the equations that the problem asks for [m/s].
+double fastest_speed(const Problem& problem, const WaveSpeeds& speeds);
+
 enum class TimeStepLimiter { wave, motion, output };
 
 struct TimeStep {
@@ -37,7 +40,7 @@ struct TimeStep {
     std::string material;                            // whose wave limits it
 };
 
-/// Largest stable step of the two-phase (or dry) stage [s]: min(0.65 h / c_fast, 0.2 h / max|v|). With the
+/// Largest stable step of the shaking [s]: min(0.65 h / fastest_speed(...), 0.2 h / max|v|). With the
 /// semi-implicit scheme 0.6 of the least over the materials of
 ///   slow P wave   (4 M / h^2) dt^2 - (2 C / n^2) dt - 4 m = 0,  m = r_s + ((1-n)/n)^2 r_w
 ///   shear wave    (4 G / h^2) dt^2 = 4 r_s + 2 dt C - (2 dt C)^2 / (4 r_w + 2 dt C), and 0.85 of it

@@ -17,12 +17,6 @@ namespace quicksand {
 
 namespace {
 
-void locate(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
-{
-    locate_particles(problem, dt, state, work);
-    if (work.partly_saturated) select_saturated(problem, state.particles, work.lists, work.wet_lists);
-}
-
 void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWorkspace& work)
 {
     const Particles& particles = state.particles;
@@ -42,12 +36,6 @@ void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWork
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     gather_tied_sums(work.conditions, work.outer);
-}
-
-/// The lists of the particles that have a pore pressure.
-const CellLists& lists_with_pressure(const TwoPhaseWorkspace& work)
-{
-    return work.partly_saturated ? work.wet_lists : work.lists;
 }
 
 void solve_velocities(const Problem& problem, double dt, const State& state, TwoPhaseWorkspace& work)
@@ -79,32 +67,6 @@ void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& 
     if (state.ledger) enter_outflow(problem, dt, particles, work.flux_divergence, *state.ledger);
 }
 
-void update_explicit_pressure(const Problem& problem, double dt, Particles& particles,
-                              TwoPhaseWorkspace& work)
-{
-    const CellLists& lists = lists_with_pressure(work);
-    for_each_tile(lists, [&](const Tile& tile) {
-        explicit_increments(problem, dt, lists, tile, particles, work.flux_divergence,
-                            work.pressure_increment);
-        apply_increments(problem, dt, lists, tile, work.pressure_increment, particles, work.cell_means);
-    });
-    for_each_tile(lists, [&](const Tile& tile) {
-        reconstruct_pore_pressure(problem, lists, tile, work.cell_means, particles);
-    });
-}
-
-void update_solved_pressure(const Problem& problem, double dt, Particles& particles,
-                            SemiImplicitWorkspace& work)
-{
-    const CellLists& lists = lists_with_pressure(work);
-    for_each_tile(lists, [&](const Tile& tile) {
-        apply_increments(problem, dt, lists, tile, work.pressure.increment, particles, work.cell_means);
-    });
-    for_each_tile(lists, [&](const Tile& tile) {
-        reconstruct_pore_pressure(problem, lists, tile, work.cell_means, particles);
-    });
-}
-
 [[noreturn]] void fail_to_solve(const PressureSolve& pressure, double dt, const State& state)
 {
     FailureRecord record;
@@ -130,7 +92,7 @@ void solve_pressure(const Problem& problem, double dt, const State& state, SemiI
         std::fill(pressure.increment.begin(), pressure.increment.end(), 0.0);
     }
     const Scalars& volume = work.partly_saturated ? work.wet_volume : particles.volume;
-    const CellLists& lists = lists_with_pressure(work);
+    const CellLists& lists = work.lists_with_pressure();
     for_each_tile(work.lists, [&](const Tile& tile) {
         assemble_divergence(problem.grid, place_in_equations(problem, particles), volume, work.lists, tile,
                             work.patches_of(tile),
@@ -178,15 +140,10 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
     set_up_workspace(problem, work);
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
-    work.cell_means.volume.resize(problem.grid.cell_count());
-    work.cell_means.pore_pressure.resize(problem.grid.cell_count());
-    work.cell_means.centre.x.resize(problem.grid.cell_count());
-    work.cell_means.centre.y.resize(problem.grid.cell_count());
+    work.cell_means = make_cell_means(problem);
     work.pressure_increment.resize(problem.grid.cell_count());
     if (problem.water->rises_above_level || has_outer_forces(problem))
         work.outer.resize(problem.grid.node_count());
-    work.partly_saturated = has_unsaturated_soil(problem);
-    if (work.partly_saturated) work.wet_lists = work.lists;
     return work;
 }
 
@@ -202,14 +159,21 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
 {
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
-    timed(work.timers, Phase::sort, [&] { locate(problem, dt, state, work); });
+    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         solve_velocities(problem, dt, state, work);
         enter_works(problem, dt, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
-    timed(work.timers, Phase::pore_pressure, [&] { update_explicit_pressure(problem, dt, particles, work); });
+    timed(work.timers, Phase::pore_pressure, [&] {
+        advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure_increment, particles,
+                              work.cell_means, [&](const Tile& tile) {
+                                  explicit_increments(problem, dt, work.lists_with_pressure(), tile,
+                                                      particles, work.flux_divergence,
+                                                      work.pressure_increment);
+                              });
+    });
     move_and_deform(problem, dt, state, work);
 }
 
@@ -218,7 +182,7 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
     particles.pore_pressure_rate.resize(particles.size());
-    timed(work.timers, Phase::sort, [&] { locate(problem, dt, state, work); });
+    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, state, work); });
@@ -227,7 +191,10 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
         enter_works(problem, dt, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
-    timed(work.timers, Phase::pore_pressure, [&] { update_solved_pressure(problem, dt, particles, work); });
+    timed(work.timers, Phase::pore_pressure, [&] {
+        advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure.increment, particles,
+                              work.cell_means, [](const Tile&) {});
+    });
     move_and_deform(problem, dt, state, work);
 }
 

@@ -11,9 +11,7 @@
 namespace quicksand {
 
 struct TwoPhaseWorkspace : StepWorkspace {
-    CellLists wet_lists;           // the saturated particles alone, where there are others
-    Scalars wet_volume;            // of the saturated particles, 0 of the others [m3/m]
-    bool partly_saturated = false; // a phreatic line runs through the soil
+    Scalars wet_volume; // of the saturated particles, 0 of the others [m3/m]
     std::vector<TwoPhaseSums> sums;
     std::vector<OuterForce> outer; // none where there are none
     std::vector<TwoPhaseMotion> motion;

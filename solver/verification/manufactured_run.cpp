@@ -64,13 +64,15 @@ void set_initial_motion(const ManufacturedMotion& motion, const ManufacturedBody
     }
 }
 
-State make_state(const ManufacturedRun& run, const ManufacturedBody& body, const BackgroundGrid& grid)
+State make_state(const ManufacturedRun& run, const ManufacturedBody& body, const Problem& problem)
 {
+    const BackgroundGrid& grid = problem.grid;
     const int per_side = run.cells * run.per_cell;
     const double size = grid.cell_size / run.per_cell;
     State state;
     Particles& particles = state.particles;
-    resize(particles, static_cast<std::size_t>(per_side) * static_cast<std::size_t>(per_side), false);
+    const auto count = static_cast<std::size_t>(per_side) * static_cast<std::size_t>(per_side);
+    resize_particles(problem, count, particles);
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const auto i = static_cast<double>(p % static_cast<std::size_t>(per_side));
         const auto j = static_cast<double>(p / static_cast<std::size_t>(per_side));
@@ -145,7 +147,7 @@ ManufacturedError run_manufactured(const ManufacturedRun& run)
 {
     const ManufacturedBody body;
     Problem problem = make_problem(run, body);
-    State state = make_state(run, body, problem.grid);
+    State state = make_state(run, body, problem);
     return run_manufactured(run, body, std::move(problem), std::move(state));
 }
 

@@ -36,7 +36,7 @@ State block_on_roller(const Problem& problem)
     State state;
     Particles& particles = state.particles;
     const int columns = 16, rows = 8;
-    resize(particles, static_cast<std::size_t>(columns) * rows, problem.water.has_value());
+    resize_particles(problem, static_cast<std::size_t>(columns) * rows, particles);
     for (int j = 0; j < rows; ++j) {
         for (int i = 0; i < columns; ++i) {
             const auto p = static_cast<std::size_t>(j * columns + i);

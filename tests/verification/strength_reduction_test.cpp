@@ -106,7 +106,7 @@ State slope_of_columns(const Problem& problem, const HomogeneousSlope& slope)
             y += height;
         }
     }
-    resize(particles, centres.size(), false);
+    resize(particles, centres.size(), std::nullopt);
     for (std::size_t p = 0; p < centres.size(); ++p) {
         particles.identifier[p] = static_cast<std::int32_t>(p);
         particles.position.set(p, centres[p]);

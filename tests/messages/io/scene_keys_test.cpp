@@ -129,6 +129,72 @@ scene.toml:23:1: warning[unused]: materials.sand.hydraulic_conductivity has no e
 hint: add a table [water], or remove the key
 to accept it: accept = ["materials.sand.hydraulic_conductivity"] at the top of the scene
 )_"},
+SceneMistake{"ConductivityWithoutFlow",
+    "level = 0.3175",
+    "level = 0.3175\nflow = \"undrained\"",
+R"_(
+scene.toml:26:1: warning[unused]: materials.sand.hydraulic_conductivity has no effect with water.flow = "undrained"
+   26 | hydraulic_conductivity = 5.8e-5
+      | ^~~~~~~~~~~~~~~~~~~~~~
+hint: remove it, or set water.flow = "coupled"
+to accept it: accept = ["materials.sand.hydraulic_conductivity"] at the top of the scene
+)_"},
+SceneMistake{"CavitiesInDrainedWater",
+    "level = 0.3175",
+    "level = 0.3175\ncavitation_pressure = \"2.3 kPa\"\nflow = \"drained\"",
+R"_(
+scene.toml:18:1: error[unused-key]: water.cavitation_pressure is not used with flow = "drained"
+   18 | cavitation_pressure = "2.3 kPa"
+      | ^~~~~~~~~~~~~~~~~~~
+hint: remove it, or set flow = "coupled"
+)_"},
+SceneMistake{"MisspeltFlow",
+    "level = 0.3175",
+    "level = 0.3175\nflow = \"undraind\"",
+R"_(
+scene.toml:18:8: error[word]: water.flow = "undraind" is not known
+   18 | flow = "undraind"
+      |        ^~~~~~~~~~
+expected: one of coupled, undrained, drained
+hint: did you mean "undrained"?
+)_"},
+SceneMistake{"LawOfAPorosityThatStays",
+    "hydraulic_conductivity = 5.8e-5",
+    "hydraulic_conductivity = 5.8e-5\npermeability_law = \"kozeny_carman\"\n[analysis]\nstrain = \"small\"",
+R"_(
+scene.toml:26:20: warning[unused]: materials.sand.permeability_law has no effect in small strain: the porosity stays
+   26 | permeability_law = "kozeny_carman"
+      |                    ^~~~~~~~~~~~~~~
+hint: set analysis.strain = "large", or remove it
+to accept it: accept = ["materials.sand.permeability_law"] at the top of the scene
+)_"},
+SceneMistake{"ImplicitPressureWithoutFlow",
+    "level = 0.3175",
+    "level = 0.3175\nflow = \"undrained\"\n[analysis]\nscheme = \"semi_implicit\"",
+R"_(
+scene.toml:20:10: error[combination]: scheme = "semi_implicit" has no pressure to solve for with water.flow = "undrained"
+   20 | scheme = "semi_implicit"
+      |          ^~~~~~~~~~~~~~~
+expected: scheme = "explicit", or water.flow = "coupled"
+)_"},
+SceneMistake{"ImplicitPressureWithCavities",
+    "level = 0.3175",
+    "level = 0.3175\ncavitation_pressure = \"2.3 kPa\"\n[analysis]\nscheme = \"semi_implicit\"",
+R"_(
+scene.toml:20:10: error[combination]: scheme = "semi_implicit" cannot hold a cavitation_pressure within a step
+   20 | scheme = "semi_implicit"
+      |          ^~~~~~~~~~~~~~~
+expected: scheme = "explicit", or no water.cavitation_pressure
+)_"},
+SceneMistake{"CavitationAboveTheAtmosphere",
+    "level = 0.3175",
+    "level = 0.3175\ncavitation_pressure = \"120 kPa\"",
+R"_(
+scene.toml:18:23: error[range]: water.cavitation_pressure is 120000 Pa
+   18 | cavitation_pressure = "120 kPa"
+      |                       ^~~~~~~~~
+expected: less than 100000 Pa
+)_"},
 SceneMistake{"AcceptOfNoKey",
     "title = \"column\"",
     "accept = [\"materials.sand.porosty\"]",

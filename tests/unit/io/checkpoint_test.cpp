@@ -87,6 +87,22 @@ TEST(Checkpoint, KeepsTheTwistOfQuadrilaterals)
     EXPECT_TRUE(same_bits(written, read_checkpoint(folder / "state.h5", "abc")));
 }
 
+TEST(Checkpoint, KeepsTheArraysOfEveryFlowOfWater)
+{
+    const TemporaryFolder folder;
+    for (const WaterFlow flow : {WaterFlow::coupled, WaterFlow::undrained, WaterFlow::drained}) {
+        Problem problem = fixtures::small_problem(true);
+        problem.water->flow = flow;
+        problem.water->cavitation_pressure = 2e3;
+        const State written = fixtures::small_state(problem);
+        EXPECT_EQ(written.particles.tension_deficit.empty(), flow == WaterFlow::drained);
+        write_checkpoint(folder / "state.h5", written, "abc");
+        const State read = read_checkpoint(folder / "state.h5", "abc");
+        EXPECT_TRUE(same_bits(written, read));
+        EXPECT_EQ(carried_flow(read.particles), flow);
+    }
+}
+
 TEST(Checkpoint, AMissingFileIsTheUsers)
 {
     EXPECT_THROW(read_checkpoint("/nowhere/state.h5", "abc"), InputError);

@@ -46,6 +46,20 @@ TEST(ParticleFrame, HasTheFieldsOfASaturatedScene)
     EXPECT_EQ(frame.texts[1].lines, std::vector<std::string>{"ground"});
 }
 
+TEST(ParticleFrame, ShowsOfReducedFlowsWhatTheyHave)
+{
+    Problem problem = fixtures::small_problem(true);
+    problem.water->flow = WaterFlow::drained;
+    const State state = fixtures::small_state(problem);
+    const Frame frame = particle_frame(problem, state);
+    const auto names = names_of(frame.cell_data);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "velocity_fluid"), 0);
+    EXPECT_EQ(single(frame, "excess_pore_pressure", 3), 0.0F);
+    const double depth = 1.5 - state.particles.position.y[3];
+    EXPECT_FLOAT_EQ(single(frame, "pore_pressure", 3), static_cast<float>(1000.0 * problem.gravity * depth));
+    EXPECT_FLOAT_EQ(single(frame, "porosity", 3), 0.43F);
+}
+
 TEST(ParticleFrame, LeavesOutTheWaterOfADryScene)
 {
     const Problem problem = fixtures::small_problem(false);

@@ -40,7 +40,7 @@ TEST(ParticleQuantities, StressMeasuresOfAKnownTensor)
 TEST(ParticleQuantities, CornersGoCounterClockwiseFromTheLowerLeft)
 {
     Particles particles;
-    resize(particles, 1, false);
+    resize(particles, 1, std::nullopt);
     particles.position.set(0, {1.0, 2.0});
     particles.half_edge_1.set(0, {0.5, 0.0});
     particles.half_edge_2.set(0, {0.1, 0.25});
@@ -54,7 +54,7 @@ TEST(ParticleQuantities, CornersGoCounterClockwiseFromTheLowerLeft)
 TEST(ParticleQuantities, RuIsUndefinedUnderHardlyAnyStress)
 {
     Particles particles;
-    resize(particles, 2, true);
+    resize(particles, 2, WaterFlow::coupled);
     particles.pore_pressure = {50.0, 50.0};
     particles.initial_vertical_effective_stress = {100.0, 0.5};
     EXPECT_EQ(excess_pressure_ratio(Problem{}, particles, 0), 0.5);

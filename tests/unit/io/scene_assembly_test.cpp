@@ -103,6 +103,38 @@ TEST(Assembly, KeepsTheCornersOfTheMeshForCpdi2)
     EXPECT_TRUE(assemble_column().state.particles.twist.x.empty());
 }
 
+TEST(Assembly, CarriesOnlyTheWaterThatTheFlowNeeds)
+{
+    const auto with = [](const std::string& keys) {
+        const std::string text = replaced(column_scene, "level = 0.3175", "level = 0.3175\n" + keys);
+        return assemble_case(SceneFolder().read(text), column_section());
+    };
+    const AssembledCase undrained = with("flow = \"undrained\""), drained = with("flow = \"drained\"");
+    EXPECT_EQ(carried_flow(undrained.state.particles), WaterFlow::undrained);
+    EXPECT_EQ(carried_flow(drained.state.particles), WaterFlow::drained);
+    EXPECT_EQ(undrained.state.particles.stress.yy, assemble_column().state.particles.stress.yy);
+    EXPECT_EQ(drained.state.particles.porosity[5], 0.405);
+
+    const AssembledCase bubbly = with("saturation = 0.99\nair_pressure = \"300 kPa\"");
+    EXPECT_DOUBLE_EQ(bubbly.problem.water->bulk_modulus, 1.0 / (0.99 / 2.2e9 + 0.01 / 300e3));
+    EXPECT_EQ(assemble_column().problem.water->bulk_modulus, 2.2e9);
+    EXPECT_FALSE(bubbly.problem.water->cavitation_pressure);
+    EXPECT_TRUE(bubbly.state.particles.tension_deficit.empty());
+    const AssembledCase cavitating = with("cavitation_pressure = \"2.3 kPa\"");
+    EXPECT_EQ(cavitating.problem.water->cavitation_pressure, 2300.0);
+    EXPECT_EQ(cavitating.state.particles.tension_deficit.size(), 3429U);
+}
+
+TEST(Assembly, ReadsHowTheConductivityFollowsThePorosity)
+{
+    const std::string text =
+        replaced(column_scene, "hydraulic_conductivity = 5.8e-5",
+                 "hydraulic_conductivity = 5.8e-5\npermeability_law = \"kozeny_carman\"");
+    const AssembledCase column = assemble_case(SceneFolder().read(text), column_section());
+    EXPECT_EQ(column.problem.materials[0].permeability_law, PermeabilityLaw::kozeny_carman);
+    EXPECT_EQ(assemble_column().problem.materials[0].permeability_law, PermeabilityLaw::constant);
+}
+
 TEST(Assembly, CoversTheSectionWithRoomAbove)
 {
     const BackgroundGrid grid = assemble_column().problem.grid;

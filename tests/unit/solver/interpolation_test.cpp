@@ -27,7 +27,7 @@ Particles many_shapes(bool twisted)
                                  {0.22, 0.41, 0.049, -0.02, 0.025, 0.03, 0.003, 0.001},
                                  {0.1001, 0.2999, 0.03, 0.0, 0.0, 0.03, 0.0, 0.004}};
     Particles particles;
-    resize(particles, 6, false);
+    resize(particles, 6, std::nullopt);
     if (twisted) particles.twist.x = particles.twist.y = Scalars(6, 0.0);
     for (std::size_t p = 0; p < 6; ++p) {
         particles.position.set(p, {shapes[p][0], shapes[p][1]});
@@ -187,7 +187,7 @@ TEST(Cpdi2, ShrinksAQuadrilateralThatReachesTooFar)
 {
     const BackgroundGrid wide{{0.0, 0.0}, 0.1, 10, 10};
     Particles particles;
-    resize(particles, 1, false);
+    resize(particles, 1, std::nullopt);
     particles.twist.x = particles.twist.y = Scalars(1, 0.0);
     set_quadrilateral({Vector2(0.1, 0.3), Vector2(0.9, 0.35), Vector2(0.85, 0.6), Vector2(0.15, 0.55)}, 0,
                       particles);
@@ -212,7 +212,7 @@ TEST(Cpdi2, CornersThatMoveKeepTheShareOfTheAreaThatTheParticleCarries)
 {
     const BackgroundGrid wide{{0.0, 0.0}, 0.1, 10, 10};
     Particles particles;
-    resize(particles, 1, false);
+    resize(particles, 1, std::nullopt);
     particles.twist.x = particles.twist.y = Scalars(1, 0.0);
     set_quadrilateral({Vector2(0.41, 0.4), Vector2(0.46, 0.42), Vector2(0.48, 0.47), Vector2(0.42, 0.45)}, 0,
                       particles);
@@ -229,7 +229,7 @@ TEST(Cpdi2, CornersThatMoveKeepTheShareOfTheAreaThatTheParticleCarries)
 TEST(Cpdi2, ALostCornerEndsTheRun)
 {
     State state;
-    resize(state.particles, 1, false);
+    resize(state.particles, 1, std::nullopt);
     try {
         throw_lost_corner(1e-3, state, 0);
     } catch (const NumericalError& error) {

@@ -27,7 +27,7 @@ MohrCoulomb silty_sand()
 Particles point(double xx, double yy, double zz, double xy)
 {
     Particles particles;
-    resize(particles, 1, false);
+    resize(particles, 1, std::nullopt);
     particles.stress = {{xx}, {yy}, {zz}, {xy}};
     return particles;
 }

@@ -11,7 +11,7 @@ namespace {
 TEST(NoiseOfDeformation, FadesByTheShareOfTheStrainAndNotInRigidMotion)
 {
     Particles particles;
-    resize(particles, 2, false);
+    resize(particles, 2, std::nullopt);
     Gradients& L = particles.velocity_gradient_solid;
     L.xy = {3.0, 2.0}; // shear of 3/s; the second only turns
     L.yx = {0.0, -2.0};
@@ -29,7 +29,7 @@ TEST(NoiseOfDeformation, FadesByTheShareOfTheStrainAndNotInRigidMotion)
 TEST(CarriedGradients, AreShortenedForLongDomainsOnly)
 {
     Particles particles;
-    resize(particles, 2, true);
+    resize(particles, 2, WaterFlow::coupled);
     for (Gradients* L : {&particles.velocity_gradient_solid, &particles.velocity_gradient_fluid}) {
         L->xx = L->xy = L->yx = L->yy = {8.0, 8.0};
     }

@@ -13,7 +13,7 @@ namespace {
 Particles point_at(double vertical, double k0)
 {
     Particles particles;
-    resize(particles, 1, false);
+    resize(particles, 1, std::nullopt);
     particles.stress.yy[0] = -vertical;
     particles.stress.xx[0] = particles.stress.zz[0] = -k0 * vertical;
     return particles;
