@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 2;
+constexpr std::int64_t format_version = 3;
 constexpr hsize_t chunk_entries = 8192;
 
 /// An HDF5 call failed; the caller knows the file and makes a FileError of it.
@@ -204,6 +204,7 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
     write_number(file, "stage", static_cast<std::int64_t>(state.stage));
     write_number(file, "time", state.time);
     write_number(file, "step", state.step);
+    write_number(file, "last_step", state.last_step);
     write_number(file, "particles", static_cast<std::int64_t>(state.particles.size()));
     if (state.ledger)
         for_each_number(*state.ledger,
@@ -226,6 +227,7 @@ State read_state(const Handle& file)
     state.stage = static_cast<Stage>(read_number<std::int64_t>(file, "stage"));
     state.time = read_number<double>(file, "time");
     state.step = read_number<std::int64_t>(file, "step");
+    state.last_step = read_number<double>(file, "last_step");
     const auto count = static_cast<std::size_t>(read_number<std::int64_t>(file, "particles"));
     if (H5Aexists(file, "ledger_kinetic_change") > 0) {
         state.ledger.emplace();

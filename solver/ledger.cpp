@@ -163,7 +163,6 @@ void enter_step(const Problem& problem, const StepEntries& step, Ledger& ledger)
     }
     ledger.momentum_x = step.after.x();
     ledger.momentum_y = step.after.y();
-    ledger.time_step = dt;
 }
 
 template <class Sums, class Motion>
@@ -279,7 +278,7 @@ LedgerBalance balance(const Problem& problem, const State& state)
         // undrained, the skeleton's work is that of the total stress: the water's share is in it
         if (water_flow(problem) == WaterFlow::coupled)
             stored = storage - ledger.late_pressure_work - ledger.opening_storage_energy;
-        exchange += latest_exchange(problem, ledger.time_step, state.particles);
+        exchange += latest_exchange(problem, state.last_step, state.particles);
         const double content = water_content(problem, state.particles);
         if (water_flow(problem) != WaterFlow::drained) // where water comes and goes uncounted
             result.water_error =

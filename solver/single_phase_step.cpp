@@ -84,12 +84,13 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         const bool shaking = state.stage == Stage::shaking;
         const double acceleration =
             shaking ? base_acceleration(problem.base_motion, state.time + 0.5 * dt) : 0.0;
-        solve_single_phase_momentum(problem, work.conditions, dt, acceleration, damping, work.sums,
+        const double kick = kick_time(state, dt);
+        solve_single_phase_momentum(problem, work.conditions, kick, acceleration, damping, work.sums,
                                     work.motion);
-        brake_by_dashpots(work.conditions, dt, work.dashpots, work.sums, work.motion);
-        hold_at_walls(work.conditions, dt, work.sums, work.motion);
+        brake_by_dashpots(work.conditions, kick, work.dashpots, work.sums, work.motion);
+        hold_at_walls(work.conditions, kick, work.sums, work.motion);
         if (state.ledger)
-            enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.outer, work.motion,
+            enter_nodes(problem, work.ledger_nodes, kick, acceleration, work.sums, work.outer, work.motion,
                         *state.ledger);
         spread_tied_motion(work.conditions, work.motion);
     });
@@ -120,6 +121,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         shorten_carried_gradients(problem, particles);
     });
     state.time += dt;
+    state.last_step = dt;
     ++state.step;
 }
 

@@ -38,20 +38,22 @@ void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWork
     gather_tied_sums(work.conditions, work.outer);
 }
 
-void solve_velocities(const Problem& problem, double dt, const State& state, TwoPhaseWorkspace& work)
+/// `kick` is the time over which the forces act, see kick_time [s].
+void solve_velocities(const Problem& problem, double dt, double kick, const State& state,
+                      TwoPhaseWorkspace& work)
 {
     const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
-    solve_two_phase_momentum(problem, work.conditions, dt, acceleration, work.sums, work.motion);
-    brake_by_dashpots(problem, work.conditions, dt, work.dashpots, work.sums, work.motion);
-    hold_at_walls(problem, work.conditions, dt, work.sums, work.motion);
+    solve_two_phase_momentum(problem, work.conditions, kick, acceleration, work.sums, work.motion);
+    brake_by_dashpots(problem, work.conditions, kick, work.dashpots, work.sums, work.motion);
+    hold_at_walls(problem, work.conditions, kick, work.sums, work.motion);
     spread_tied_motion(work.conditions, work.motion);
 }
 
-void enter_works(const Problem& problem, double dt, const TwoPhaseWorkspace& work, State& state)
+void enter_works(const Problem& problem, double dt, double kick, const TwoPhaseWorkspace& work, State& state)
 {
     if (!state.ledger) return;
     const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
-    enter_nodes(problem, work.ledger_nodes, dt, acceleration, work.sums, work.outer, work.motion,
+    enter_nodes(problem, work.ledger_nodes, kick, acceleration, work.sums, work.outer, work.motion,
                 *state.ledger);
 }
 
@@ -129,6 +131,7 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
         shorten_carried_gradients(problem, state.particles);
     });
     state.time += dt;
+    state.last_step = dt;
     ++state.step;
 }
 
@@ -162,8 +165,9 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
-        solve_velocities(problem, dt, state, work);
-        enter_works(problem, dt, work, state);
+        const double kick = kick_time(state, dt);
+        solve_velocities(problem, dt, kick, state, work);
+        enter_works(problem, dt, kick, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
@@ -184,11 +188,11 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     particles.pore_pressure_rate.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
-    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, dt, state, work); });
+    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, dt, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
-        solve_velocities(problem, dt, state, work);
-        enter_works(problem, dt, work, state);
+        solve_velocities(problem, dt, dt, state, work);
+        enter_works(problem, dt, dt, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {

@@ -30,6 +30,8 @@ State varied_state(bool saturated, bool with_cycles = false)
         for_each_number(*state.ledger, [&](const char*, double& entry) { entry = value += 1.0 / 7.0; });
     }
     if (saturated) state.reactions = {{1.0 / 3.0, -2e5, 0.0}, {7.0, 1.0 / 9.0, 1e-300}}; // a viscous base
+
+    state.last_step = 1.0 / 7.0;
     return state;
 }
 
@@ -37,7 +39,7 @@ bool same_bits(const State& a, const State& b)
 {
     std::vector<Scalars> of_a;
     for_each_array(a.particles, [&](const char*, const Scalars& values) { of_a.push_back(values); });
-    bool same = a.time == b.time && a.step == b.step && a.stage == b.stage &&
+    bool same = a.time == b.time && a.step == b.step && a.last_step == b.last_step && a.stage == b.stage &&
                 a.reactions.x == b.reactions.x && a.reactions.y == b.reactions.y;
     std::size_t k = 0;
     for_each_array(b.particles, [&](const char*, const Scalars& values) {
