@@ -176,6 +176,24 @@ void prepare_increments(const Problem& problem, double dt, const CellLists& list
     });
 }
 
+void prepare_cavities(const Problem& problem, const CellLists& lists, const Tile& tile,
+                      const Particles& particles, Scalars& deficit, Scalars& lowest_increment)
+{
+    const Scalars& height = place_in_equations(problem, particles).y;
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        double volume = 0.0, missing = 0.0, above = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            const double V = particles.volume[p];
+            volume += V;
+            missing += V * particles.tension_deficit[p];
+            above += V * (particles.pore_pressure[p] - lowest_excess(problem, height[p]));
+        }
+        deficit[slot] = missing / volume;
+        lowest_increment[slot] = -above / volume;
+    });
+}
+
 void apply_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                       const Scalars& increment, Particles& particles, CellMeans& means)
 {

@@ -60,6 +60,11 @@ void undrained_increments(const Problem& problem, double dt, const CellLists& li
 void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                         const Particles& particles, Scalars& storage, Scalars& increment);
 
+/// For the semi-implicit step with a limit of tension: the deficit of a tile's cells, and the limit less
+/// their pressure [Pa].
+void prepare_cavities(const Problem& problem, const CellLists& lists, const Tile& tile,
+                      const Particles& particles, Scalars& deficit, Scalars& lowest_increment);
+
 /// Advance the pressure of a tile's cells by the increments and by what their rise adds, and take the means.
 void apply_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                       const Scalars& increment, Particles& particles, CellMeans& means);

@@ -19,6 +19,12 @@ void for_each_stencil(const PressureSolve& solve, const Tile& tile, Work&& work)
         work(divergence, stencil, static_cast<std::size_t>(stencil.cell));
 }
 
+/// Whether the pressure of a cell is that of the limit of tension.
+bool is_held(const PressureSolve& solve, std::size_t c)
+{
+    return !solve.cavity.cavities.empty() && solve.cavity.cavities[c] != 0;
+}
+
 /// Sum of work(tile) over the tiles, the same bits for any number of threads.
 template <class Work>
 double sum_over_tiles(const CellLists& lists, PressureSolve& solve, Work&& work)
@@ -164,6 +170,7 @@ double answer_residual(const CellLists& lists, PressureSolve& solve)
         double sum = 0.0;
         for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
             if (solve.blocks.blocks_of_slot[c] == 0) solve.answer[c] = solve.residual[c] / solve.diagonal[c];
+            if (is_held(solve, c)) solve.answer[c] = 0.0;
             sum += solve.residual[c] * solve.answer[c];
         });
         return sum;
@@ -179,21 +186,7 @@ void turn_direction(const CellLists& lists, double beta, PressureSolve& solve)
     });
 }
 
-} // namespace
-
-PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::size_t nodes)
-{
-    PressureSolve solve;
-    solve.divergence.resize(tiles);
-    solve.partial.assign(tiles, 0.0);
-    for (Scalars* by_cell : {&solve.storage, &solve.increment, &solve.right_hand_side, &solve.diagonal,
-                             &solve.residual, &solve.answer, &solve.direction, &solve.product})
-        by_cell->assign(cells, 0.0);
-    for (Scalars* by_node : {&solve.force_x, &solve.force_y, &solve.flux_x, &solve.flux_y})
-        by_node->assign(nodes, 0.0);
-    return solve;
-}
-
+/// - dt D flux*; returns its square, weighted by the diagonal.
 double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, double dt,
                            PressureSolve& solve)
 {
@@ -211,6 +204,89 @@ double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, d
     });
 }
 
+/// Conjugate gradients from the present increments; those of cells with cavities stay.
+bool iterate(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions, double dt,
+             double target, const PressureSolveControls& controls, PressureSolve& solve)
+{
+    multiply(grid, lists, conditions, dt, solve.increment, solve);
+    double error = set_residual(lists, solve, [&](std::size_t c) {
+        solve.residual[c] = is_held(solve, c) ? 0.0 : solve.right_hand_side[c] - solve.product[c];
+    });
+    double weight = 0.0; // residual . M^-1 residual
+    for (bool first = true; error > target; first = false, ++solve.iterations) {
+        if (solve.iterations == controls.max_iterations) return false;
+        const double last = std::exchange(weight, answer_residual(lists, solve));
+        turn_direction(lists, first ? 0.0 : weight / last, solve);
+        const double alpha = weight / multiply(grid, lists, conditions, dt, solve.direction, solve);
+        error = set_residual(lists, solve, [&](std::size_t c) {
+            if (is_held(solve, c)) return;
+            solve.increment[c] += alpha * solve.direction[c];
+            solve.residual[c] -= alpha * solve.product[c];
+        });
+    }
+    return std::isfinite(error);
+}
+
+/// The cells that begin the step with cavities, at the pressure of the limit; in all others the water first
+/// fills what is missing to it.
+void begin_cavities(const CellLists& lists, PressureSolve& solve)
+{
+    CavitySolve& cavity = solve.cavity;
+    for_each_tile(lists, [&](const Tile& tile) {
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            solve.right_hand_side[c] += solve.storage[c] * cavity.deficit[c];
+            cavity.cavities[c] = cavity.deficit[c] < cavity.lowest_increment[c] ? 1 : 0;
+            if (cavity.cavities[c] != 0) solve.increment[c] = cavity.lowest_increment[c];
+        });
+    });
+}
+
+/// What the water's volume asks for, with the product of the increments at hand, and the cells with cavities
+/// that follow from it; returns whether they are others than before.
+bool revise_cavities(const CellLists& lists, PressureSolve& solve)
+{
+    CavitySolve& cavity = solve.cavity;
+    const double changes = sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        double changed = 0.0;
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            const double beyond = is_held(solve, c)
+                                      ? (solve.right_hand_side[c] - solve.product[c]) / solve.storage[c]
+                                      : 0.0; // the solve's own error
+            cavity.water_increment[c] = solve.increment[c] + beyond - cavity.deficit[c];
+            const bool held = solve.increment[c] + beyond < cavity.lowest_increment[c];
+            if (held == is_held(solve, c)) return;
+            cavity.cavities[c] = held ? 1 : 0;
+            if (held) solve.increment[c] = cavity.lowest_increment[c];
+            changed += 1.0;
+        });
+        return changed;
+    });
+    return changes > 0.0;
+}
+
+} // namespace
+
+PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::size_t nodes)
+{
+    PressureSolve solve;
+    solve.divergence.resize(tiles);
+    solve.partial.assign(tiles, 0.0);
+    for (Scalars* by_cell : {&solve.storage, &solve.increment, &solve.right_hand_side, &solve.diagonal,
+                             &solve.residual, &solve.answer, &solve.direction, &solve.product})
+        by_cell->assign(cells, 0.0);
+    for (Scalars* by_node : {&solve.force_x, &solve.force_y, &solve.flux_x, &solve.flux_y})
+        by_node->assign(nodes, 0.0);
+    return solve;
+}
+
+void add_cavities(PressureSolve& solve)
+{
+    CavitySolve& cavity = solve.cavity;
+    for (Scalars* by_cell : {&cavity.deficit, &cavity.lowest_increment, &cavity.water_increment})
+        by_cell->assign(solve.storage.size(), 0.0);
+    cavity.cavities.assign(solve.storage.size(), 0);
+}
+
 bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                       double dt, const PressureSolveControls& controls, PressureSolve& solve)
 {
@@ -219,22 +295,17 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
     solve.blocks_are_due = false;
     const double scale = set_right_hand_side(grid, lists, dt, solve);
     const double target = controls.tolerance * controls.tolerance * scale;
-    multiply(grid, lists, conditions, dt, solve.increment, solve);
-    double error = set_residual(lists, solve, [&](std::size_t c) {
-        solve.residual[c] = solve.right_hand_side[c] - solve.product[c];
-    });
-    double weight = 0.0; // residual . M^-1 residual
-    for (solve.iterations = 0; error > target; ++solve.iterations) {
-        if (solve.iterations == controls.max_iterations) return false;
-        const double last = std::exchange(weight, answer_residual(lists, solve));
-        turn_direction(lists, solve.iterations == 0 ? 0.0 : weight / last, solve);
-        const double alpha = weight / multiply(grid, lists, conditions, dt, solve.direction, solve);
-        error = set_residual(lists, solve, [&](std::size_t c) {
-            solve.increment[c] += alpha * solve.direction[c];
-            solve.residual[c] -= alpha * solve.product[c];
-        });
+    const auto converge = [&] { return iterate(grid, lists, conditions, dt, target, controls, solve); };
+    solve.iterations = 0;
+    if (solve.cavity.cavities.empty()) return converge();
+    constexpr int most_sets = 30; // then the last is taken: a cell at the limit may belong to either
+    begin_cavities(lists, solve);
+    for (int k = 0; k < most_sets; ++k) {
+        if (!converge()) return false;
+        multiply(grid, lists, conditions, dt, solve.increment, solve);
+        if (!revise_cavities(lists, solve)) break;
     }
-    return std::isfinite(error);
+    return true;
 }
 
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,

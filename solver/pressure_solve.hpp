@@ -9,6 +9,10 @@
 // Backward Euler in pressure and relative velocity: sound of any speed is stable, and a wave of the pressure
 // is damped with a ratio of about omega dt / 2. Solved by conjugate gradients, preconditioned by blocks; the
 // guess is the last step's rate of pressure.
+//
+// With a limit of tension the pressure of a cell is the larger of the limit and of what its water's volume
+// asks for: an obstacle, found by the set of cells that have cavities (primal-dual active set: Hintermueller,
+// Ito and Kunisch 2002). A cell of the set has the pressure of the limit, and its cavities take the flux.
 #pragma once
 
 #include "solver/boundary_compliance.hpp"
@@ -23,6 +27,14 @@
 
 namespace quicksand {
 
+/// Cells with cavities, by slot of the cell lists; no entries without a limit of tension.
+struct CavitySolve {
+    Scalars deficit;                    // of the cells at the begin of the step, see pore_pressure.hpp [Pa]
+    Scalars lowest_increment;           // the limit less the pressure at the begin of the step [Pa]
+    std::vector<std::uint8_t> cavities; // whether the cell has some at the end of the step
+    Scalars water_increment;            // of pressure and deficit together: what the volume asks for [Pa]
+};
+
 /// Unknowns and work arrays, by slot of the cell lists (only cells with soil are touched) and by node.
 struct PressureSolve : PressureEquations {
     PressureBlocks blocks;
@@ -36,7 +48,8 @@ struct PressureSolve : PressureEquations {
     Scalars answer;                    // of the preconditioner to the residual [Pa]
     Scalars direction, product;        // of the conjugate gradients
     Scalars partial;                   // sums of the tiles
-    std::int32_t iterations = 0;       // of the last solve [-]
+    CavitySolve cavity;
+    std::int32_t iterations = 0; // of the last solve [-]
 };
 
 struct PressureSolveControls {
@@ -49,8 +62,11 @@ struct PressureSolveControls {
 
 PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::size_t nodes);
 
-/// Solve for `increment`, from its present value as guess, with `flux_x, flux_y` = flux*. Returns whether it
-/// converged.
+/// Give the solve a limit of tension.
+void add_cavities(PressureSolve& solve);
+
+/// Solve for `increment`, from its present value as guess, with `flux_x, flux_y` = flux*; with a limit of
+/// tension for `cavity` as well. Returns whether it converged.
 bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                       double dt, const PressureSolveControls& controls, PressureSolve& solve);
 

@@ -11,6 +11,7 @@
 #include "solver/surface_loads.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace quicksand {
@@ -82,11 +83,25 @@ void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& 
     throw NumericalError(record);
 }
 
-/// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes.
-void solve_pressure(const Problem& problem, double dt, const State& state, SemiImplicitWorkspace& work)
+/// Deficits and limits of the cells; soil without water has neither.
+void set_up_cavities(const Problem& problem, const Particles& particles, SemiImplicitWorkspace& work)
+{
+    CavitySolve& cavity = work.pressure.cavity;
+    if (cavity.cavities.empty()) return;
+    std::fill(cavity.deficit.begin(), cavity.deficit.end(), 0.0);
+    std::fill(cavity.lowest_increment.begin(), cavity.lowest_increment.end(),
+              -std::numeric_limits<double>::infinity());
+    const CellLists& lists = work.lists_with_pressure();
+    for_each_tile(lists, [&](const Tile& tile) {
+        prepare_cavities(problem, lists, tile, particles, cavity.deficit, cavity.lowest_increment);
+    });
+}
+
+/// Divergence and storage of the cells, and what boundaries let the nodes answer.
+void set_up_pressure(const Problem& problem, double dt, const Particles& particles,
+                     SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
-    const Particles& particles = state.particles;
     if (work.partly_saturated) {
         // soil without water gives cells no divergence, and cells of such soil alone an equation dp = 0
         set_saturated_volumes(problem, particles, work.wet_volume);
@@ -101,9 +116,17 @@ void solve_pressure(const Problem& problem, double dt, const State& state, SemiI
                             pressure.divergence[static_cast<std::size_t>(tile.number)]);
         prepare_increments(problem, dt, lists, tile, particles, pressure.storage, pressure.increment);
     });
+    set_up_cavities(problem, particles, work);
     set_pressure_compliances(problem, work.conditions, dt, work.sums, pressure.compliance);
     include_dashpots(problem, work.conditions, dt, work.dashpots, work.sums, pressure.compliance);
     pressure.walls = wall_compliances(problem, work.conditions, dt, work.sums);
+}
+
+/// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes.
+void solve_pressure(const Problem& problem, double dt, const State& state, SemiImplicitWorkspace& work)
+{
+    PressureSolve& pressure = work.pressure;
+    set_up_pressure(problem, dt, state.particles, work);
     for (std::size_t i = 0; i < work.motion.size(); ++i) {
         pressure.flux_x[i] = work.motion[i].flux_x;
         pressure.flux_y[i] = work.motion[i].flux_y;
@@ -155,6 +178,7 @@ SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem)
     SemiImplicitWorkspace work{make_two_phase_workspace(problem), {}, {}};
     work.pressure =
         make_pressure_solve(work.lists.tile_count, problem.grid.cell_count(), problem.grid.node_count());
+    if (problem.water->cavitation_pressure) add_cavities(work.pressure);
     return work;
 }
 
@@ -196,8 +220,11 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
-        advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure.increment, particles,
-                              work.cell_means, [](const Tile&) {});
+        const PressureSolve& pressure = work.pressure;
+        const Scalars& increment =
+            pressure.cavity.cavities.empty() ? pressure.increment : pressure.cavity.water_increment;
+        advance_pore_pressure(problem, dt, work.lists_with_pressure(), increment, particles, work.cell_means,
+                              [](const Tile&) {});
     });
     move_and_deform(problem, dt, state, work);
 }
