@@ -111,7 +111,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         });
     timed(work.timers, Phase::motion, [&] {
         const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
-        // undrained waves are far faster than any deformation, and grains and water keep their momentum
+        // undrained waves are far faster than any deformation
         if (problem.strain == StrainForm::large && !is_undrained(problem, state))
             fade_noise(problem, dt, particles, work);
         move_particles(problem, dt, work.grid_velocity, velocity, state);
