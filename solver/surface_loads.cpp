@@ -14,7 +14,20 @@ Vector2 full_force(const SurfaceLoad& load, const BoundaryPiece& piece, const Pr
     return piece.length * load.traction - load.pressure * present.outward();
 }
 
-/// Call add(node, force) for every share of every load.
+/// Call add(node, force) for every share of the forces force_of(piece, present) on a curve.
+template <class ForceOf, class Add>
+void share_out(const Problem& problem, const Boundary& boundary, const Particles& particles,
+               ParticlePlaces& places, ForceOf&& force_of, Add&& add)
+{
+    for (const BoundaryPiece& piece : boundary.pieces) {
+        const std::size_t p = places.find(particles, piece.identifier);
+        const PresentPiece present = present_piece(problem, particles, piece, p);
+        const Vector2 force = force_of(piece, present);
+        for_each_loaded_node(problem.grid, present,
+                             [&](std::size_t i, double share) { add(i, share * force); });
+    }
+}
+
 template <class Add>
 void for_each_nodal_load(const Problem& problem, double time, const Particles& particles,
                          ParticlePlaces& places, Add&& add)
@@ -22,33 +35,27 @@ void for_each_nodal_load(const Problem& problem, double time, const Particles& p
     for (const Boundary& boundary : problem.boundaries) {
         if (!boundary.load) continue;
         const double factor = history_value(boundary.load->history, time);
-        for (const BoundaryPiece& piece : boundary.pieces) {
-            const std::size_t p = places.find(particles, piece.identifier);
-            const PresentPiece present = present_piece(problem, particles, piece, p);
-            const Vector2 force = factor * full_force(*boundary.load, piece, present);
-            for_each_loaded_node(problem.grid, present,
-                                 [&](std::size_t i, double share) { add(i, share * force); });
-        }
+        const auto force = [&](const BoundaryPiece& piece, const PresentPiece& present) -> Vector2 {
+            return factor * full_force(*boundary.load, piece, present);
+        };
+        share_out(problem, boundary, particles, places, force, add);
     }
 }
 
-/// Call add(node, force) for every share of the excess pressure of the water beyond curves.
+/// The excess pressure of the water beyond curves.
 template <class Add>
 void for_each_nodal_water(const Problem& problem, double time, const Particles& particles,
                           ParticlePlaces& places, Add&& add)
 {
     for (const Boundary& boundary : problem.boundaries) {
         if (!boundary.outer_water) continue;
-        const double factor = history_value(boundary.outer_water->history, time);
-        for (const BoundaryPiece& piece : boundary.pieces) {
-            const std::size_t p = places.find(particles, piece.identifier);
-            const PresentPiece present = present_piece(problem, particles, piece, p);
-            const double excess =
-                factor * outer_excess_pressure(problem, *boundary.outer_water, present.middle().y());
-            const Vector2 force = -excess * present.outward();
-            for_each_loaded_node(problem.grid, present,
-                                 [&](std::size_t i, double share) { add(i, share * force); });
-        }
+        const OuterWater& water = *boundary.outer_water;
+        const double factor = history_value(water.history, time);
+        const auto force = [&](const BoundaryPiece&, const PresentPiece& present) -> Vector2 {
+            const double excess = factor * outer_excess_pressure(problem, water, present.middle().y());
+            return -excess * present.outward();
+        };
+        share_out(problem, boundary, particles, places, force, add);
     }
 }
 
