@@ -83,10 +83,15 @@ std::vector<double> ratios_at_zero_shear(const Path& path, std::size_t count, Ta
     return ratios;
 }
 
-TEST(UbcSandInTheEngine, TheBoxFollowsTheSimpleShearTest)
+class BoxOfSand : public testing::TestWithParam<WaterFlow> {};
+
+INSTANTIATE_TEST_SUITE_P(Flows, BoxOfSand, testing::Values(WaterFlow::coupled, WaterFlow::undrained));
+
+TEST_P(BoxOfSand, FollowsTheSimpleShearTest)
 {
     const SandBox box;
-    const Problem problem = make_problem(box);
+    Problem problem = make_problem(box);
+    problem.water->flow = GetParam();
     State state = make_state(box, problem);
     PathObserver path(state, middle_particle(state.particles));
     run(problem, 1.2, {&path}, state);
