@@ -63,14 +63,14 @@ struct TrialBlock {
     double strain_x[width], strain_y[width], eta_y[width], r_x[width], r_y[width], branch[width],
         scale[width], plastic[width];
 
-    void set(std::size_t k, const Trial& trial, bool is_plastic)
+    void set(std::size_t k, const Trial& trial, double is_plastic)
     {
         G[k] = trial.moduli.G, E2[k] = trial.moduli.E2, K[k] = trial.moduli.K;
         s[k] = trial.s, q_x[k] = trial.q_x, q_y[k] = trial.q_y, t[k] = trial.t, sigma_z[k] = trial.sigma_z;
         strain_x[k] = trial.strain_x, strain_y[k] = trial.strain_y, eta_y[k] = trial.eta_y,
         r_x[k] = trial.r_x, r_y[k] = trial.r_y;
         branch[k] = trial.branch, scale[k] = trial.scale;
-        plastic[k] = select(is_plastic, 1.0, 0.0);
+        plastic[k] = is_plastic;
     }
 
     Trial trial(std::size_t k) const
@@ -99,13 +99,12 @@ inline double step_elastically(const UbcSand& law, double budget, Block& block, 
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
         Strain remaining = {block.strain_x[k], block.strain_y[k], block.strain_xy[k]};
-        const bool is_open = block.open[k] > 0.0;
         const Substep substep = next_substep<square_roots>(law, state, budget, remaining);
         const Trial trial = elastic_trial(law, state, substep.moduli, substep.strain);
-        const bool is_plastic = trial.plastic & is_open;
+        const double plastic = select(trial.plastic, block.open[k], 0.0);
         finish_elastic(law, trial, state);
-        block.set(k, is_open & !trial.plastic, state);
-        trials.set(k, trial, is_plastic);
+        block.set(k, block.open[k] > plastic, state);
+        trials.set(k, trial, plastic);
         block.strain_x[k] = remaining.x, block.strain_y[k] = remaining.y, block.strain_xy[k] = remaining.xy;
         block.open[k] = select(substep.last, 0.0, block.open[k]);
     }

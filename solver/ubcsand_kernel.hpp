@@ -163,8 +163,9 @@ struct Trial {
 inline void place_locus(const UbcSand& m, const UbcSandState& state, Trial& trial)
 {
     const double away_x = trial.r_x - state.peak_x, away_y = trial.r_y - state.peak_y;
-    const bool departed = away_x * away_x + away_y * away_y >= m.tolerance_squared;
-    trial.branch = select((state.branch == just_reversed) & departed, far_from_reversal, state.branch);
+    const double departed =
+        select(away_x * away_x + away_y * away_y >= m.tolerance_squared, far_from_reversal, just_reversed);
+    trial.branch = select(state.branch == just_reversed, departed, state.branch);
     const double eta_squared = trial.r_x * trial.r_x + trial.r_y * trial.r_y;
     const double peak_squared = state.peak_x * state.peak_x + state.peak_y * state.peak_y;
     const double held = select(trial.branch == just_reversed, larger(eta_squared, peak_squared), eta_squared);
@@ -215,8 +216,9 @@ inline constexpr double least_share_of_a_leg = 0.25; // [-]
 
 /// Follow the strain in its plane of shear: the leg goes from where it last turned to the farthest point
 /// since; it has turned again when the strain has gone the ripple's strain, or a share of the leg if that is
-/// less, back from the farthest point. Without a ripple's strain every substep counts as a turn.
-inline bool follow_strain(const UbcSand& m, const Trial& trial, UbcSandState& state)
+/// less, back from the farthest point. Without a ripple's strain every substep counts as a turn. Returns 1
+/// for a turn, else 0.
+inline double follow_strain(const UbcSand& m, const Trial& trial, UbcSandState& state)
 {
     const double back_x = state.back_x + trial.strain_x, back_y = state.back_y + trial.strain_y;
     const double all_x = state.leg_x + back_x, all_y = state.leg_y + back_y;
@@ -224,33 +226,34 @@ inline bool follow_strain(const UbcSand& m, const Trial& trial, UbcSandState& st
     const double back = back_x * back_x + back_y * back_y;
     const double share = least_share_of_a_leg * least_share_of_a_leg * larger(leg, state.last_leg);
     const double least = smaller(m.ripple_squared, share);
-    const bool farther = all_x * all_x + all_y * all_y >= leg;
-    const bool turned = !farther & (back >= least);
-    state.last_leg = select(turned, leg, state.last_leg);
-    state.leg_x = select(turned, back_x, select(farther, all_x, state.leg_x));
-    state.leg_y = select(turned, back_y, select(farther, all_y, state.leg_y));
-    state.back_x = select(turned | farther, 0.0, back_x);
-    state.back_y = select(turned | farther, 0.0, back_y);
-    return turned | (m.ripple_squared <= 0.0);
+    const double farther = select(all_x * all_x + all_y * all_y >= leg, 1.0, 0.0);
+    const double turned = select(farther > 0.0, 0.0, select(back >= least, 1.0, 0.0));
+    state.last_leg = select(turned > 0.0, leg, state.last_leg);
+    state.leg_x = select(turned > 0.0, back_x, select(farther > 0.0, all_x, state.leg_x));
+    state.leg_y = select(turned > 0.0, back_y, select(farther > 0.0, all_y, state.leg_y));
+    state.back_x = select(turned + farther > 0.0, 0.0, back_x);
+    state.back_y = select(turned + farther > 0.0, 0.0, back_y);
+    return select(m.ripple_squared <= 0.0, 1.0, turned);
 }
 
-/// A half cycle is a reversal of the strain and a beginning of loading, whichever comes first. The reversal
-/// makes where the stress turned the origin of the present branch.
-inline void count_half_cycles(bool turned, bool loads, UbcSandState& state)
+/// A half cycle is a reversal of the strain and a beginning of loading, whichever comes first; both are 1 or
+/// 0. The reversal makes where the stress turned the origin of the present branch.
+inline void count_half_cycles(double turned, double loads, UbcSandState& state)
 {
-    const double waiting = select(turned & (state.waiting == even), reversal_waits, state.waiting);
-    const bool counts = (loads & (waiting == reversal_waits)) | (turned & (waiting == loading_waits));
-    state.half_cycles += select(counts, 1.0, 0.0);
-    state.active_dilation = select(counts, state.dilation, state.active_dilation);
-    state.waiting = select(counts, even, select(loads, loading_waits, waiting));
-    state.origin_x = select(turned, state.peak_x, state.origin_x);
-    state.origin_y = select(turned, state.peak_y, state.origin_y);
+    const double began = select(state.waiting == even, reversal_waits, state.waiting);
+    const double waiting = select(turned > 0.0, began, state.waiting);
+    const double counts = select(waiting > even, loads, select(waiting < even, turned, 0.0));
+    state.half_cycles += counts;
+    state.active_dilation = select(counts > 0.0, state.dilation, state.active_dilation);
+    state.waiting = select(counts > 0.0, even, select(loads > 0.0, loading_waits, waiting));
+    state.origin_x = select(turned > 0.0, state.peak_x, state.origin_x);
+    state.origin_y = select(turned > 0.0, state.peak_y, state.origin_y);
 }
 
-/// Whether the trial's stress is on the other side of the isotropic axis than where the stress turned.
-inline bool is_opposed(const Trial& trial, double r_x, double r_y)
+/// Not positive when the trial's stress is on the other side of the isotropic axis than r.
+inline double accord(const Trial& trial, double r_x, double r_y)
 {
-    return trial.q_x * r_x + trial.q_y * r_y <= 0.0;
+    return trial.q_x * r_x + trial.q_y * r_y;
 }
 
 /// [7] The elastic end: the first elastic substep after loading is a reversal, which is remembered.
@@ -260,7 +263,7 @@ inline void finish_elastic(const UbcSand& m, const Trial& trial, UbcSandState& s
     state.peak_x = select(reversal, trial.r_x, state.peak_x);
     state.peak_y = select(reversal, trial.r_y, state.peak_y);
     state.branch = select(reversal, just_reversed, trial.branch);
-    count_half_cycles(follow_strain(m, trial, state), false, state);
+    count_half_cycles(follow_strain(m, trial, state), 0.0, state);
     rebuild_stress(m, trial, trial.s, 1.0, trial.sigma_z, state);
 }
 
@@ -270,11 +273,11 @@ inline double hardening_factor(const UbcSand& m, const Trial& trial, const UbcSa
 {
     const bool secondary = trial.eta_y < state.eta_max - 1e-9;
     const double F = select(secondary, m.h1 * m.h2 * (m.s0 + m.s1 * state.half_cycles), m.h1);
-    const bool crossed =
-        is_opposed(trial, state.origin_x, state.origin_y) | is_opposed(trial, state.peak_x, state.peak_y);
+    const double least_accord =
+        smaller(accord(trial, state.origin_x, state.origin_y), accord(trial, state.peak_x, state.peak_y));
     const double loss = larger(-1000.0, -m.a_dil_log2 * state.active_dilation); // exp as a power of 2
     const double softened = larger(m.fac_post, F * exponential_2(loss));
-    return select((state.active_dilation > 0.0) & crossed, softened, F);
+    return select(least_accord <= 0.0, select(state.active_dilation > 0.0, softened, F), F);
 }
 
 /// G^p = F K_G^p P_a (s/P_a)^np (1 - R_f eta/eta_f)^2
@@ -326,10 +329,10 @@ inline PlasticFlow select(bool condition, const PlasticFlow& yes, const PlasticF
 /// [8] to [10] The plastic end of a substep; returns its flow.
 inline PlasticFlow finish_plastic(const UbcSand& m, const Trial& trial, UbcSandState& state)
 {
-    const bool loads = trial.branch == far_from_reversal;
+    const double loads = select(trial.branch == far_from_reversal, 1.0, 0.0);
     count_half_cycles(follow_strain(m, trial, state), loads, state);
-    const bool other_sense = loads & is_opposed(trial, state.peak_x, state.peak_y);
-    state.active_dilation = select(other_sense, state.dilation, state.active_dilation);
+    const double other_sense = select(accord(trial, state.peak_x, state.peak_y) <= 0.0, loads, 0.0);
+    state.active_dilation = select(other_sense > 0.0, state.dilation, state.active_dilation);
     state.branch = loading;
     const double G_p = plastic_modulus(m, trial, hardening_factor(m, trial, state));
     PlasticFlow flow = flow_on_locus(m, trial, G_p);

@@ -57,7 +57,7 @@ struct UbcSandRunSettings {
     double ripple_strain = 1e-4;       // [-]
     double largest_ratio_step = 0.016; // [-]
     double largest_stress_step = 0.05; // [-]
-    double resolved_floors = 10.0;     // [-]
+    double resolved_floors = 20.0;     // [-]
 };
 
 /// The parameters with the settings of a run.

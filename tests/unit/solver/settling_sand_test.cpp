@@ -99,7 +99,7 @@ TEST(StartOfShaking, OnlyUbcsandHasAMemory)
     problem.materials[0].law = nevada;
     EXPECT_EQ(begin_shaking(problem, state), state.particles.size()); // free of stress: raised to the floor
     EXPECT_TRUE(state.particles.has_cycles());
-    EXPECT_EQ(memory_bytes(state.particles) - without, 10 * 8 * state.particles.size());
+    EXPECT_EQ(memory_bytes(state.particles) - without, 15 * 8 * state.particles.size());
     EXPECT_TRUE(std::holds_alternative<SettlingSand>(settling_problem(problem).materials[0].law));
 }
 
