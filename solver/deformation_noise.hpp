@@ -5,34 +5,15 @@
 // are no faster than the deformation.
 #pragma once
 
-#include "solver/boundary_conditions.hpp"
-#include "solver/cell_lists.hpp"
-#include "solver/node_weights.hpp"
-#include "solver/nodes.hpp"
 #include "solver/particles.hpp"
-
-#include <vector>
 
 namespace quicksand {
 
-/// Work arrays of the fading: change of the particles' velocities, and its mean at the nodes [m/s].
-struct NoiseFading {
-    Vectors change;
-    Vectors mean;
-};
-
 /// v <- v + theta (v_grid - v), theta = 4 dt |D| / (1 + 4 dt |D|), |D| the norm of the rate of strain: a
 /// quarter of a shear by the cell's size fades the noise by a factor e. `grid_velocity` is that with which
-/// the particles move, sum phi v_i; `change` becomes what was added.
-void fade_noise_of_deformation(double dt, const Vectors& grid_velocity, Particles& particles,
-                               Vectors& change);
-
-/// Where theta varies, the changes of neighbours do not cancel: take their mean at the nodes,
-///   sum_p phi_ip m_p change_p / m_i,
-/// out of the velocities again, so that momentum is kept. `mass` is that of the particles [kg/m], `sums`
-/// those of the nodes with tied ones gathered.
-void keep_momentum(const BackgroundGrid& grid, const CellLists& lists, const std::vector<PatchStore>& patches,
-                   const NodeConditions& conditions, const Scalars& mass,
-                   const std::vector<SinglePhaseSums>& sums, NoiseFading& fading, Particles& particles);
+/// the particles move, sum phi v_i. Where theta varies the changes of neighbours do not cancel, and momentum
+/// is kept to the noise that fades (8e-10 of it on a sliding block); giving it back by the nodes would put
+/// the noise back where soil is thin.
+void fade_noise_of_deformation(double dt, const Vectors& grid_velocity, Particles& particles);
 
 } // namespace quicksand

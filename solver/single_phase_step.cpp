@@ -1,5 +1,6 @@
 #include "solver/single_phase_step.hpp"
 
+#include "solver/deformation_noise.hpp"
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
 #include "solver/ledger.hpp"
@@ -10,13 +11,6 @@
 namespace quicksand {
 
 namespace {
-
-void fade_noise(const Problem& problem, double dt, Particles& particles, SinglePhaseWorkspace& work)
-{
-    fade_noise_of_deformation(dt, work.grid_velocity, particles, work.fading.change);
-    keep_momentum(problem.grid, work.lists, work.patches, work.conditions, work.masses.inertia, work.sums,
-                  work.fading, particles);
-}
 
 /// Whether the water takes part with a pressure that follows from the change of volume.
 bool is_undrained(const Problem& problem, const State& state)
@@ -113,7 +107,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
         // undrained waves are far faster than any deformation
         if (problem.strain == StrainForm::large && !is_undrained(problem, state))
-            fade_noise(problem, dt, particles, work);
+            fade_noise_of_deformation(dt, work.grid_velocity, particles);
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress, [&] {

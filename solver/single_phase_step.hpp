@@ -1,7 +1,6 @@
 // The step of a body that moves as one phase: dry soil, undrained or drained soil, soil that settles.
 #pragma once
 
-#include "solver/deformation_noise.hpp"
 #include "solver/nodes.hpp"
 #include "solver/pore_pressure.hpp"
 #include "solver/step_workspace.hpp"
@@ -15,7 +14,6 @@ struct SinglePhaseWorkspace : StepWorkspace {
     std::vector<OuterForce> outer; // none where there are none
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
-    NoiseFading fading;
     CellMeans cell_means;       // of the pore pressure, undrained only
     Scalars pressure_increment; // of the cells, undrained only [Pa]
 };

