@@ -136,7 +136,7 @@ void set_initial_state(const Scene& scene, const Section& section, const std::ve
         particles.stress.yy[p] = -vertical;
         particles.stress.xx[p] = particles.stress.zz[p] = -scene.k0 * vertical;
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-        if (!water_of(problem, material)) continue;
+        if (particles.pore_pressure.empty() || !water_of(problem, material)) continue; // drained, or dry
         const double pressure = problem.water->density * problem.gravity * std::max(0.0, line - point.y());
         particles.pore_pressure[p] =
             pressure - static_water_pressure(problem, point.y()) + scene.excess_pore_pressure;

@@ -137,7 +137,8 @@ TEST(Check, SaysThatASlopeDoesNotStartInEquilibriumAndWhatLiesAboveTheWater)
     scene.erase(table, next - table);
     std::filesystem::create_directories(folder / "dike");
     std::filesystem::copy(std::filesystem::path(QUICKSAND_SOURCE_DIR) / "examples/dike", folder / "dike",
-                          std::filesystem::copy_options::overwrite_existing);
+                          std::filesystem::copy_options::recursive |
+                              std::filesystem::copy_options::overwrite_existing);
     std::ofstream(folder / "dike/scene.toml") << scene;
     const Outcome open = run_program("check " + (folder / "dike").string() +
                                      " --set grid.cell_size=0.03 --set water.level=0.15 --until 1e-4 -o " +

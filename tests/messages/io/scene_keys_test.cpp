@@ -25,7 +25,7 @@ R"_(
 scene.toml:24:1: error[unknown-key]: unknown key 'porosty' in [materials.sand]
    24 | porosty = 0.405
       | ^~~~~~~
-expected: one of model, shear_modulus, poisson_ratio, volumetric_strain, grain_density, porosity, hydraulic_conductivity, conductivity_gravity
+expected: one of model, shear_modulus, poisson_ratio, volumetric_strain, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law
 hint: did you mean porosity?
 )_"},
 SceneMistake{"KeyOfAnotherTable",
@@ -147,6 +147,11 @@ scene.toml:18:1: error[unused-key]: water.cavitation_pressure is not used with f
    18 | cavitation_pressure = "2.3 kPa"
       | ^~~~~~~~~~~~~~~~~~~
 hint: remove it, or set flow = "coupled"
+scene.toml:27:1: warning[unused]: materials.sand.hydraulic_conductivity has no effect with water.flow = "drained"
+   27 | hydraulic_conductivity = 5.8e-5
+      | ^~~~~~~~~~~~~~~~~~~~~~
+hint: remove it, or set water.flow = "coupled"
+to accept it: accept = ["materials.sand.hydraulic_conductivity"] at the top of the scene
 )_"},
 SceneMistake{"MisspeltFlow",
     "level = 0.3175",
@@ -176,6 +181,11 @@ scene.toml:20:10: error[combination]: scheme = "semi_implicit" has no pressure t
    20 | scheme = "semi_implicit"
       |          ^~~~~~~~~~~~~~~
 expected: scheme = "explicit", or water.flow = "coupled"
+scene.toml:28:1: warning[unused]: materials.sand.hydraulic_conductivity has no effect with water.flow = "undrained"
+   28 | hydraulic_conductivity = 5.8e-5
+      | ^~~~~~~~~~~~~~~~~~~~~~
+hint: remove it, or set water.flow = "coupled"
+to accept it: accept = ["materials.sand.hydraulic_conductivity"] at the top of the scene
 )_"},
 SceneMistake{"ImplicitPressureWithCavities",
     "level = 0.3175",
@@ -190,10 +200,10 @@ SceneMistake{"CavitationAboveTheAtmosphere",
     "level = 0.3175",
     "level = 0.3175\ncavitation_pressure = \"120 kPa\"",
 R"_(
-scene.toml:18:23: error[range]: water.cavitation_pressure is 120000 Pa
+scene.toml:18:23: error[range]: water.cavitation_pressure = 1.2e5 Pa is out of range
    18 | cavitation_pressure = "120 kPa"
       |                       ^~~~~~~~~
-expected: less than 100000 Pa
+expected: less than 1e5 Pa
 )_"},
 SceneMistake{"AcceptOfNoKey",
     "title = \"column\"",

@@ -116,7 +116,8 @@ TEST(Assembly, CarriesOnlyTheWaterThatTheFlowNeeds)
     EXPECT_EQ(drained.state.particles.porosity[5], 0.405);
 
     const AssembledCase bubbly = with("saturation = 0.99\nair_pressure = \"300 kPa\"");
-    EXPECT_DOUBLE_EQ(bubbly.problem.water->bulk_modulus, 1.0 / (0.99 / 2.2e9 + 0.01 / 300e3));
+    const double with_air = 1.0 / (0.99 / 2.2e9 + 0.01 / 300e3);
+    EXPECT_NEAR(bubbly.problem.water->bulk_modulus, with_air, 1e-14 * with_air);
     EXPECT_EQ(assemble_column().problem.water->bulk_modulus, 2.2e9);
     EXPECT_FALSE(bubbly.problem.water->cavitation_pressure);
     EXPECT_TRUE(bubbly.state.particles.tension_deficit.empty());

@@ -61,7 +61,7 @@ TEST(SceneSchema, DescribesAKey)
     Gravity at which the conductivity was measured; at 120 g a wrong pairing is a factor 120.
     is       number in m/s2
     default  9.81
-    used     with [water]
+    used     with water.flow = "coupled"
     range    more than 0 m/s2
     usual    1 to 2000 m/s2
 )");
