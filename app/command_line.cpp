@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <functional>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <utility>
 
@@ -204,19 +205,38 @@ void add_picture(CLI::App& program, Commands& commands)
 
 void add_bench(CLI::App& program, Commands& commands)
 {
-    struct Words {
-        std::string subject;
-        int threads = 0;
-    };
-    CLI::App* parser = program.add_subcommand("bench", "Measure the speed of the step on the dike example");
-    auto words = std::make_shared<Words>();
-    parser->add_option("SUBJECT", words->subject, "kernel: particle-steps per second, in all and by phase")
+    using Measure = ExitCode (*)(const BenchChoice&);
+    static const std::map<std::string, Measure> subjects = {{"kernel", measure_kernel},
+                                                            {"error", measure_errors},
+                                                            {"scale", measure_scale},
+                                                            {"skip", measure_skips}};
+    CLI::App* parser = program.add_subcommand("bench", "Measure speed, memory, and run time against error");
+    auto subject = std::make_shared<std::string>();
+    auto choice = std::make_shared<BenchChoice>();
+    parser
+        ->add_option("SUBJECT", *subject,
+                     "kernel: the phases of a step; error: run time against error; scale: over particles and "
+                     "threads; skip: what scenes save by what they leave out")
         ->required()
-        ->check(CLI::IsMember({"kernel"}));
-    parser->add_option("--threads", words->threads, "Only this number of threads; 1 and 2 when not given")
+        ->check(CLI::IsMember({"kernel", "error", "scale", "skip"}));
+    parser->add_option(
+        "WORDS", choice->words,
+        "Scenes, or for error problems of verify; those that come with the program when not given");
+    parser->add_option("--set", choice->overrides, "Replace a key of the scenes")->type_name("KEY=VALUE");
+    parser->add_option("-o,--output", choice->directory, "Folder of tables and figures")
+        ->type_name("DIR")
+        ->capture_default_str();
+    parser->add_option("--until", choice->until, "End of the runs of scenes in s, for error")
+        ->type_name("T")
+        ->check(CLI::PositiveNumber);
+    parser->add_option("--largest", choice->largest, "Particles of the largest body of scale")
+        ->check(CLI::Range(1e3, 1e8))
+        ->type_name("N")
+        ->capture_default_str();
+    parser->add_option("--threads", choice->threads, "Threads; kernel measures 1 and 2 when not given")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
-    commands.push_back({parser, [words] { return measure_kernel(words->threads); }});
+    commands.push_back({parser, [subject, choice] { return subjects.at(*subject)(*choice); }});
 }
 
 void add_verify(CLI::App& program, Commands& commands)

@@ -94,6 +94,15 @@ struct VerifyChoice {
     int threads = 0; // runs at the same time, 0: as many as the machine has threads [-]
 };
 
+struct BenchChoice {
+    std::vector<std::string> words;     // scenes, or problems of verify; empty: what comes with the program
+    std::vector<std::string> overrides; // --set key=value
+    std::filesystem::path directory = "results/bench";
+    std::optional<double> until; // end of the runs of scenes in place of theirs [s]
+    int threads = 0;             // 0: as the benchmark is usually taken [-]
+    double largest = 3e6;        // of `scale` [particles]
+};
+
 ExitCode run_scene(const RunChoice& choice);
 ExitCode check_scene(const CheckChoice& choice);
 ExitCode assess_stability(const StabilityChoice& choice);
@@ -102,7 +111,10 @@ ExitCode run_element_tests(const ElementChoice& choice);
 ExitCode create_scene(const NewChoice& choice);
 ExitCode extract_probe(const ProbeChoice& choice);
 ExitCode draw_pictures(const PictureChoice& choice);
-ExitCode measure_kernel(int threads);
+ExitCode measure_kernel(const BenchChoice& choice);
+ExitCode measure_errors(const BenchChoice& choice);
+ExitCode measure_scale(const BenchChoice& choice);
+ExitCode measure_skips(const BenchChoice& choice);
 ExitCode run_demo(const DemoChoice& choice);
 ExitCode verify_problems(const VerifyChoice& choice);
 ExitCode print_version();

@@ -33,7 +33,7 @@ double loading(int)
 Particles sand_at_100_kpa(const UbcSand& law)
 {
     Particles particles;
-    resize(particles, particle_count, false);
+    resize(particles, particle_count, std::nullopt);
     add_cycle_memory(particles);
     for (std::size_t p = 0; p < particle_count; ++p) {
         const double vertical = 100e3 * (1.0 + 1e-3 * static_cast<double>(p % 7));

@@ -108,6 +108,7 @@ Problem make_problem(const Scene& scene, const Section& section)
     problem.interpolation = scene.interpolation;
     problem.strain = scene.strain;
     problem.scheme = scene.scheme;
+    problem.step_share = scene.step_share;
     problem.water = scene.water;
     problem.gravity = scene.gravity;
     problem.base_motion = scene.base_motion;

@@ -114,6 +114,7 @@ struct Scene {
     Interpolation interpolation = Interpolation::cpdi;
     StrainForm strain = StrainForm::large;
     TimeScheme scheme = TimeScheme::explicit_steps;
+    double step_share = 1.0; // of the stable time step [-]
 
     double gravity = standard_gravity;  // [m/s2]
     std::optional<Water> water;         // none: a dry scene

@@ -81,6 +81,8 @@ std::vector<SceneKey> analysis_keys()
          .words = {"explicit", "semi_implicit"},
          .doc = "Steps limited by the water's sound, or several times longer ones with the water's pressure "
                 "implicit."},
+        {.pattern = "analysis.step_share", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
+         .doc = "Part of the stable time step that is taken: less shows what the steps cost in accuracy."},
     };
 }
 
@@ -187,7 +189,7 @@ std::vector<SceneKey> material_keys()
          .doc = "Reversals of less shear strain are ripples of the run, no half cycles; below it sand keeps its "
                 "volume [Dobry et al. 1982]."},
         {.pattern = "materials.*.resolved_floors", .default_value = UbcSandRunSettings().resolved_floors,
-         .allowed = not_negative, .plausible = {0.0, 20.0}, .when = ubcsand_only,
+         .allowed = not_negative, .plausible = {0.0, 40.0}, .when = ubcsand_only,
          .doc = "Below this multiple of stress_floor substeps are as long as there, which speeds liquefied sand up."},
     };
 }

@@ -1,8 +1,7 @@
 #include "solver/simulation.hpp"
 
 #include "solver/particle_order.hpp"
-#include "solver/single_phase_step.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/stepper.hpp"
 #include "solver/viscous_boundary.hpp"
 
 #include <omp.h>
@@ -16,49 +15,6 @@ namespace quicksand {
 namespace {
 
 constexpr std::int64_t steps_between_restarts = 32;
-
-/// The stepper of a scene: what its body needs for a step, and no more.
-class TwoPhaseStepper {
-public:
-    explicit TwoPhaseStepper(const Problem& problem) : work_(make_two_phase_workspace(problem)) {}
-    void advance(const Problem& problem, double dt, State& state)
-    {
-        advance_two_phase_step(problem, dt, state, work_);
-    }
-    void restart() {}
-    std::int64_t limited_domains() const { return work_.limited_domains; }
-
-private:
-    TwoPhaseWorkspace work_;
-};
-
-class SemiImplicitStepper {
-public:
-    explicit SemiImplicitStepper(const Problem& problem) : work_(make_semi_implicit_workspace(problem)) {}
-    void advance(const Problem& problem, double dt, State& state)
-    {
-        advance_semi_implicit_step(problem, dt, state, work_);
-    }
-    void restart() { work_.pressure.blocks_are_due = true; }
-    std::int64_t limited_domains() const { return work_.limited_domains; }
-
-private:
-    SemiImplicitWorkspace work_;
-};
-
-class SinglePhaseStepper {
-public:
-    explicit SinglePhaseStepper(const Problem& problem) : work_(make_single_phase_workspace(problem)) {}
-    void advance(const Problem& problem, double dt, State& state)
-    {
-        advance_single_phase_step(problem, dt, 0.0, state, work_);
-    }
-    void restart() {}
-    std::int64_t limited_domains() const { return work_.limited_domains; }
-
-private:
-    SinglePhaseWorkspace work_;
-};
 
 double next_event(double end_time, const std::vector<Observer*>& observers)
 {
@@ -85,11 +41,13 @@ TimeStep divide_evenly(TimeStep stable, double remaining)
     return stable;
 }
 
-template <class Stepper>
-void run_with(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
-              const std::function<bool()>& stop_requested)
+} // namespace
+
+void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
+         const std::function<bool()>& stop_requested)
 {
-    Stepper stepper(problem);
+    if (state.step == 0) hold_reactions(problem, state);
+    const std::unique_ptr<Stepper> stepper = make_stepper(problem);
     StepReport report{state.stage, state.step, state.time, {}, 0, true};
     observe_due(problem, observers, state, report);
     while (state.time < end_time) {
@@ -97,34 +55,18 @@ void run_with(const Problem& problem, double end_time, const std::vector<Observe
         const TimeStep stable = stable_time_step(problem, state.particles);
         report.time_step = divide_evenly(stable, event - state.time);
         const bool arrives = report.time_step.dt >= event - state.time;
-        stepper.advance(problem, report.time_step.dt, state);
+        stepper->advance(problem, report.time_step.dt, state);
         if (arrives) state.time = event; // hit exactly, without the sum's rounding
         check_particles(report.time_step.dt, state);
         report.step = state.step;
         report.time = state.time;
-        report.limited_domains = stepper.limited_domains();
+        report.limited_domains = stepper->limited_domains();
         report.is_restart_point = arrives || state.step % steps_between_restarts == 0;
         for (Observer* observer : observers) observer->after_step(report);
         if (arrives) observe_due(problem, observers, state, report);
         if (!report.is_restart_point) continue;
-        stepper.restart();
+        stepper->restart();
         if (stop_requested && stop_requested()) return;
-    }
-}
-
-} // namespace
-
-void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
-         const std::function<bool()>& stop_requested)
-{
-    if (state.step == 0) hold_reactions(problem, state);
-    const bool coupled = water_flow(problem) == WaterFlow::coupled;
-    if (coupled && problem.scheme == TimeScheme::semi_implicit) {
-        run_with<SemiImplicitStepper>(problem, end_time, observers, state, stop_requested);
-    } else if (coupled) {
-        run_with<TwoPhaseStepper>(problem, end_time, observers, state, stop_requested);
-    } else {
-        run_with<SinglePhaseStepper>(problem, end_time, observers, state, stop_requested);
     }
 }
 

@@ -208,12 +208,16 @@ double fastest_speed(const Problem& problem, const WaveSpeeds& speeds)
 TimeStep stable_time_step(const Problem& problem, const Particles& particles)
 {
     const Extremes extremes = find_extremes(problem, particles);
-    if (water_flow(problem) == WaterFlow::coupled && problem.scheme == TimeScheme::semi_implicit)
-        return limit_motion(problem, extremes, semi_implicit_limit(problem, extremes));
-    const TimeStep wave = wave_limit(problem, extremes, wave_safety, [&](const WaveSpeeds& speeds) {
-        return fastest_speed(problem, speeds);
-    });
-    return limit_motion(problem, extremes, wave);
+    const bool implicit_pressure =
+        water_flow(problem) == WaterFlow::coupled && problem.scheme == TimeScheme::semi_implicit;
+    const TimeStep wave = implicit_pressure
+                              ? semi_implicit_limit(problem, extremes)
+                              : wave_limit(problem, extremes, wave_safety, [&](const WaveSpeeds& speeds) {
+                                    return fastest_speed(problem, speeds);
+                                });
+    TimeStep step = limit_motion(problem, extremes, wave);
+    step.dt *= problem.step_share;
+    return step;
 }
 
 TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles)

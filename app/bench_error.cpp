@@ -1,0 +1,236 @@
+#include "app/commands.hpp"
+#include "app/history_error.hpp"
+#include "app/journal.hpp"
+#include "app/machine.hpp"
+#include "app/number_format.hpp"
+#include "app/scene_setup.hpp"
+#include "app/verification_runs.hpp"
+#include "io/atomic_file.hpp"
+#include "io/line_plot.hpp"
+#include "solver/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+namespace quicksand {
+
+namespace {
+
+/// A way to run a problem: keys that replace those of its scene.
+struct Setting {
+    std::string name;
+    std::vector<std::string> overrides;
+};
+
+/// One problem on one grid with one setting.
+struct WorkPoint {
+    std::string problem, setting;
+    int cells = 0;
+    double error = 0.0;   // the largest over the quantities of the study [-]
+    double seconds = 0.0; // wall time on one thread
+};
+
+/// Those that a problem does not allow are left out.
+std::vector<Setting> settings()
+{
+    const auto particles = [](int count) {
+        return fmt::format("sampling.particles_per_cell=[{},{}]", count, count);
+    };
+    const std::string implicit = "analysis.scheme=\"semi_implicit\"", half = "analysis.step_share=0.5";
+    return {{"as the scene says", {}},
+            {"4 particles per cell", {particles(2)}},
+            {"16 particles per cell", {particles(4)}},
+            {"linear", {"analysis.interpolation=\"linear\""}},
+            {"GIMP", {"analysis.interpolation=\"gimp\""}},
+            {"cpGIMP", {"analysis.interpolation=\"cpgimp\""}},
+            {"CPDI2", {"analysis.interpolation=\"cpdi2\""}},
+            {"half steps", {half}},
+            {"semi-implicit", {implicit}},
+            {"semi-implicit, half steps", {implicit, half}}};
+}
+
+double largest_error(const VerificationRun& run)
+{
+    double largest = 0.0;
+    for (const StudyError& error : run.errors) largest = std::max(largest, error.error);
+    return largest;
+}
+
+/// Why a setting cannot be had, in one line; "" when it could.
+std::string measure(const std::string& problem, const Setting& setting, const BenchChoice& choice,
+                    Journal& journal, std::vector<WorkPoint>& points)
+{
+    VerifyChoice verify;
+    verify.problems = {problem};
+    verify.overrides = choice.overrides;
+    verify.overrides.insert(verify.overrides.end(), setting.overrides.begin(), setting.overrides.end());
+    try {
+        std::vector<VerificationRun> runs = prepare_runs(verify);
+        execute_runs(1, runs, journal);
+        for (const VerificationRun& run : runs) {
+            if (!run.failure)
+                points.push_back({run.problem, setting.name, run.cells, largest_error(run), run.seconds});
+        }
+    } catch (const InputError& error) {
+        const std::string text = error.what();
+        return text.substr(0, text.find('\n'));
+    }
+    return "";
+}
+
+/// Of the steps alone: a scene's own answer is not known, only what smaller explicit steps give.
+std::vector<Setting> step_settings()
+{
+    const std::string semi_implicit = "analysis.scheme=\"semi_implicit\"",
+                      by_steps = "analysis.scheme=\"explicit\"", half = "analysis.step_share=0.5",
+                      quarter = "analysis.step_share=0.25";
+    return {{"explicit", {by_steps}},
+            {"semi-implicit", {semi_implicit}},
+            {"semi-implicit, half steps", {semi_implicit, half}},
+            {"semi-implicit, quarter steps", {semi_implicit, quarter}}};
+}
+
+/// Run a scene with a setting; returns the wall time [s].
+double run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
+                   const std::filesystem::path& directory)
+{
+    RunChoice run;
+    run.scene.scene = scene;
+    run.scene.overrides = choice.overrides;
+    run.scene.overrides.insert(run.scene.overrides.end(), setting.overrides.begin(), setting.overrides.end());
+    run.scene.until = choice.until;
+    run.scene.threads = choice.threads;
+    run.directory = directory;
+    run.overwrite = true;
+    const auto start = std::chrono::steady_clock::now();
+    const ExitCode code = run_scene(run);
+    if (code != ExitCode::good)
+        throw InputError("the run with " + setting.name + " did not reach its end; see " +
+                         directory.string());
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The probes of a scene against an explicit run with a fifth of the step.
+std::vector<WorkPoint> measure_scene(const std::string& scene, const BenchChoice& choice)
+{
+    const std::string name = default_results(find_scene_file(scene)).filename().string();
+    const std::filesystem::path folder = choice.directory / name;
+    const Setting fine = {"explicit, a fifth of the step",
+                          {"analysis.scheme=\"explicit\"", "analysis.step_share=0.2"}};
+    run_setting(scene, fine, choice, folder / "reference");
+    std::vector<WorkPoint> points;
+    for (const Setting& setting : step_settings()) {
+        std::string directory = setting.name;
+        std::replace(directory.begin(), directory.end(), ' ', '_');
+        const double seconds = run_setting(scene, setting, choice, folder / directory);
+        points.push_back(
+            {name, setting.name, 0, history_error(folder / directory, folder / "reference"), seconds});
+    }
+    return points;
+}
+
+/// A problem of `verify` with all settings.
+std::vector<WorkPoint> measure_problem(const std::string& problem, const BenchChoice& choice,
+                                       Journal& journal)
+{
+    std::vector<WorkPoint> points;
+    for (const Setting& setting : settings()) {
+        journal.say(fmt::format("\n{}, {}", problem, setting.name));
+        const std::string refusal = measure(problem, setting, choice, journal, points);
+        if (!refusal.empty()) journal.say("  left out: " + refusal);
+    }
+    return points;
+}
+
+bool is_a_run(const std::string& word)
+{
+    return std::filesystem::exists(word) && !read_scene_file(find_scene_file(word), {}).scene.verification;
+}
+
+LinePlot work_plot(const std::string& problem, const std::vector<WorkPoint>& points)
+{
+    LinePlot plot;
+    plot.title = problem + ": error against run time";
+    plot.note = "each curve goes through the grids; lower left is better";
+    plot.arrangement = PlotArrangement::side_by_side;
+    PlotPanel panel;
+    panel.x_label = "run time on one thread [s]";
+    panel.y_label = "largest relative error";
+    panel.key_beside = true;
+    panel.scale = PlotScale::logarithmic;
+    std::vector<std::string> names;
+    for (const WorkPoint& point : points) {
+        if (names.empty() || names.back() != point.setting) names.push_back(point.setting);
+    }
+    for (std::size_t k = 0; k < names.size(); ++k) {
+        PlotCurve curve;
+        curve.name = names[k];
+        curve.colour = curve_colour(k, names.size());
+        curve.style = CurveStyle::line_with_points;
+        for (const WorkPoint& point : points) {
+            if (point.setting != names[k] || !(point.error > 0.0)) continue;
+            curve.x.push_back(point.seconds);
+            curve.y.push_back(point.error);
+        }
+        if (!curve.x.empty()) panel.curves.push_back(std::move(curve));
+    }
+    plot.panels = {std::move(panel)};
+    return plot;
+}
+
+/// The cheapest run whose error is at most `wanted`.
+std::string recommendation(const std::vector<WorkPoint>& points, double wanted)
+{
+    const WorkPoint* best = nullptr;
+    for (const WorkPoint& point : points) {
+        if (point.error <= wanted && (best == nullptr || point.seconds < best->seconds)) best = &point;
+    }
+    const std::string aim = fmt::format("  for {:.3g} % error: ", 100.0 * wanted);
+    if (best == nullptr) return aim + "none of the runs";
+    const std::string grid = best->cells > 0 ? fmt::format(", {} cells", best->cells) : "";
+    return aim + fmt::format("{}{}: {:.2g} % in {}", best->setting, grid, 100.0 * best->error,
+                             duration_text(best->seconds));
+}
+
+std::string csv_of(const std::vector<WorkPoint>& points)
+{
+    std::string text = "# " + machine_text() + "\nproblem,setting,cells,largest_error,seconds\n";
+    for (const WorkPoint& point : points)
+        text += fmt::format("{},\"{}\",{},{:.6g},{:.6g}\n", point.problem, point.setting, point.cells,
+                            point.error, point.seconds);
+    return text;
+}
+
+} // namespace
+
+ExitCode measure_errors(const BenchChoice& choice)
+{
+    Journal journal;
+    std::filesystem::create_directories(choice.directory);
+    journal.keep(choice.directory / "error.txt", false);
+    journal.say(machine_text());
+    std::vector<std::string> problems = choice.words;
+    if (problems.empty())
+        problems = {"terzaghi", "periodic_column_2", "transient_column", "vortex", "cantilever"};
+    std::vector<WorkPoint> all;
+    std::string advice;
+    for (const std::string& problem : problems) {
+        const std::vector<WorkPoint> points =
+            is_a_run(problem) ? measure_scene(problem, choice) : measure_problem(problem, choice, journal);
+        if (points.empty()) continue;
+        draw_line_plot(work_plot(points.front().problem, points),
+                       choice.directory / ("error_" + points.front().problem + ".png"));
+        advice += '\n' + points.front().problem;
+        for (const double wanted : {0.05, 0.01, 0.001}) advice += '\n' + recommendation(points, wanted);
+        all.insert(all.end(), points.begin(), points.end());
+        write_atomically(choice.directory / "error.csv", csv_of(all)); // what is done is not lost
+    }
+    journal.say("\nThe cheapest settings" + advice);
+    journal.say("\nTable and figures: " + choice.directory.string());
+    return ExitCode::good;
+}
+
+} // namespace quicksand

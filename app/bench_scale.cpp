@@ -1,0 +1,107 @@
+#include "app/commands.hpp"
+#include "app/example_folder.hpp"
+#include "app/journal.hpp"
+#include "app/machine.hpp"
+#include "app/number_format.hpp"
+#include "app/scene_setup.hpp"
+#include "app/step_cost.hpp"
+#include "io/atomic_file.hpp"
+#include "solver/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+/// One body on a number of threads.
+struct ScalePoint {
+    std::size_t particles = 0;
+    int threads = 0;
+    double seconds = 0.0; // of a step
+    double bytes = 0.0;   // of the process, by the body
+    double cell_size = 0.0;
+};
+
+/// Cells of this size over the section that the scene's own grid covers.
+std::vector<std::string> grid_of(const BackgroundGrid& grid, double cell_size)
+{
+    const auto cells = [&](int count) { return std::ceil(count * grid.cell_size / cell_size - 1e-9); };
+    return {fmt::format("grid.cell_size={}", cell_size),
+            fmt::format("grid.cells=[{},{}]", cells(grid.cells_x), cells(grid.cells_y))};
+}
+
+SceneSetup set_up(const BenchChoice& choice, const std::vector<std::string>& more, Journal& journal)
+{
+    SceneChoice scene;
+    scene.scene = choice.words.empty() ? example_folder("dike") : std::filesystem::path(choice.words.front());
+    scene.overrides = choice.overrides;
+    scene.overrides.insert(scene.overrides.end(), more.begin(), more.end());
+    return set_up_scene(scene, journal);
+}
+
+/// 1, 2, 4, ... up to all.
+std::vector<int> thread_counts(int most)
+{
+    std::vector<int> counts;
+    for (int count = 1; count < most; count *= 2) counts.push_back(count);
+    counts.push_back(most);
+    return counts;
+}
+
+std::string row_of(const ScalePoint& point)
+{
+    const auto particles = static_cast<double>(point.particles);
+    return fmt::format("{:>12}{:>9}{:>12.3f}{:>12.1f}{:>20}{:>18.0f}",
+                       grouped(static_cast<long long>(point.particles)), point.threads, 1e3 * point.seconds,
+                       1e9 * point.seconds / particles, short_number(particles / point.seconds, 3),
+                       point.bytes / particles);
+}
+
+std::string csv_of(const std::vector<ScalePoint>& points)
+{
+    std::string text = "# " + machine_text() + "\nparticles,threads,cell_size_m,step_s,bytes\n";
+    for (const ScalePoint& point : points)
+        text += fmt::format("{},{},{},{:.6g},{:.0f}\n", point.particles, point.threads, point.cell_size,
+                            point.seconds, point.bytes);
+    return text;
+}
+
+} // namespace
+
+ExitCode measure_scale(const BenchChoice& choice)
+{
+    Journal journal;
+    std::filesystem::create_directories(choice.directory);
+    const int most = choice.threads > 0 ? choice.threads : thread_count();
+    const SceneSetup drawn = set_up(choice, {}, journal);
+    const BackgroundGrid grid = drawn.assembled.problem.grid;
+    const auto own = static_cast<double>(drawn.assembled.state.particles.size());
+    journal.say(machine_text());
+    journal.say(fmt::format("{:>12}{:>9}{:>12}{:>12}{:>20}{:>18}", "particles", "threads", "ms/step",
+                            "ns each", "particle-steps/s", "bytes/particle"));
+    std::vector<ScalePoint> points;
+    for (const double wanted : {1e3, 1e4, 1e5, 3e5, 1e6, 3e6}) {
+        if (wanted > choice.largest) break;
+        const double cell_size = grid.cell_size * std::sqrt(own / wanted);
+        const double before = resident_bytes();
+        SceneSetup setup = set_up(choice, grid_of(grid, cell_size), journal);
+        State& state = setup.assembled.state;
+        begin_shaking(setup.assembled.problem, state);
+        for (const int threads : thread_counts(most)) {
+            ScalePoint point{state.particles.size(), threads, 0.0, 0.0, cell_size};
+            point.seconds = measure_step(setup.assembled.problem, state, threads).total;
+            point.bytes = std::max(0.0, resident_bytes() - before);
+            points.push_back(point);
+            journal.say(row_of(point));
+        }
+    }
+    write_atomically(choice.directory / "scale.csv", csv_of(points));
+    journal.say("The table is in " + (choice.directory / "scale.csv").string());
+    return ExitCode::good;
+}
+
+} // namespace quicksand

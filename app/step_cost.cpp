@@ -1,0 +1,48 @@
+#include "app/step_cost.hpp"
+
+#include "solver/simulation.hpp"
+#include "solver/stepper.hpp"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+namespace quicksand {
+
+namespace {
+
+StepCost measure_run(const Problem& problem, double dt, int steps, State& state, Stepper& stepper)
+{
+    stepper.timers() = {};
+    const auto start = std::chrono::steady_clock::now();
+    for (int step = 0; step < steps; ++step) stepper.advance(problem, dt, state);
+    StepCost cost;
+    cost.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
+    cost.phases = stepper.timers();
+    for (double& seconds : cost.phases.seconds) seconds /= steps;
+    return cost;
+}
+
+} // namespace
+
+int steps_of_a_run(std::size_t particles)
+{
+    constexpr double particle_steps = 2e6;
+    return static_cast<int>(std::clamp(particle_steps / static_cast<double>(particles), 3.0, 500.0));
+}
+
+StepCost measure_step(const Problem& problem, State state, int threads)
+{
+    set_thread_count(threads);
+    const std::unique_ptr<Stepper> stepper = make_stepper(problem);
+    const double dt = stable_time_step(problem, state.particles).dt;
+    const int steps = steps_of_a_run(state.particles.size());
+    measure_run(problem, dt, std::max(2, steps / 5), state, *stepper);
+    std::array<StepCost, measured_runs> costs;
+    for (StepCost& cost : costs) cost = measure_run(problem, dt, steps, state, *stepper);
+    std::nth_element(costs.begin(), costs.begin() + measured_runs / 2, costs.end(),
+                     [](const StepCost& a, const StepCost& b) { return a.total < b.total; });
+    return costs[measured_runs / 2];
+}
+
+} // namespace quicksand
