@@ -4,6 +4,7 @@
 #include "solver/simulation.hpp"
 #include "solver/verification/column_mode.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,12 +12,13 @@ namespace quicksand {
 
 namespace {
 
-/// Complex frequency of the mode in a run over a period, or over its time of decay.
+/// Complex frequency of the mode in a run over a period, or over its time of decay where that is shorter: of
+/// what has died away nothing can be measured.
 Complex measure(const Problem& problem, const ColumnMode& mode, State state)
 {
-    const bool travels = std::abs(mode.s.imag()) > 1e-9 * std::abs(mode.s);
+    constexpr double decay_times = 3.0; // to a twentieth
     const double duration =
-        travels ? 2.0 * std::numbers::pi / std::abs(mode.s.imag()) : 1.0 / std::abs(mode.s);
+        std::min(2.0 * std::numbers::pi / std::abs(mode.s.imag()), decay_times / std::abs(mode.s.real()));
     start_mode(mode, state.particles);
     const Complex before = measure_mode(mode, state.particles);
     run(problem, state.time + duration, {}, state);

@@ -49,7 +49,11 @@ std::vector<StudyError> permeability_study(const Problem& problem, State state)
         throw InputError("the verification needs a column with a free and drained top");
     }
     layer.soil.hydraulic_conductivity = conductivities.front().first;
-    const double H = layer.height(), duration = 0.1 * H * H / layer.soil.consolidation_coefficient();
+    // long enough for waves of the start's errors to average out as well
+    constexpr double wave_periods = 4.0;
+    const double H = layer.height(), wave_speed = undragged_speeds(layer.soil).fast;
+    const double duration =
+        std::max(0.1 * H * H / layer.soil.consolidation_coefficient(), wave_periods * 4.0 * H / wave_speed);
     std::vector<StudyError> errors;
     double largest = 0.0;
     for (const auto& [conductivity, text] : conductivities) {
