@@ -84,22 +84,16 @@ void check_tied_boundary(const SceneValues& values, const NamedTable& boundary,
     }
 }
 
-/// The semi-implicit scheme is that of two phases, with water that bears tension.
+/// The semi-implicit scheme is that of two phases.
 void check_scheme(const SceneValues& values, Diagnostics& findings)
 {
     if (values.text("analysis.scheme") != "semi_implicit") return;
     const std::string flow = values.text("water.flow");
-    const auto refuse = [&](const std::string& what, const std::string& expected) {
-        findings.add(error_at(values.place("analysis.scheme"), "combination", what, expected));
-    };
-    if (flow == "undrained" || flow == "drained") {
-        refuse("scheme = \"semi_implicit\" has no pressure to solve for with water.flow = \"" + flow + "\"",
-               "scheme = \"explicit\", or water.flow = \"coupled\"");
-    }
-    if (values.find<double>("water.cavitation_pressure")) {
-        refuse("scheme = \"semi_implicit\" cannot hold a cavitation_pressure within a step",
-               "scheme = \"explicit\", or no water.cavitation_pressure");
-    }
+    if (flow != "undrained" && flow != "drained") return;
+    findings.add(error_at(
+        values.place("analysis.scheme"), "combination",
+        "scheme = \"semi_implicit\" has no pressure to solve for with water.flow = \"" + flow + "\"",
+        "scheme = \"explicit\", or water.flow = \"coupled\""));
 }
 
 /// Laws of the porosity have nothing to follow where the porosity stays.

@@ -53,6 +53,15 @@ void check_parameters(const SceneValues& values, const SceneVerification& verifi
     }
 }
 
+void check_flow(const SceneValues& values, Diagnostics& findings)
+{
+    const std::string flow = values.text("water.flow");
+    if (flow.empty() || flow == "coupled") return;
+    findings.add(error_at(values.place("water.flow"), "verification",
+                          "the problems of verify have coupled flow in their solutions, not " + flow,
+                          "water.flow = \"coupled\""));
+}
+
 } // namespace
 
 std::optional<SceneVerification> read_verification(const SceneValues& values, Diagnostics& findings)
@@ -74,6 +83,7 @@ std::optional<SceneVerification> read_verification(const SceneValues& values, Di
     verification.place = values.tables.at("verification");
     verification.limits_place = values.place("verification.limits");
     verification.orders_place = values.place("verification.orders");
+    check_flow(values, findings);
     check_cells(values, verification, findings);
     check_limits(values, verification, findings);
     check_parameters(values, verification, findings);

@@ -187,15 +187,6 @@ scene.toml:28:1: warning[unused]: materials.sand.hydraulic_conductivity has no e
 hint: remove it, or set water.flow = "coupled"
 to accept it: accept = ["materials.sand.hydraulic_conductivity"] at the top of the scene
 )_"},
-SceneMistake{"ImplicitPressureWithCavities",
-    "level = 0.3175",
-    "level = 0.3175\ncavitation_pressure = \"2.3 kPa\"\n[analysis]\nscheme = \"semi_implicit\"",
-R"_(
-scene.toml:20:10: error[combination]: scheme = "semi_implicit" cannot hold a cavitation_pressure within a step
-   20 | scheme = "semi_implicit"
-      |          ^~~~~~~~~~~~~~~
-expected: scheme = "explicit", or no water.cavitation_pressure
-)_"},
 SceneMistake{"CavitationAboveTheAtmosphere",
     "level = 0.3175",
     "level = 0.3175\ncavitation_pressure = \"120 kPa\"",

@@ -43,6 +43,18 @@ TEST(SceneVerification, AnUnknownProblemIsGuessed)
     EXPECT_NE(message.find("did you mean \"biot_waves\"?"), std::string::npos) << message;
 }
 
+TEST(SceneVerification, WaterFlowsByItself)
+{
+    const fixtures::SceneFolder folder;
+    const std::string message =
+        folder.message(fixtures::replaced(sound, "level = 0.3175", "level = 0.3175\nflow = \"drained\""));
+    EXPECT_NE(
+        message.find("error[verification]: the problems of verify have coupled flow in their solutions, "
+                     "not drained"),
+        std::string::npos)
+        << message;
+}
+
 TEST(SceneVerification, CellsAreAListOfCountsThatIncrease)
 {
     expect_message("cells = 10\n", "error[type]: verification.cells is a number");

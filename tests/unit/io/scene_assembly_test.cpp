@@ -114,6 +114,15 @@ TEST(Assembly, CarriesOnlyTheWaterThatTheFlowNeeds)
     EXPECT_EQ(carried_flow(drained.state.particles), WaterFlow::drained);
     EXPECT_EQ(undrained.state.particles.stress.yy, assemble_column().state.particles.stress.yy);
     EXPECT_EQ(drained.state.particles.porosity[5], 0.405);
+    EXPECT_TRUE(drained.state.particles.pore_pressure.empty());
+
+    // drained, but its line rises above the level: pressures that stay
+    const std::string line =
+        replaced(column_scene, "level = 0.3175",
+                 "level = 0.1\nflow = \"drained\"\nphreatic_line = [[0, 0.25], [0.05, 0.15], [0.06, 0.15]]");
+    const AssembledCase risen = assemble_case(SceneFolder().read(line), column_section());
+    EXPECT_EQ(carried_flow(risen.state.particles), WaterFlow::drained);
+    EXPECT_EQ(risen.state.particles.pore_pressure.size(), risen.state.particles.size());
 
     const AssembledCase bubbly = with("saturation = 0.99\nair_pressure = \"300 kPa\"");
     const double with_air = 1.0 / (0.99 / 2.2e9 + 0.01 / 300e3);
