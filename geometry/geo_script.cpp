@@ -177,7 +177,7 @@ std::string name_at(const std::string& code, std::size_t at)
     return code.substr(begin, end - begin);
 }
 
-/// Names at the outermost commas of DefineConstant[ a = 1, b = {2, Min 0} ].
+/// Names in front of the values of DefineConstant[ a = 1, b = {2, Min 0} c = {3} ].
 std::vector<std::string> names_in_list(const std::string& code, std::size_t open)
 {
     std::vector<std::string> names;
@@ -185,11 +185,13 @@ std::vector<std::string> names_in_list(const std::string& code, std::size_t open
     std::size_t at = open + 1;
     while (at < close) {
         names.push_back(name_at(code, at));
-        while (at < close && code[at] != ',') {
-            const bool opens = code[at] == '{' || code[at] == '(' || code[at] == '[';
+        while (at < close && code[at] != ',' && code[at] != '{') {
+            const bool opens = code[at] == '(' || code[at] == '[';
             at = opens ? skip_brackets(code, at) : at + 1;
         }
-        ++at;
+        // gmsh does without a comma after a value in braces
+        if (at < close && code[at] == '{') at = skip_blanks(code, skip_brackets(code, at));
+        if (at < close && code[at] == ',') ++at;
     }
     return names;
 }

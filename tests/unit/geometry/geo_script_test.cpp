@@ -22,6 +22,15 @@ TEST(GeoScript, ListsDeclaredParametersOfIncludedFilesToo)
     EXPECT_EQ(declared_parameters(file), (std::vector<std::string>{"depth", "height", "width"}));
 }
 
+TEST(GeoScript, ListsDeclaredParametersWithoutCommasBetweenThem)
+{
+    const ScratchFolder folder;
+    const auto file =
+        folder.write("column.geo", "DefineConstant[\n  width = {1, Name \"a, m\"}\n  height = {2}\n"
+                                   "  depth = {1} + 2, slope = 3\n];\n");
+    EXPECT_EQ(declared_parameters(file), (std::vector<std::string>{"depth", "height", "slope", "width"}));
+}
+
 class Harmless : public testing::TestWithParam<const char*> {};
 
 TEST_P(Harmless, IsNotRefused)
