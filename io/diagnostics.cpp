@@ -135,6 +135,12 @@ Diagnostic warning_at(SourcePlace place, std::string key, std::string kind, std:
 void Diagnostics::add(const Diagnostics& others)
 {
     findings_.insert(findings_.end(), others.findings_.begin(), others.findings_.end());
+    texts_.insert(others.texts_.begin(), others.texts_.end());
+}
+
+void Diagnostics::keep_text(const std::filesystem::path& file, std::string_view text)
+{
+    texts_.emplace(file, text);
 }
 
 void Diagnostics::accept(const std::vector<std::string>& keys)
@@ -155,8 +161,13 @@ std::string Diagnostics::render(std::string_view source) const
 {
     std::vector<const Diagnostic*> order;
     for (const Diagnostic& finding : findings_) order.push_back(&finding);
-    std::stable_sort(order.begin(), order.end(), [](const Diagnostic* a, const Diagnostic* b) {
-        return std::tie(a->place.line, a->place.column) < std::tie(b->place.line, b->place.column);
+    const std::filesystem::path of_the_source;
+    const auto file_of = [&](const Diagnostic* finding) -> const std::filesystem::path& {
+        return texts_.contains(finding->place.file) ? finding->place.file : of_the_source;
+    };
+    std::stable_sort(order.begin(), order.end(), [&](const Diagnostic* a, const Diagnostic* b) {
+        return std::tie(file_of(a), a->place.line, a->place.column) <
+               std::tie(file_of(b), b->place.line, b->place.column);
     });
 
     std::ostringstream text;
@@ -166,7 +177,8 @@ std::string Diagnostics::render(std::string_view source) const
         const bool is_error = finding->severity == Severity::error;
         const int count = is_error ? ++errors : ++warnings[finding->kind];
         if (count <= (is_error ? most_errors : most_warnings_of_a_kind))
-            render_finding(*finding, source, file_, text);
+            render_finding(*finding, file_of(finding).empty() ? source : texts_.at(finding->place.file),
+                           file_, text);
     }
     if (errors > most_errors) text << count_of(errors - most_errors, "error") << '\n';
     for (const auto& [kind, count] : warnings) {

@@ -4,6 +4,7 @@
 
 #include "io/scene.hpp"
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,8 @@ public:
 
     void add(Diagnostic diagnostic) { findings_.push_back(std::move(diagnostic)); }
     void add(const Diagnostics& others);
+    /// Quote findings in this file from its own text, not from that of `render`. They are shown last.
+    void keep_text(const std::filesystem::path& file, std::string_view text);
     /// Remove the warnings about these keys.
     void accept(const std::vector<std::string>& keys);
     bool has_errors() const;
@@ -54,6 +57,7 @@ public:
 private:
     std::string file_;
     std::vector<Diagnostic> findings_;
+    std::map<std::filesystem::path, std::string> texts_; // of files that a scene names
 };
 
 /// The name nearest to `name` within edit distance 3 (and a third of its length), "" when there is none.

@@ -204,22 +204,6 @@ void replace_places(const SourcePlace& place, DocumentNode& node)
     for (DocumentNode& child : node.children) replace_places(place, child);
 }
 
-/// Put the one leaf of `override` where it belongs below `target`.
-void merge(DocumentNode&& override, DocumentNode& target)
-{
-    for (DocumentNode& child : override.children) {
-        const auto found = std::find_if(target.children.begin(), target.children.end(),
-                                        [&](const DocumentNode& node) { return node.name == child.name; });
-        if (found == target.children.end()) {
-            target.children.push_back(std::move(child));
-        } else if (found->kind == Kind::table && child.kind == Kind::table) {
-            merge(std::move(child), *found);
-        } else {
-            *found = std::move(child);
-        }
-    }
-}
-
 /// Parse `path=value`; a value that is no TOML is taken as a bare word.
 std::optional<DocumentNode> parse_override(const std::string& text, Diagnostics& findings)
 {
@@ -260,13 +244,28 @@ const DocumentNode* DocumentNode::find(std::string_view child) const
     return nullptr;
 }
 
+void replace_keys(DocumentNode&& document, DocumentNode& target)
+{
+    for (DocumentNode& child : document.children) {
+        const auto found = std::find_if(target.children.begin(), target.children.end(),
+                                        [&](const DocumentNode& node) { return node.name == child.name; });
+        if (found == target.children.end()) {
+            target.children.push_back(std::move(child));
+        } else if (found->kind == Kind::table && child.kind == Kind::table) {
+            replace_keys(std::move(child), *found);
+        } else {
+            *found = std::move(child);
+        }
+    }
+}
+
 std::optional<DocumentNode> read_document(const std::filesystem::path& file, std::string_view text,
                                           const std::vector<std::string>& overrides, Diagnostics& findings)
 {
     auto document = parse(file, text, findings);
     for (const std::string& override : overrides) {
         auto node = parse_override(override, findings);
-        if (node && document) merge(std::move(*node), *document);
+        if (node && document) replace_keys(std::move(*node), *document);
     }
     return document;
 }

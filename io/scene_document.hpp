@@ -30,4 +30,7 @@ struct DocumentNode {
 std::optional<DocumentNode> read_document(const std::filesystem::path& file, std::string_view text,
                                           const std::vector<std::string>& overrides, Diagnostics& findings);
 
+/// Put every value of `document` in place of that of the same path in `target`, or add it.
+void replace_keys(DocumentNode&& document, DocumentNode& target);
+
 } // namespace quicksand

@@ -1,5 +1,6 @@
 #include "io/scene_file.hpp"
 
+#include "io/scene_base.hpp"
 #include "io/scene_boundaries.hpp"
 #include "io/scene_check.hpp"
 #include "io/scene_laws.hpp"
@@ -220,8 +221,14 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     if (!text) throw_errors(findings, "");
     check_characters(file, *text, findings);
     if (findings.has_errors()) throw_errors(findings, *text);
-    const auto document = read_document(file, *text, overrides, findings);
+    auto document = read_document(file, *text, overrides, findings);
     if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
+    const bool stands_alone = document->find("base") == nullptr;
+    if (!stands_alone) {
+        findings.keep_text(file, *text);
+        document = merge_with_base(file, std::move(*document), findings);
+        if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
+    }
 
     SceneValues values = check_document(scene_key_table(), *document, findings);
     check_references(values, findings);
@@ -229,7 +236,7 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     SceneReading reading;
     Scene& scene = reading.scene;
     scene.file = file;
-    scene.text = *text;
+    scene.text = stands_alone ? *text : document_text(*document);
     scene.title = values.text("title");
     scene.accepted = values.find<std::vector<std::string>>("accept").value_or(std::vector<std::string>());
     fill_geometry(values, file.parent_path(), scene);

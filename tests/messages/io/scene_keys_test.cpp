@@ -55,7 +55,7 @@ R"_(
 scene.toml:2:1: error[unknown-key]: unknown key 'titel'
     2 | titel = "column"
       | ^~~~~
-expected: one of scene_version, title, accept
+expected: one of scene_version, title, base, accept
 hint: did you mean title?
 )_"},
 SceneMistake{"ValueInsteadOfTable",
