@@ -57,6 +57,7 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.say(describe_boundaries(assembled));
     if (const std::string sands = describe_sands(assembled); !sands.empty()) journal.say(sands);
     journal.say(describe_initial_state(assembled));
+    if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
     journal.say(describe_time_step(assembled));
     const Forecast forecast = forecast_run(assembled, folder.directory / "trial");
     journal.say(describe_cost(forecast));

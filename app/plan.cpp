@@ -4,12 +4,16 @@
 #include "io/output_observers.hpp"
 #include "solver/element_test_cyclic.hpp"
 #include "solver/monitors.hpp"
+#include "solver/motion_measures.hpp"
 #include "solver/simulation.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
+#include <variant>
 
 namespace quicksand {
 
@@ -27,6 +31,36 @@ std::string describe_waves(const Material& material, const WaveSpeeds& waves, co
     return text + fmt::format("skeleton P {:.0f}, shear {:.0f} m/s; waves up to {:.0f} Hz are resolved\n",
                               waves.skeleton, waves.shear,
                               waves.shear / (cells_per_wavelength * problem.grid.cell_size));
+}
+
+constexpr double small_residual = 0.02; // velocity at a record's end over its peak that passes for zero [-]
+
+std::string describe_record(const SampledMotion& record)
+{
+    const MotionMeasures measures = measure(record);
+    std::string text =
+        fmt::format("  PGA {} g at {} s, PGV {} m/s, PGD {} m; Arias intensity {} m/s\n"
+                    "  {} s in steps of {} s, frequencies up to {} Hz; significant duration D5-95 {} s\n",
+                    short_number(measures.peak_acceleration / standard_gravity),
+                    short_number(measures.peak_time), short_number(measures.peak_velocity),
+                    short_number(measures.peak_displacement), short_number(measures.arias_intensity),
+                    short_number(duration(record), 4), short_number(record.interval),
+                    short_number(0.5 / record.interval), short_number(measures.significant_duration));
+    text += fmt::format("  at its end the velocity is {} m/s, the displacement {} m\n",
+                        short_number(measures.residual_velocity, 2),
+                        short_number(measures.residual_displacement, 2));
+    if (std::abs(measures.residual_velocity) > small_residual * measures.peak_velocity)
+        text += "  That velocity should be zero: the record's baseline is off; see motion.baseline\n";
+    return text;
+}
+
+std::string describe_sine(const SineMotion& sine)
+{
+    return fmt::format("  PGA {} g, PGV {} m/s at {} Hz{}\n", short_number(sine.amplitude / standard_gravity),
+                       short_number(sine.amplitude / (2.0 * std::numbers::pi * sine.frequency)),
+                       short_number(sine.frequency, 4),
+                       std::isfinite(sine.cycles) ? fmt::format(", {} cycles", short_number(sine.cycles, 4))
+                                                  : "");
 }
 
 std::string describe_sand(const SceneMaterial& material, double k0)
@@ -55,6 +89,15 @@ std::string describe_sands(const AssembledCase& assembled)
         if (material.ubcsand) text += describe_sand(material, assembled.scene.k0);
     }
     return text.empty() ? text : "Sand that liquefies (its parameters are listed above)\n" + text;
+}
+
+std::string describe_motion(const AssembledCase& assembled)
+{
+    const BaseMotion& motion = assembled.scene.base_motion;
+    if (const auto* record = std::get_if<SampledMotion>(&motion))
+        return "Shaking\n" + describe_record(*record);
+    if (const auto* sine = std::get_if<SineMotion>(&motion)) return "Shaking\n" + describe_sine(*sine);
+    return "";
 }
 
 std::string describe_scene_keys(const SceneSetup& setup)

@@ -23,6 +23,9 @@ std::string describe_sands(const AssembledCase& assembled);
 /// What the initial state leaves out of balance, and what becomes of it.
 std::string describe_initial_state(const AssembledCase& assembled);
 
+/// Peaks, intensity, duration and baseline of the shaking; nothing without any.
+std::string describe_motion(const AssembledCase& assembled);
+
 /// Wave speeds, the time step and what limits it.
 std::string describe_time_step(const AssembledCase& assembled);
 

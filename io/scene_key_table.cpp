@@ -1,4 +1,5 @@
 #include "io/boundary_keys.hpp"
+#include "io/motion_keys.hpp"
 #include "io/scene_schema.hpp"
 #include "io/ubcsand_keys.hpp"
 #include "solver/verification/study.hpp"
@@ -26,8 +27,6 @@ const Condition mohr_coulomb_only{"model", {"mohr_coulomb"}};
 const Condition ubcsand_only{"model", {"ubcsand"}};
 const Condition frictional_models{"model", {"mohr_coulomb", "ubcsand"}};
 const Condition manufactured_only{"problem", {"axis_aligned", "largest_vortex", "vortex"}};
-const Condition sine_only{"kind", {"sine"}};
-const Condition file_only{"kind", {"file"}};
 const std::vector<std::string_view> coupled_only{"coupled"}, with_pressure{"coupled", "undrained"};
 const Condition water_with_pressure{"flow", with_pressure};
 const Condition profile_only{"kind", {"profile"}};
@@ -240,32 +239,6 @@ std::vector<SceneKey> initial_keys()
     };
 }
 
-std::vector<SceneKey> motion_keys()
-{
-    return {
-        {.pattern = "motion", .type = table,
-         .doc = "Horizontal acceleration of the base; with a viscous base that of the rock's outcrop."},
-        {.pattern = "motion.kind", .type = word, .default_value = "none", .words = {"none", "sine", "file"},
-         .doc = "No shaking, a sine wave, or a record."},
-        {.pattern = "motion.amplitude", .dimension = Dimension::acceleration, .required = true,
-         .allowed = positive,
-         .plausible = {0.01, 1000.0}, .when = sine_only, .doc = "Peak acceleration of the sine wave."},
-        {.pattern = "motion.frequency", .dimension = Dimension::frequency, .required = true,
-         .allowed = positive,
-         .plausible = {0.05, 500.0}, .when = sine_only, .doc = "Frequency of the sine wave."},
-        {.pattern = "motion.cycles", .default_note = "without end", .allowed = positive, .when = sine_only,
-         .doc = "Number of cycles."},
-        {.pattern = "motion.ramp_cycles", .default_value = 0.0, .allowed = not_negative, .when = sine_only,
-         .doc = "Cycles over which the amplitude rises from zero."},
-        {.pattern = "motion.file", .type = path, .required = true, .when = file_only,
-         .doc = "Two columns, time in s and acceleration, at equal intervals; a header line may be there."},
-        {.pattern = "motion.unit", .type = word, .required = true, .words = {"m/s2", "g"}, .when = file_only,
-         .doc = "Unit of the record's accelerations."},
-        {.pattern = "motion.scale", .default_value = 1.0, .plausible = {-10.0, 10.0}, .when = file_only,
-         .doc = "Factor on the record's accelerations."},
-    };
-}
-
 std::vector<SceneKey> run_keys()
 {
     return {
@@ -351,7 +324,8 @@ std::vector<SceneKey> all_keys()
     };
     for (const auto& part :
          {geometry_keys(), analysis_keys(), ground_keys(), material_keys(), sand_keys(), region_keys(),
-          boundary_keys(), initial_keys(), motion_keys(), run_keys(), verification_keys()}) {
+          boundary_keys(), initial_keys(), motion_keys(), run_keys(),
+          verification_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
     return keys;

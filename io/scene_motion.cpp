@@ -1,11 +1,15 @@
 #include "io/scene_motion.hpp"
 
+#include "io/peer_record.hpp"
 #include "io/scene_text.hpp"
 #include "io/time_table.hpp"
+#include "solver/motion_measures.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
 
 namespace quicksand {
 
@@ -61,28 +65,77 @@ BaseMotion read_sine(const SceneValues& values, Diagnostics& findings)
     return sine;
 }
 
-} // namespace
-
-std::optional<SampledMotion> read_motion_record(const std::filesystem::path& file, double factor,
-                                                const SourcePlace& place, Diagnostics& findings)
+/// The factor on the values of two columns; none, and a finding, where the scene does not state it.
+std::optional<double> stated_unit(const SceneValues& values, const std::filesystem::path& file,
+                                  Diagnostics& findings)
 {
-    const auto text = read_text_file(file, place, findings);
-    if (!text) return std::nullopt;
+    const std::string unit = values.text("motion.unit");
+    if (!unit.empty()) return unit == "g" ? standard_gravity : 1.0;
+    if (!values.written.contains("motion.unit")) {
+        findings.add(error_at(values.place("motion.file"), "missing-key",
+                              "'" + file.string() + "' does not state the unit of its accelerations",
+                              "motion.unit = \"g\" or \"m/s2\""));
+    }
+    return std::nullopt;
+}
+
+/// Two columns: time [s], and acceleration in `unit` [m/s2].
+std::optional<SampledMotion> parse_columns(const std::filesystem::path& file, const std::string& text,
+                                           double unit, const SourcePlace& place, Diagnostics& findings)
+{
     TimeTable table;
-    std::string what = parse_time_table(*text, table);
+    std::string what = parse_time_table(text, table);
     if (what.empty()) what = check_spacing(table);
     if (!what.empty()) {
         findings.add(
             error_at(place, "motion", "'" + file.string() + "': " + what,
-                     "rows `time_s, acceleration` at equal intervals from time 0, at most one header line"));
+                     "a record in PEER's AT2 form, or rows `time_s, acceleration` at equal intervals "
+                     "from time 0 with at most one header line"));
         return std::nullopt;
     }
     SampledMotion motion;
     motion.interval =
         (table.rows.back().time - table.rows.front().time) / static_cast<double>(table.rows.size() - 1);
-    for (const TimeRow& row : table.rows) motion.accelerations.push_back(factor * row.value);
+    for (const TimeRow& row : table.rows) motion.accelerations.push_back(unit * row.value);
     return motion;
 }
+
+/// A record in PEER's form; a unit that the scene states must be the record's own.
+std::optional<SampledMotion> parse_stated(const SceneValues& values, const std::filesystem::path& file,
+                                          const std::string& text, Diagnostics& findings)
+{
+    auto record = parse_peer_record(file, text, findings);
+    if (!record) return std::nullopt;
+    const std::string unit = values.text("motion.unit");
+    if (!unit.empty() && (unit == "g" ? standard_gravity : 1.0) != record->unit) {
+        findings.add(error_at(values.place("motion.unit"), "motion",
+                              "the header of '" + file.string() + "' says " + record->unit_name, "",
+                              "leave motion.unit out"));
+        return std::nullopt;
+    }
+    return SampledMotion{record->interval, std::move(record->accelerations)};
+}
+
+std::optional<SampledMotion> read_record(const SceneValues& values, const std::filesystem::path& file,
+                                         Diagnostics& findings)
+{
+    const SourcePlace place = values.place("motion.file");
+    const auto text = read_text_file(file, place, findings);
+    if (!text) return std::nullopt;
+    std::optional<SampledMotion> motion;
+    if (is_peer_record(file, *text)) {
+        motion = parse_stated(values, file, *text, findings);
+    } else if (const auto unit = stated_unit(values, file, findings)) {
+        motion = parse_columns(file, *text, *unit, place, findings);
+    }
+    if (!motion) return std::nullopt;
+    const double scale = values.find<double>("motion.scale").value_or(1.0);
+    for (double& acceleration : motion->accelerations) acceleration *= scale;
+    if (values.text("motion.baseline") == "linear") return without_linear_baseline(std::move(*motion));
+    return motion;
+}
+
+} // namespace
 
 BaseMotion read_motion(const SceneValues& values, const std::filesystem::path& folder, Diagnostics& findings)
 {
@@ -90,11 +143,8 @@ BaseMotion read_motion(const SceneValues& values, const std::filesystem::path& f
     BaseMotion motion;
     if (kind == "sine") motion = read_sine(values, findings);
     if (kind == "file" && values.has("motion.file")) {
-        const double unit = values.text("motion.unit") == "g" ? standard_gravity : 1.0;
-        const double factor = unit * values.find<double>("motion.scale").value_or(1.0);
-        const auto record = read_motion_record(folder / values.text("motion.file"), factor,
-                                               values.place("motion.file"), findings);
-        if (record) motion = *record;
+        auto record = read_record(values, folder / values.text("motion.file"), findings);
+        if (record) motion = std::move(*record);
     }
     check_shaking(values, motion, findings);
     return motion;
