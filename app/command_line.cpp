@@ -203,6 +203,20 @@ void add_picture(CLI::App& program, Commands& commands)
         ->type_name("F");
 }
 
+void add_figures(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<FiguresChoice>(
+        program, commands, "figures", "Draw the figures that a scene asks for from its finished run",
+        draw_scene_figures);
+    parser->add_option("SOURCE", choice->source, "Scene, its folder, or the results folder of a run")
+        ->required();
+    parser->add_option("--results", choice->results, "Results of the scene; results/<scene> when not given")
+        ->type_name("DIR");
+    parser
+        ->add_option("-o,--output", choice->output, "Folder of the PNG files; RESULTS/figures when not given")
+        ->type_name("DIR");
+}
+
 void add_bench(CLI::App& program, Commands& commands)
 {
     using Measure = ExitCode (*)(const BenchChoice&);
@@ -281,6 +295,7 @@ Commands add_commands(CLI::App& program)
     add_keys(program, commands);
     add_probe(program, commands);
     add_picture(program, commands);
+    add_figures(program, commands);
     add_demo(program, commands);
     add_verify(program, commands);
     add_bench(program, commands);

@@ -81,6 +81,12 @@ struct PictureChoice {
     double exaggeration = 1.0;    // of the displacements [-]
 };
 
+struct FiguresChoice {
+    std::filesystem::path source;  // results folder, or a scene whose results lie in the usual place
+    std::filesystem::path results; // of the scene, empty: results/<name of the scene>
+    std::filesystem::path output;  // folder, empty: RESULTS/figures
+};
+
 struct DemoChoice {
     std::filesystem::path directory = "results/demo";
     int threads = 0;
@@ -111,6 +117,7 @@ ExitCode run_element_tests(const ElementChoice& choice);
 ExitCode create_scene(const NewChoice& choice);
 ExitCode extract_probe(const ProbeChoice& choice);
 ExitCode draw_pictures(const PictureChoice& choice);
+ExitCode draw_scene_figures(const FiguresChoice& choice);
 ExitCode measure_kernel(const BenchChoice& choice);
 ExitCode measure_errors(const BenchChoice& choice);
 ExitCode measure_scale(const BenchChoice& choice);

@@ -196,7 +196,7 @@ std::vector<fs::path> draw_results(const fs::path& results, const PictureRequest
     require_sense(request);
     const fs::path folder = request.output.empty() ? results / "pictures" : request.output;
     const FramePair frames = read_frames(results, request);
-    const std::string title = scene_title(results);
+    const std::string title = request.title.empty() ? scene_title(results) : request.title;
     // A picture at a time asked for does not replace the one of the end.
     const std::string suffix = request.time ? fmt::format("_{:g}s.png", frames.present.time) : ".png";
 

@@ -19,6 +19,7 @@ struct PictureRequest {
     std::optional<double> time;     // the nearest frame is drawn [s]; none: the last one
     std::optional<PlotRange> range; // of the colours, in the field's SI unit; none: automatic
     double exaggeration = 1.0;      // of the displacements drawn [-]
+    std::string title;              // empty: that of the scene
     std::function<void(const std::string&)> notify; // told what differs from the request; may be empty
 };
 

@@ -3,6 +3,7 @@
 #include "io/scene_base.hpp"
 #include "io/scene_boundaries.hpp"
 #include "io/scene_check.hpp"
+#include "io/scene_figures.hpp"
 #include "io/scene_laws.hpp"
 #include "io/scene_motion.hpp"
 #include "io/scene_references.hpp"
@@ -246,6 +247,7 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     read_ubcsand_materials(values, scene, findings);
     scene.base_motion = read_motion(values, file.parent_path(), findings);
     scene.verification = read_verification(values, findings);
+    static_cast<void>(read_figures(values, findings)); // drawn from the results, so only checked here
     check_geometry_file(values, scene.geometry_file, findings);
 
     findings.accept(scene.accepted);

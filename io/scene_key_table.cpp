@@ -1,4 +1,5 @@
 #include "io/boundary_keys.hpp"
+#include "io/figure_keys.hpp"
 #include "io/motion_keys.hpp"
 #include "io/scene_schema.hpp"
 #include "io/ubcsand_keys.hpp"
@@ -324,7 +325,7 @@ std::vector<SceneKey> all_keys()
     };
     for (const auto& part :
          {geometry_keys(), analysis_keys(), ground_keys(), material_keys(), sand_keys(), region_keys(),
-          boundary_keys(), initial_keys(), motion_keys(), run_keys(),
+          boundary_keys(), initial_keys(), motion_keys(), run_keys(), figure_keys(),
           verification_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
