@@ -70,14 +70,27 @@ std::optional<double> find_blow_count(const NamedTable& material, const SceneVal
     return blow_count(values.number(material.path + ".relative_density"));
 }
 
-/// Put the number in the place of the note in the list of resolved keys; six digits are read.
-void show(const std::string& path, double value, SceneValues& values)
+/// Put the words in the place of the note in the list of resolved keys.
+void show_words(const std::string& path, const std::string& words, SceneValues& values)
 {
     const auto key = std::find_if(values.keys.begin(), values.keys.end(),
                                   [&](const ResolvedKey& resolved) { return resolved.path == path; });
-    if (key == values.keys.end()) return;
+    if (key != values.keys.end()) key->value = words;
+}
+
+/// The same for a number, of which six digits are read.
+void show(const std::string& path, double value, SceneValues& values)
+{
     const double scale = value == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
-    key->value = number_text(std::round(value * scale) / scale);
+    show_words(path, number_text(std::round(value * scale) / scale), values);
+}
+
+/// The density in all three ways; they say the same.
+void show_density(const std::string& material, double n1_60, SceneValues& values)
+{
+    show(material + ".n1_60", n1_60, values);
+    show(material + ".relative_density", std::sqrt(n1_60 / blow_count(1.0)), values);
+    if (!values.given(material + ".preset")) show_words(material + ".preset", "none", values);
 }
 
 } // namespace
@@ -163,6 +176,7 @@ UbcSandParameters resolve_ubcsand(const NamedTable& material, SceneValues& value
         const std::string path = material.path + "." + key;
         return values.given(path) ? values.find<double>(path) : std::nullopt;
     };
+    show_density(material.path, *n1_60, values);
     UbcSandParameters set =
         ubcsand_from_blow_count(*n1_60, given("elastic_shear_number"), given("constant_volume_friction_deg"));
     for (const auto& [key, parameter] : parameters) { // those of the generic set have no value of their own

@@ -99,6 +99,18 @@ TEST(UbcSandKeys, TheListOfKeysShowsTheNumbers)
     EXPECT_EQ(reading.shown("secondary_factor"), "0.6");
 }
 
+TEST(UbcSandKeys, TheListOfKeysShowsTheDensityInEveryWay)
+{
+    const Reading preset = read("preset = \"nevada_sand_dr55\"");
+    EXPECT_EQ(preset.shown("n1_60"), "13.915");
+    EXPECT_EQ(preset.shown("relative_density"), "0.55");
+    EXPECT_EQ(preset.shown("preset"), "nevada_sand_dr55");
+    const Reading blows = read("n1_60 = 10");
+    EXPECT_EQ(blows.shown("n1_60"), "10");
+    EXPECT_EQ(blows.shown("relative_density"), "0.466252");
+    EXPECT_EQ(blows.shown("preset"), "none");
+}
+
 TEST(UbcSandKeys, ASandWithoutDensityIsRefused)
 {
     EXPECT_EQ(read("").findings.render(""),
