@@ -19,7 +19,7 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
     const Outcome outcome = run_program("");
     EXPECT_EQ(outcome.code, 0);
     for (const char* command :
-         {"run", "check", "stability", "new", "element", "keys", "probe", "picture", "demo", "verify", "bench", "version"}) {
+         {"run", "check", "stability", "new", "element", "keys", "probe", "picture", "figures", "demo", "verify", "bench", "version"}) {
         expect_mention(outcome, command);
     }
     expect_mention(outcome, "Exit codes");
@@ -28,7 +28,7 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
 TEST(CommandLine, EveryCommandHasHelp)
 {
     for (const char* command :
-         {"run", "check", "stability", "new", "element", "keys", "probe", "picture", "demo", "verify", "bench", "version"}) {
+         {"run", "check", "stability", "new", "element", "keys", "probe", "picture", "figures", "demo", "verify", "bench", "version"}) {
         EXPECT_EQ(run_program(std::string(command) + " --help").code, 0) << command;
     }
 }
@@ -45,7 +45,7 @@ TEST(CommandLine, AnUnknownCommandListsTheCommands)
 {
     const Outcome outcome = run_program("frobnicate");
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "expected: run, check, stability, new, element, keys, probe, picture, demo, verify, bench, version");
+    expect_mention(outcome, "expected: run, check, stability, new, element, keys, probe, picture, figures, demo, verify, bench, version");
 }
 
 TEST(CommandLine, AMisspeltOptionIsGuessed)
