@@ -16,8 +16,8 @@ namespace {
 
 /// Call add(node, weights, dx, dy) for every node of a patch; dx, dy = x_i - x_p.
 template <class Add>
-void for_each_node(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x, double cell_size,
-                   Add&& add)
+void for_each_node_with_offset(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
+                               double cell_size, Add&& add)
 {
     auto k = static_cast<std::size_t>(patch.first);
     for (std::int32_t b = 0; b < patch.height; ++b) {
@@ -97,16 +97,16 @@ void scatter_one_velocity(const BackgroundGrid& grid, const Particles& particles
                      syy = V * (particles.stress.yy[p] - pressure(p)), sxy = V * particles.stress.xy[p];
         const Vector2 v = particles.velocity_solid[p];
 
-        for_each_node(*patch, store, grid.nodes_x(), grid.cell_size,
-                      [&](std::size_t i, const NodeWeight& w, double dx, double dy) {
-                          SinglePhaseSums& node = sums[i];
-                          node.mass += w.value * m;
-                          node.weight += w.value * weight;
-                          node.momentum_x += w.value * m * (v.x() + L.xx[p] * dx + L.xy[p] * dy);
-                          node.momentum_y += w.value * m * (v.y() + L.yx[p] * dx + L.yy[p] * dy);
-                          node.stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
-                          node.stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
-                      });
+        for_each_node_with_offset(*patch, store, grid.nodes_x(), grid.cell_size,
+                                  [&](std::size_t i, const NodeWeight& w, double dx, double dy) {
+                                      SinglePhaseSums& node = sums[i];
+                                      node.mass += w.value * m;
+                                      node.weight += w.value * weight;
+                                      node.momentum_x += w.value * m * (v.x() + L.xx[p] * dx + L.xy[p] * dy);
+                                      node.momentum_y += w.value * m * (v.y() + L.yx[p] * dx + L.yy[p] * dy);
+                                      node.stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
+                                      node.stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
+                                  });
     }
 }
 
@@ -204,11 +204,10 @@ void scatter_risen_water(const Problem& problem, const Particles& particles, con
         if (!material.saturated || place_in_equations(problem, particles).y[p] < problem.water->level)
             continue;
         const double lift = problem.water->density * problem.gravity * particles.volume[p];
-        for_each_node(*patch, store, problem.grid.nodes_x(), problem.grid.cell_size,
-                      [&](std::size_t i, const NodeWeight& w, double, double) {
-                          sums[i].pressure_force_y -= w.value * lift;
-                          outer[i].risen_weight += w.value * lift;
-                      });
+        for_each_node(*patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+            sums[i].pressure_force_y -= w.value * lift;
+            outer[i].risen_weight += w.value * lift;
+        });
     }
 }
 
@@ -227,11 +226,10 @@ void scatter_body_force(const Problem& problem, double time, const Particles& pa
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const Vector2 force =
             masses.inertia[p] * problem.body_acceleration(particles.reference_position[p], time);
-        for_each_node(*patch, store, problem.grid.nodes_x(), problem.grid.cell_size,
-                      [&](std::size_t i, const NodeWeight& w, double, double) {
-                          sums[i].stress_force_x += w.value * force.x();
-                          sums[i].stress_force_y += w.value * force.y();
-                      });
+        for_each_node(*patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+            sums[i].stress_force_x += w.value * force.x();
+            sums[i].stress_force_y += w.value * force.y();
+        });
     }
 }
 
