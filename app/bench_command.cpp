@@ -1,12 +1,9 @@
 #include "app/commands.hpp"
-#include "app/example_folder.hpp"
 #include "app/journal.hpp"
 #include "app/law_benchmark.hpp"
 #include "app/machine.hpp"
 #include "app/number_format.hpp"
-#include "app/scene_setup.hpp"
 #include "app/step_cost.hpp"
-#include "solver/simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -47,13 +44,10 @@ std::string cost_table(const std::vector<int>& threads, const std::vector<StepCo
 
 void measure_scheme(const BenchChoice& choice, const std::string& scheme, Journal& journal)
 {
-    SceneChoice scene;
-    scene.scene = choice.words.empty() ? example_folder("dike") : std::filesystem::path(choice.words.front());
-    scene.overrides = choice.overrides;
-    if (!scheme.empty()) scene.overrides.push_back("analysis.scheme=\"" + scheme + '"');
-    SceneSetup setup = set_up_scene(scene, journal);
-    State& state = setup.assembled.state;
-    begin_shaking(setup.assembled.problem, state);
+    std::vector<std::string> overrides;
+    if (!scheme.empty()) overrides.push_back("analysis.scheme=\"" + scheme + '"');
+    const SceneSetup setup = set_up_body(choice, first_scene(choice), overrides, journal);
+    const State& state = setup.assembled.state;
     const std::vector<int> counts =
         choice.threads > 0 ? std::vector<int>{choice.threads} : std::vector<int>{1, 2};
     const std::size_t particles = state.particles.size();

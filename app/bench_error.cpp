@@ -6,6 +6,7 @@
 #include "app/scene_setup.hpp"
 #include "app/verification_runs.hpp"
 #include "io/atomic_file.hpp"
+#include "io/csv_file.hpp"
 #include "io/line_plot.hpp"
 #include "solver/failure.hpp"
 
@@ -199,7 +200,7 @@ std::string csv_of(const std::vector<WorkPoint>& points)
 {
     std::string text = "# " + machine_text() + "\nproblem,setting,cells,largest_error,seconds\n";
     for (const WorkPoint& point : points)
-        text += fmt::format("{},\"{}\",{},{:.6g},{:.6g}\n", point.problem, point.setting, point.cells,
+        text += fmt::format("{},{},{},{:.6g},{:.6g}\n", point.problem, csv_text(point.setting), point.cells,
                             point.error, point.seconds);
     return text;
 }

@@ -1,9 +1,7 @@
 #include "app/commands.hpp"
-#include "app/example_folder.hpp"
 #include "app/journal.hpp"
 #include "app/machine.hpp"
 #include "app/number_format.hpp"
-#include "app/scene_setup.hpp"
 #include "app/step_cost.hpp"
 #include "io/atomic_file.hpp"
 #include "solver/simulation.hpp"
@@ -32,15 +30,6 @@ std::vector<std::string> grid_of(const BackgroundGrid& grid, double cell_size)
     const auto cells = [&](int count) { return std::ceil(count * grid.cell_size / cell_size - 1e-9); };
     return {fmt::format("grid.cell_size={}", cell_size),
             fmt::format("grid.cells=[{},{}]", cells(grid.cells_x), cells(grid.cells_y))};
-}
-
-SceneSetup set_up(const BenchChoice& choice, const std::vector<std::string>& more, Journal& journal)
-{
-    SceneChoice scene;
-    scene.scene = choice.words.empty() ? example_folder("dike") : std::filesystem::path(choice.words.front());
-    scene.overrides = choice.overrides;
-    scene.overrides.insert(scene.overrides.end(), more.begin(), more.end());
-    return set_up_scene(scene, journal);
 }
 
 /// 1, 2, 4, ... up to all.
@@ -77,7 +66,8 @@ ExitCode measure_scale(const BenchChoice& choice)
     Journal journal;
     std::filesystem::create_directories(choice.directory);
     const int most = choice.threads > 0 ? choice.threads : thread_count();
-    const SceneSetup drawn = set_up(choice, {}, journal);
+    const std::filesystem::path scene = first_scene(choice);
+    const SceneSetup drawn = set_up_body(choice, scene, {}, journal);
     const BackgroundGrid grid = drawn.assembled.problem.grid;
     const auto own = static_cast<double>(drawn.assembled.state.particles.size());
     journal.say(machine_text());
@@ -88,9 +78,8 @@ ExitCode measure_scale(const BenchChoice& choice)
         if (wanted > choice.largest) break;
         const double cell_size = grid.cell_size * std::sqrt(own / wanted);
         const double before = resident_bytes();
-        SceneSetup setup = set_up(choice, grid_of(grid, cell_size), journal);
-        State& state = setup.assembled.state;
-        begin_shaking(setup.assembled.problem, state);
+        const SceneSetup setup = set_up_body(choice, scene, grid_of(grid, cell_size), journal);
+        const State& state = setup.assembled.state;
         for (const int threads : thread_counts(most)) {
             ScalePoint point{state.particles.size(), threads, 0.0, 0.0, cell_size};
             point.seconds = measure_step(setup.assembled.problem, state, threads).total;

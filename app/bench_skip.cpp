@@ -3,10 +3,9 @@
 #include "app/journal.hpp"
 #include "app/machine.hpp"
 #include "app/number_format.hpp"
-#include "app/scene_setup.hpp"
 #include "app/step_cost.hpp"
 #include "io/atomic_file.hpp"
-#include "solver/simulation.hpp"
+#include "io/csv_file.hpp"
 
 #include <fmt/format.h>
 
@@ -38,12 +37,8 @@ std::vector<fs::path> scenes_of(const BenchChoice& choice)
 
 SkipPoint measure(const BenchChoice& choice, const fs::path& scene, Journal& journal)
 {
-    SceneChoice words;
-    words.scene = scene;
-    words.overrides = choice.overrides;
-    SceneSetup setup = set_up_scene(words, journal);
-    State& state = setup.assembled.state;
-    begin_shaking(setup.assembled.problem, state);
+    const SceneSetup setup = set_up_body(choice, scene, {}, journal);
+    const State& state = setup.assembled.state;
     SkipPoint point;
     point.name = setup.assembled.scene.title;
     point.particles = state.particles.size();
@@ -75,7 +70,7 @@ ExitCode measure_skips(const BenchChoice& choice)
                                 grouped(static_cast<long long>(point.particles)), 1e9 * each(point),
                                 100.0 * each(point) / first,
                                 point.bytes / static_cast<double>(point.particles)));
-        csv += fmt::format("\"{}\",{},{:.6g},{:.0f}\n", point.name, point.particles, point.cost.total,
+        csv += fmt::format("{},{},{:.6g},{:.0f}\n", csv_text(point.name), point.particles, point.cost.total,
                            point.bytes);
     }
     write_atomically(choice.directory / "skip.csv", csv);

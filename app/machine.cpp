@@ -1,7 +1,5 @@
 #include "app/machine.hpp"
 
-#include "app/number_format.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -25,9 +23,9 @@ std::string processor_name()
 
 std::string machine_text()
 {
-    return fmt::format(
-        "{}, {} threads, vectors of {}; {} {}", processor_name(), std::thread::hardware_concurrency(),
-        __builtin_cpu_supports("avx2") ? "4 doubles (AVX2)" : "2 doubles (SSE2)", "gcc", __VERSION__);
+    return fmt::format("{}, {} threads, vectors of {}; gcc {}", processor_name(),
+                       std::thread::hardware_concurrency(),
+                       __builtin_cpu_supports("avx2") ? "4 doubles (AVX2)" : "2 doubles (SSE2)", __VERSION__);
 }
 
 double resident_bytes()

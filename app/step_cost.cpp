@@ -1,5 +1,6 @@
 #include "app/step_cost.hpp"
 
+#include "app/example_folder.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stepper.hpp"
 
@@ -24,6 +25,23 @@ StepCost measure_run(const Problem& problem, double dt, int steps, State& state,
 }
 
 } // namespace
+
+SceneSetup set_up_body(const BenchChoice& choice, const std::filesystem::path& scene,
+                       const std::vector<std::string>& overrides, Journal& journal)
+{
+    SceneChoice words;
+    words.scene = scene;
+    words.overrides = choice.overrides;
+    words.overrides.insert(words.overrides.end(), overrides.begin(), overrides.end());
+    SceneSetup setup = set_up_scene(words, journal);
+    begin_shaking(setup.assembled.problem, setup.assembled.state);
+    return setup;
+}
+
+std::filesystem::path first_scene(const BenchChoice& choice)
+{
+    return choice.words.empty() ? example_folder("dike") : std::filesystem::path(choice.words.front());
+}
 
 int steps_of_a_run(std::size_t particles)
 {

@@ -1,11 +1,22 @@
-// What a step of a body costs, measured.
+// The bodies of benchmarks, and what a step of one costs, measured.
 #pragma once
 
+#include "app/commands.hpp"
+#include "app/journal.hpp"
+#include "app/scene_setup.hpp"
 #include "solver/phase_timers.hpp"
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
 
 namespace quicksand {
+
+/// The body of a scene at the start of its shaking; `overrides` come after those of the choice. Throws
+/// InputError.
+SceneSetup set_up_body(const BenchChoice& choice, const std::filesystem::path& scene,
+                       const std::vector<std::string>& overrides, Journal& journal);
+
+/// The first scene of the choice, or the dike example.
+std::filesystem::path first_scene(const BenchChoice& choice);
 
 /// Wall time of a step and of its phases [s].
 struct StepCost {

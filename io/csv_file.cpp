@@ -48,6 +48,13 @@ std::string csv_number(double value)
     return std::isnan(value) ? std::string() : fmt::format("{}", value);
 }
 
+std::string csv_text(const std::string& text)
+{
+    std::string result = "\"";
+    for (const char letter : text) result += letter == '"' ? "\"\"" : std::string(1, letter);
+    return result + '"';
+}
+
 double csv_value(const std::string& cell)
 {
     double value = 0.0;

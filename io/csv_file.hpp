@@ -15,6 +15,9 @@ using CsvRow = std::vector<std::string>;
 /// Shortest text that reads back to the same double; "" for NaN.
 std::string csv_number(double value);
 
+/// Text in quotes, so that it may hold commas.
+std::string csv_text(const std::string& text);
+
 /// The number in a cell, NaN when it is empty or none.
 double csv_value(const std::string& cell);
 

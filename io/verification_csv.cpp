@@ -1,6 +1,7 @@
 #include "io/verification_csv.hpp"
 
 #include "io/atomic_file.hpp"
+#include "io/csv_file.hpp"
 
 #include <fmt/format.h>
 
@@ -9,14 +10,6 @@
 namespace quicksand {
 
 namespace {
-
-/// Text in quotes, so that it may hold commas.
-std::string quoted(const std::string& text)
-{
-    std::string result = "\"";
-    for (const char letter : text) result += letter == '"' ? "\"\"" : std::string(1, letter);
-    return result + '"';
-}
 
 std::string finite_number(double value)
 {
@@ -30,11 +23,11 @@ void write_verification_csv(const std::filesystem::path& file, const std::vector
     std::string text = "problem,quantity,norm,cells,error,limit,order,least_order,seconds,reference\n";
     for (const Convergence& result : results) {
         for (std::size_t k = 0; k < result.cells.size(); ++k) {
-            text += quoted(result.problem) + ',' + quoted(result.quantity) + ',' + quoted(result.norm) + ',' +
-                    std::to_string(result.cells[k]) + ',' + finite_number(result.errors[k]) + ',' +
+            text += csv_text(result.problem) + ',' + csv_text(result.quantity) + ',' + csv_text(result.norm) +
+                    ',' + std::to_string(result.cells[k]) + ',' + finite_number(result.errors[k]) + ',' +
                     finite_number(result.limits[k]) + ',' + finite_number(measured_order(result)) + ',' +
                     finite_number(result.least_order) + ',' + finite_number(result.seconds[k]) + ',' +
-                    quoted(result.reference) + '\n';
+                    csv_text(result.reference) + '\n';
         }
     }
     write_atomically(file, text);
