@@ -37,6 +37,20 @@ void expect_same_bits(const State& a, const State& b)
     });
 }
 
+/// Run the program with these words and terminate it once the shell's test holds.
+Outcome run_until(const std::string& words, const std::string& test)
+{
+    return run_shell("\"$QUICKSAND\" " + words +
+                     " & pid=$!\n"
+                     "for k in $(seq 3000); do\n"
+                     "  " +
+                     test +
+                     " && break\n"
+                     "  sleep 0.01\n"
+                     "done\n"
+                     "kill -TERM $pid; wait $pid");
+}
+
 class SameBits : public ::testing::Test {
 protected:
     void SetUp() override
@@ -79,15 +93,8 @@ TEST_F(SameBits, AfterAStopAtAnOutputTimeAndAResume)
 TEST_F(SameBits, AfterAKillAndAResume)
 {
     const std::string results = (folder / "killed").string();
-    const Outcome killed = run_shell("\"$QUICKSAND\" " + column_run + results +
-                                     " & pid=$!\n"
-                                     "for k in $(seq 3000); do\n"
-                                     "  grep -q '^0.0005,' " +
-                                     results +
-                                     "/history.csv 2>/dev/null && break\n"
-                                     "  sleep 0.02\n"
-                                     "done\n"
-                                     "kill -TERM $pid; wait $pid");
+    const Outcome killed =
+        run_until(column_run + results, "grep -q '^0.0005,' " + results + "/history.csv 2>/dev/null");
     ASSERT_EQ(killed.code, 0) << killed.output;
     EXPECT_NE(killed.output.find("Stopped on request"), std::string::npos) << killed.output;
     EXPECT_NE(read_file(results + "/run_manifest.json").find("\"status\": \"stopped\""), std::string::npos);
@@ -108,15 +115,7 @@ TEST(Settling, GoesOnWhereItWasStopped)
     const Outcome whole = run_program(run + (folder / "whole").string());
     ASSERT_EQ(whole.code, 0) << whole.output;
     const std::string results = (folder / "stopped").string();
-    const Outcome stopped = run_shell("\"$QUICKSAND\" " + run + results +
-                                      " & pid=$!\n"
-                                      "for k in $(seq 3000); do\n"
-                                      "  [ -f " +
-                                      results +
-                                      "/checkpoint/state.h5 ] && break\n"
-                                      "  sleep 0.01\n"
-                                      "done\n"
-                                      "kill -TERM $pid; wait $pid");
+    const Outcome stopped = run_until(run + results, "[ -f " + results + "/checkpoint/state.h5 ]");
     ASSERT_EQ(stopped.code, 0) << stopped.output;
     EXPECT_NE(
         stopped.output.find("Stopped on request while settling. Go on with the same command and --resume."),

@@ -1,13 +1,12 @@
 // The semi-implicit step: the same equations as the explicit step, at a larger step.
 #include "solver/failure.hpp"
 #include "solver/two_phase_step.hpp"
-#include "tests/fixtures/soil_block.hpp"
+#include "tests/fixtures/restless_patch.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
-#include <random>
 
 namespace quicksand {
 namespace {
@@ -16,31 +15,11 @@ using namespace fixtures;
 
 constexpr double h = 0.0075; // cell size of the patches [m]
 
-Problem patch(double conductivity)
+Problem semi_implicit_patch(double conductivity)
 {
-    Problem problem;
-    problem.grid = {{0.0, 0.0}, h, 9, 10};
-    Material sand = stiff_sand();
-    sand.hydraulic_conductivity = conductivity;
-    problem.materials = {sand};
-    problem.water = water_to(1.0);
-    problem.gravity = 0.0;
+    Problem problem = patch(conductivity, true);
     problem.scheme = TimeScheme::semi_implicit;
-    problem.boundaries =
-        rectangle(0.0, 0.0, 9 * h, 0.0625, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
     return problem;
-}
-
-State restless(const Problem& problem)
-{
-    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < 0.0625; }); // a third of the top row
-    std::mt19937 generator(1);
-    std::normal_distribution<double> speed(0.0, 1e-6);
-    for (std::size_t p = 0; p < state.particles.size(); ++p) {
-        state.particles.velocity_solid.set(p, {speed(generator), speed(generator)});
-        state.particles.velocity_fluid.set(p, {speed(generator), speed(generator)});
-    }
-    return state;
 }
 
 double energy_growth(const Problem& problem, double share)
@@ -60,17 +39,17 @@ double energy_growth(const Problem& problem, double share)
 TEST(SemiImplicitStep, RandomMotionDecaysForEveryPermeability)
 {
     for (const double conductivity : {1e-2, 1e-3, 1e-4, 1e-5, 1e-7})
-        EXPECT_LT(energy_growth(patch(conductivity), 1.0), 1e-2) << conductivity;
+        EXPECT_LT(energy_growth(semi_implicit_patch(conductivity), 1.0), 1e-2) << conductivity;
 }
 
 TEST(SemiImplicitStep, RandomMotionGrowsFarBeyondTheStep)
 {
-    EXPECT_GT(energy_growth(patch(1e-4), 1.6), 1.0);
+    EXPECT_GT(energy_growth(semi_implicit_patch(1e-4), 1.6), 1.0);
 }
 
 TEST(SemiImplicitStep, IsSeveralTimesTheExplicitStep)
 {
-    Problem problem = patch(1e-4);
+    Problem problem = semi_implicit_patch(1e-4);
     const State state = restless(problem);
     const double semi_implicit = stable_time_step(problem, state.particles).dt;
     problem.scheme = TimeScheme::explicit_steps;
@@ -80,7 +59,7 @@ TEST(SemiImplicitStep, IsSeveralTimesTheExplicitStep)
 /// A saturated block on a base shaken at 180 Hz, its sides free: pressures, drag and slopes all at work.
 Problem shaken_block()
 {
-    Problem problem = patch(1e-4);
+    Problem problem = semi_implicit_patch(1e-4);
     problem.gravity = 1000.0;
     problem.base_motion = SineMotion{200.0, 180.0, 1e9, 2.0};
     problem.boundaries =
@@ -179,7 +158,7 @@ TEST(SemiImplicitStep, GoesOnFromARestartPointWithTheSameBits)
 /// Iterations of the last of a few steps of a shaken layer, the blocks having been set up in the first.
 int iterations(int cells_x, double tolerance, int steps)
 {
-    Problem problem = patch(1e-5);
+    Problem problem = semi_implicit_patch(1e-5);
     problem.grid.cells_x = cells_x;
     problem.base_motion = SineMotion{200.0, 180.0, 1e9, 0.0};
     problem.boundaries = rectangle(h, 0.0, (cells_x - 1) * h, 0.0625, SoilCondition::fixed,

@@ -2,42 +2,14 @@
 #include "solver/failure.hpp"
 #include "solver/single_phase_step.hpp"
 #include "solver/two_phase_step.hpp"
-#include "tests/fixtures/soil_block.hpp"
+#include "tests/fixtures/restless_patch.hpp"
 
 #include <gtest/gtest.h>
-
-#include <random>
 
 namespace quicksand {
 namespace {
 
 using namespace fixtures;
-
-Problem patch(double conductivity, bool saturated)
-{
-    Problem problem;
-    problem.grid = {{0.0, 0.0}, 0.0075, 9, 10};
-    Material sand = stiff_sand();
-    sand.hydraulic_conductivity = conductivity;
-    problem.materials = {sand};
-    if (saturated) problem.water = water_to(1.0);
-    problem.gravity = 0.0;
-    problem.boundaries =
-        rectangle(0.0, 0.0, 0.0675, 0.0625, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
-    return problem;
-}
-
-State restless(const Problem& problem)
-{
-    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < 0.0625; }); // a third of the top row
-    std::mt19937 generator(1);
-    std::normal_distribution<double> speed(0.0, 1e-6);
-    for (std::size_t p = 0; p < state.particles.size(); ++p) {
-        state.particles.velocity_solid.set(p, {speed(generator), speed(generator)});
-        if (problem.water) state.particles.velocity_fluid.set(p, {speed(generator), speed(generator)});
-    }
-    return state;
-}
 
 /// Kinetic energy after 2000 steps of `share` times the stable step, over that at the start.
 double energy_growth(const Problem& problem, double share)
