@@ -200,8 +200,11 @@ std::string describe_cost(const Forecast& forecast)
     text += fmt::format("  run time   about {}: {}shaking {}, output {}\n", duration_text(forecast.seconds()),
                         relaxation.needed ? "settling " + duration_text(forecast.relaxation_seconds()) + ", "
                                           : "",
-                        duration_text(static_cast<double>(forecast.steps) * forecast.step_seconds),
-                        duration_text(forecast.output.seconds));
+                        duration_text(forecast.shaking_seconds()), duration_text(forecast.output.seconds));
+    if (forecast.output.background_seconds > 0.0)
+        text += fmt::format("             frames are written in the background, in {}{}\n",
+                            duration_text(forecast.output.background_seconds),
+                            forecast.output.has_own_core ? "" : ", which counts: all cores run the steps");
     text += fmt::format("  memory     {}\n", bytes_text(forecast.memory));
     text += fmt::format("  disk       {} for {} frames, probes and one checkpoint\n",
                         bytes_text(forecast.output.bytes), grouped(forecast.output.frames));

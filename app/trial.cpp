@@ -13,6 +13,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <thread>
 #include <vector>
 
 namespace quicksand {
@@ -123,25 +124,31 @@ void measure_writer(Observer& writer, const Problem& problem, State& state, doub
     state.time = writer.next_time();
     if (!std::isfinite(state.time)) return;
     writer.observe(problem, state, report);
+    writer.finish();
     const double interval = writer.next_time() - state.time;
     const double bytes_before = folder_bytes(scratch);
     const StopWatch watch;
-    double looks = 0.0;
+    double looks = 0.0, looking = 0.0;
     while (std::isfinite(writer.next_time()) &&
            (looks == 0.0 || (watch.seconds() < output_trial_seconds && looks < 5.0))) {
         state.time = writer.next_time();
+        const StopWatch look;
         writer.observe(problem, state, report);
+        looking += look.seconds();
+        writer.finish();
         looks += 1.0;
     }
     if (looks == 0.0) return;
     const double all_looks = std::ceil(end_time / interval) + 1.0;
-    forecast.seconds += all_looks * watch.seconds() / looks;
+    forecast.seconds += all_looks * looking / looks;
+    forecast.background_seconds += all_looks * (watch.seconds() - looking) / looks;
     forecast.bytes += all_looks * (folder_bytes(scratch) - bytes_before) / looks;
 }
 
 OutputForecast forecast_output(const AssembledCase& assembled, const fs::path& scratch)
 {
     OutputForecast forecast;
+    forecast.has_own_core = static_cast<unsigned>(thread_count()) < std::thread::hardware_concurrency();
     State state = assembled.state;
     begin_shaking(assembled.problem, state);
     open_ledger(assembled.problem, state);

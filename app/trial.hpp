@@ -3,6 +3,7 @@
 
 #include "io/case_assembly.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 
@@ -17,9 +18,11 @@ struct RelaxationForecast {
 };
 
 struct OutputForecast {
-    std::int64_t frames = 0; // of fields.pvd, and as many of grid.pvd [-]
-    double seconds = 0.0;    // wall time of all output [s]
-    double bytes = 0.0;      // of the results folder at the end [byte]
+    std::int64_t frames = 0;         // of fields.pvd, and as many of grid.pvd [-]
+    double seconds = 0.0;            // wall time that all output takes from the run's threads [s]
+    double background_seconds = 0.0; // of the thread that writes frames while the run goes on [s]
+    bool has_own_core = false;       // that thread, beside those of the run
+    double bytes = 0.0;              // of the results folder at the end [byte]
 };
 
 struct Forecast {
@@ -33,9 +36,12 @@ struct Forecast {
     {
         return static_cast<double>(relaxation.steps) * relaxation.step_seconds;
     }
+    double shaking_seconds() const { return static_cast<double>(steps) * step_seconds; }
     double seconds() const
     {
-        return relaxation_seconds() + static_cast<double>(steps) * step_seconds + output.seconds;
+        const double shaking = shaking_seconds() + output.seconds;
+        return relaxation_seconds() + (output.has_own_core ? std::max(shaking, output.background_seconds)
+                                                           : shaking + output.background_seconds);
     }
 };
 

@@ -313,16 +313,20 @@ State read_checkpoint(const fs::path& path, const std::string& scene_hash)
     }
 }
 
-CheckpointWriter::CheckpointWriter(fs::path path, double interval, const State& state, std::string scene_hash)
+CheckpointWriter::CheckpointWriter(fs::path path, double interval, const State& state, std::string scene_hash,
+                                   std::shared_ptr<BackgroundWriter> background)
     : path_(std::move(path)), interval_(interval), state_(state), scene_hash_(std::move(scene_hash)),
-      last_(Clock::now())
+      background_(std::move(background)), last_(Clock::now())
 {
 }
 
 void CheckpointWriter::after_step(const StepReport& report)
 {
+    background_->report_failure();
     if (!report.is_restart_point || Clock::now() - last_ < interval_) return;
-    write_checkpoint(path_, state_, scene_hash_);
+    background_->write(state_, [path = path_, hash = scene_hash_](const State& copy) {
+        write_checkpoint(path, copy, hash);
+    });
     last_ = Clock::now();
 }
 

@@ -1,28 +1,40 @@
-// Writes the frames of a VTK series at an interval.
+// Writes the frames of VTK series at an interval, in the background.
 #pragma once
 
+#include "io/background_writer.hpp"
 #include "io/observation_clock.hpp"
 #include "io/vtk_series.hpp"
 #include "solver/simulation.hpp"
 
 #include <functional>
+#include <memory>
+#include <vector>
 
 namespace quicksand {
 
+/// One series and the way its frames are made.
+struct FrameSeries {
+    using MakeFrame = std::function<Frame(const Problem&, const State&)>;
+    VtkSeries series;
+    MakeFrame make_frame;
+};
+
 class FrameWriter : public Observer {
 public:
-    using MakeFrame = std::function<Frame(const Problem&, const State&)>;
+    /// `start_time` is the time of the state with which the run begins or goes on [s]. The problem given to
+    /// `observe` must outlive `finish`.
+    FrameWriter(std::vector<FrameSeries> all_series, const ObservationClock& clock, double start_time,
+                std::shared_ptr<BackgroundWriter> background);
 
-    /// `start_time` is the time of the state with which the run begins or goes on [s].
-    FrameWriter(VtkSeries series, ObservationClock clock, double start_time, MakeFrame make_frame);
-
-    double next_time() const override { return clock_.next(); }
+    double next_time() const override;
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
+    void after_step(const StepReport&) override { background_->report_failure(); }
+    void finish() override { background_->finish(); }
 
 private:
-    VtkSeries series_;
-    ObservationClock clock_;
-    MakeFrame make_frame_;
+    std::vector<FrameSeries> all_series_;
+    std::vector<ObservationClock> clocks_; // of each: a kill may come between their frames
+    std::shared_ptr<BackgroundWriter> background_;
 };
 
 } // namespace quicksand

@@ -1,5 +1,6 @@
 #include "io/output_observers.hpp"
 
+#include "io/background_writer.hpp"
 #include "io/checkpoint.hpp"
 #include "io/frame_writer.hpp"
 #include "io/grid_frame.hpp"
@@ -17,13 +18,21 @@ namespace {
 
 std::unique_ptr<Observer> make_frame_writer(const Scene& scene, const State& state,
                                             const OutputSettings& settings,
-                                            const std::filesystem::path& index,
-                                            FrameWriter::MakeFrame make_frame)
+                                            const std::shared_ptr<BackgroundWriter>& background)
 {
-    VtkSeries series = settings.resume ? VtkSeries::resume(index, state.time) : VtkSeries(index);
-    return std::make_unique<FrameWriter>(std::move(series),
+    const ResultsFolder folder{settings.directory};
+    const auto open = [&](const std::filesystem::path& index) {
+        return settings.resume ? VtkSeries::resume(index, state.time) : VtkSeries(index);
+    };
+    std::vector<FrameSeries> all_series;
+    all_series.push_back({open(folder.particle_series()), particle_frame});
+    all_series.push_back({open(folder.grid_series()), [](const Problem& problem, const State& state_) {
+                              return grid_frame(problem, nodal_fields(problem, state_.particles),
+                                                state_.time);
+                          }});
+    return std::make_unique<FrameWriter>(std::move(all_series),
                                          ObservationClock(scene.output.frame_interval, scene.end_time),
-                                         state.time, std::move(make_frame));
+                                         state.time, background);
 }
 
 } // namespace
@@ -36,14 +45,9 @@ std::vector<std::unique_ptr<Observer>> make_output_observers(const Scene& scene,
     const RunLabel label{scene.file, settings.scene_hash};
     const SceneOutput& output = scene.output;
     std::vector<std::unique_ptr<Observer>> observers;
-    if (output.frame_interval > 0.0) {
-        observers.push_back(
-            make_frame_writer(scene, state, settings, folder.particle_series(), particle_frame));
-        observers.push_back(make_frame_writer(
-            scene, state, settings, folder.grid_series(), [](const Problem& problem_, const State& state_) {
-                return grid_frame(problem_, nodal_fields(problem_, state_.particles), state_.time);
-            }));
-    }
+    const auto background = std::make_shared<BackgroundWriter>();
+    if (output.frame_interval > 0.0)
+        observers.push_back(make_frame_writer(scene, state, settings, background));
     if (output.probe_interval > 0.0 && !scene.probes.empty())
         observers.push_back(
             std::make_unique<ProbeWriter>(scene, problem, state, label, settings.directory, settings.resume));
@@ -55,7 +59,7 @@ std::vector<std::unique_ptr<Observer>> make_output_observers(const Scene& scene,
     }
     if (output.checkpoint_interval > 0.0)
         observers.push_back(std::make_unique<CheckpointWriter>(
-            folder.checkpoint(), output.checkpoint_interval, state, settings.scene_hash));
+            folder.checkpoint(), output.checkpoint_interval, state, settings.scene_hash, background));
     return observers;
 }
 

@@ -20,7 +20,8 @@ struct OutputSettings {
 /// Writers of fields.pvd, grid.pvd, probes/*.csv, history.csv, steps.csv and checkpoint/state.h5, at the
 /// intervals of scene.output; an interval of zero leaves that writer out. Call it when shaking is about to
 /// begin (or to go on) and every probe has a place. The observers look at `problem` and `state`, which must
-/// outlive them and be the ones given to run(). Throws InputError for a probe outside the soil and FileError.
+/// outlive them and be the ones given to run(). Frames and checkpoints are written in the background. Throws
+/// InputError for a probe outside the soil and FileError.
 std::vector<std::unique_ptr<Observer>> make_output_observers(const Scene& scene, const Problem& problem,
                                                              const State& state,
                                                              const OutputSettings& settings);

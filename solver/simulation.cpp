@@ -66,8 +66,9 @@ void run(const Problem& problem, double end_time, const std::vector<Observer*>& 
         if (arrives) observe_due(problem, observers, state, report);
         if (!report.is_restart_point) continue;
         stepper->restart();
-        if (stop_requested && stop_requested()) return;
+        if (stop_requested && stop_requested()) break;
     }
+    for (Observer* observer : observers) observer->finish();
 }
 
 void set_thread_count(int threads)

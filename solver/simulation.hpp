@@ -32,6 +32,8 @@ public:
     /// The state stands at next_time(); the observer moves its next_time() on.
     virtual void observe(const Problem& problem, const State& state, const StepReport& report) = 0;
     virtual void after_step(const StepReport&) {}
+    /// The run has come to its end or was stopped: wait for what is still under way, and throw its failure.
+    virtual void finish() {}
 };
 
 struct RelaxationControls {

@@ -166,14 +166,16 @@ TEST(Checkpoint, WriterWritesWhenItsWallTimeHasPassed)
 {
     const TemporaryFolder folder;
     const State state = varied_state(true);
-    CheckpointWriter patient(folder / "patient.h5", 3600.0, state, "abc");
-    CheckpointWriter eager(folder / "eager.h5", 1e-9, state, "abc");
+    const auto background = std::make_shared<BackgroundWriter>();
+    CheckpointWriter patient(folder / "patient.h5", 3600.0, state, "abc", background);
+    CheckpointWriter eager(folder / "eager.h5", 1e-9, state, "abc", background);
     StepReport report;
     eager.after_step(report); // no restart point
     EXPECT_FALSE(std::filesystem::exists(folder / "eager.h5"));
     report.is_restart_point = true;
     patient.after_step(report);
     eager.after_step(report);
+    eager.finish();
     EXPECT_FALSE(std::filesystem::exists(folder / "patient.h5"));
     EXPECT_TRUE(same_bits(state, read_checkpoint(folder / "eager.h5", "abc")));
 }

@@ -1,5 +1,6 @@
 #include "io/checkpoint.hpp"
 #include "io/csv_file.hpp"
+#include "io/file_error.hpp"
 #include "io/output_observers.hpp"
 #include "io/probe_sample.hpp"
 #include "io/result_reader.hpp"
@@ -77,6 +78,27 @@ TEST(OutputObservers, AResumedRunLeavesTheSameFilesAsAnUnbrokenOne)
     EXPECT_EQ(found.size(), expected.size());
     for (const auto& [name, text] : expected)
         EXPECT_TRUE(found.contains(name) && found.at(name) == text) << name;
+}
+
+TEST(OutputObservers, AFullDiskStopsTheRunAndKeepsTheFramesBefore)
+{
+    const TemporaryFolder folder;
+    const Problem problem = fixtures::small_problem(true);
+    Scene scene = fixtures::small_scene();
+    scene.output.probe_interval = scene.output.history_interval = 0.0;
+    State state = fixtures::small_state(problem);
+    run_to(0.0111, scene, problem, state, folder.path(), false);
+    {
+        const fixtures::FullDisk full(2000); // enough for the index, not for a frame
+        EXPECT_THROW(run_to(scene.end_time, scene, problem, state, folder.path(), true), FileError);
+    }
+    for (const char* name : {"fields.pvd", "grid.pvd"}) {
+        const std::vector<FrameEntry> entries = read_series_index(folder / name);
+        EXPECT_EQ(entries.size(), 2u) << name;
+        for (const FrameEntry& entry : entries)
+            EXPECT_EQ(read_frame(folder.path() / entry.file).time, entry.time);
+    }
+    EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
 }
 
 TEST(OutputObservers, ExtractionFromTheGridAgreesWithTheFixedProbe)
