@@ -77,10 +77,11 @@ struct State {
 };
 
 /// What velocities gain acceleration for in a step of length dt: they stand in the middle of the steps, so
-/// that it is half of both steps. Then the scheme is second order in time with steps of any lengths [s].
+/// that it is half of both steps; those given at the start come to the middle of the first step. Then the
+/// scheme is second order in time with steps of any lengths [s].
 inline double kick_time(const State& state, double dt)
 {
-    return state.last_step > 0.0 ? 0.5 * (state.last_step + dt) : dt;
+    return state.last_step > 0.0 ? 0.5 * (state.last_step + dt) : 0.5 * dt;
 }
 
 } // namespace quicksand

@@ -20,9 +20,9 @@ Complex measure(const Problem& problem, const ColumnMode& mode, State state)
     const double duration =
         std::min(2.0 * std::numbers::pi / std::abs(mode.s.imag()), decay_times / std::abs(mode.s.real()));
     start_mode(mode, state.particles);
-    const Complex before = measure_mode(mode, state.particles);
+    const Complex before = measure_start(mode, state.particles);
     run(problem, state.time + duration, {}, state);
-    return measured_frequency(mode, before, measure_mode(mode, state.particles), duration);
+    return measured_frequency(mode, before, measure_mode(problem, mode, state), duration);
 }
 
 void add_errors(const char* wave, const ColumnMode& mode, Complex measured, std::vector<StudyError>& errors)

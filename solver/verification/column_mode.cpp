@@ -1,5 +1,7 @@
 #include "solver/verification/column_mode.hpp"
 
+#include "solver/simulation.hpp"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <cmath>
@@ -19,6 +21,22 @@ double project(const ColumnMode& mode, const Particles& particles, const Scalars
         norm += particles.volume[p] * g * g;
     }
     return sum / norm;
+}
+
+/// Amplitudes a, b, c, d in the present state.
+Eigen::Vector4d project(const ColumnMode& mode, const Particles& particles)
+{
+    const auto sine = [](double phase) { return std::sin(phase); };
+    const auto cosine = [](double phase) { return std::cos(phase); };
+    return {project(mode, particles, particles.velocity_solid.y, sine),
+            project(mode, particles, particles.velocity_fluid.y, sine),
+            project(mode, particles, particles.stress.yy, cosine),
+            project(mode, particles, particles.pore_pressure, cosine)};
+}
+
+Complex part_of_mode(const ColumnMode& mode, const Eigen::Vector4d& amplitudes)
+{
+    return mode.dual.cwiseProduct(amplitudes.cast<Complex>()).sum();
 }
 
 } // namespace
@@ -74,15 +92,17 @@ void start_mode(const ColumnMode& mode, Particles& particles)
     }
 }
 
-Complex measure_mode(const ColumnMode& mode, const Particles& particles)
+Complex measure_start(const ColumnMode& mode, const Particles& particles)
 {
-    const auto sine = [](double phase) { return std::sin(phase); };
-    const auto cosine = [](double phase) { return std::cos(phase); };
-    const Eigen::Vector4d y(project(mode, particles, particles.velocity_solid.y, sine),
-                            project(mode, particles, particles.velocity_fluid.y, sine),
-                            project(mode, particles, particles.stress.yy, cosine),
-                            project(mode, particles, particles.pore_pressure, cosine));
-    return mode.dual.cwiseProduct(y.cast<Complex>()).sum();
+    return part_of_mode(mode, project(mode, particles));
+}
+
+Complex measure_mode(const Problem& problem, const ColumnMode& mode, State state)
+{
+    Eigen::Vector4d y = project(mode, state.particles);
+    run(problem, state.time + state.last_step, {}, state);
+    y.head<2>() = 0.5 * (y + project(mode, state.particles)).head<2>();
+    return part_of_mode(mode, y);
 }
 
 Complex measured_frequency(const ColumnMode& mode, Complex before, Complex after, double duration)

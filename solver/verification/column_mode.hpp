@@ -32,9 +32,14 @@ ColumnMode column_mode(const Layer& layer, double wave_number, Complex s);
 /// Give particles at rest the velocities, stresses and pressures of Re(mode).
 void start_mode(const ColumnMode& mode, Particles& particles);
 
-/// Part of the mode in the present state, by projection of the particles on sin and cos of their reference
-/// height [-]; 1 for Re(shape) of a mode that does not travel, 1/2 of the shape and its conjugate otherwise.
-Complex measure_mode(const ColumnMode& mode, const Particles& particles);
+/// Part of the mode in a state before its first step, by projection of the particles on sin and cos of their
+/// reference height [-]; 1 for Re(shape) of a mode that does not travel, 1/2 of the shape and its conjugate
+/// otherwise.
+Complex measure_start(const ColumnMode& mode, const Particles& particles);
+
+/// The same in a run under way. Its velocities stand half a step before the stresses: they are taken as the
+/// mean of them and of those after one step more.
+Complex measure_mode(const Problem& problem, const ColumnMode& mode, State state);
 
 /// Complex frequency measured over a duration in which the part went from `before` to `after`; its phase is
 /// taken nearest to the exact one's [1/s].

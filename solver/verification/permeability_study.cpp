@@ -25,9 +25,9 @@ Decay measure(Problem problem, State state, double conductivity, double duration
     const double xi = 0.5 * std::numbers::pi / layer.height();
     const ColumnMode mode = column_mode(layer, xi, longitudinal_modes(layer.soil, xi).slow);
     start_mode(mode, state.particles);
-    const Complex before = measure_mode(mode, state.particles);
+    const Complex before = measure_start(mode, state.particles);
     run(problem, duration, {}, state);
-    const Complex after = measure_mode(mode, state.particles);
+    const Complex after = measure_mode(problem, mode, state);
     Decay decay;
     decay.rate_error = std::abs(measured_frequency(mode, before, after, duration) / mode.s - 1.0);
     const double left = (mode.shape[3] * std::exp(mode.s * duration)).real();

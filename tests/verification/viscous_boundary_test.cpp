@@ -69,8 +69,9 @@ void send_down(const Problem& problem, int axis, double speed, State& state)
 {
     const Moduli soil = moduli(problem);
     Particles& particles = state.particles;
-    // the steps keep velocities half a step before the stresses
-    const double early = 0.5 * speed * stable_time_step(problem, particles).dt;
+    // as in a run under way: velocities stand half a step before the stresses
+    state.last_step = stable_time_step(problem, particles).dt;
+    const double early = 0.5 * speed * state.last_step;
     const double wavelength = 20 * problem.grid.cell_size, middle = 25.0, reach = 15.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const auto pulse = [&](double s) {

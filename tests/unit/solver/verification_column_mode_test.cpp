@@ -62,8 +62,8 @@ TEST(ColumnMode, IsMeasuredAsItWasStartedAndAloneAmongTheModes)
     const LongitudinalModes exact = longitudinal_modes(layer.soil, xi);
     const ColumnMode fast = column_mode(layer, xi, exact.fast), slow = column_mode(layer, xi, exact.slow);
     start_mode(fast, closed.state.particles);
-    EXPECT_NEAR(std::abs(measure_mode(fast, closed.state.particles) - 0.5), 0.0, 1e-10);
-    EXPECT_NEAR(std::abs(measure_mode(slow, closed.state.particles)), 0.0, 1e-10);
+    EXPECT_NEAR(std::abs(measure_start(fast, closed.state.particles) - 0.5), 0.0, 1e-10);
+    EXPECT_NEAR(std::abs(measure_start(slow, closed.state.particles)), 0.0, 1e-10);
 }
 
 TEST(ColumnMode, FindsTheFrequencyOfAKnownGrowth)
