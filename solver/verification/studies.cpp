@@ -2,6 +2,7 @@
 #include "solver/verification/biot_waves_study.hpp"
 #include "solver/verification/collapse_study.hpp"
 #include "solver/verification/griffiths_lane_study.hpp"
+#include "solver/verification/large_strain_consolidation_study.hpp"
 #include "solver/verification/mandel_study.hpp"
 #include "solver/verification/manufactured_study.hpp"
 #include "solver/verification/periodic_column_study.hpp"
@@ -35,6 +36,8 @@ const std::vector<Study>& studies()
         {"biot_waves", "Biot 1956", without_parameters<biot_waves_study>},
         {"collapse", "Lube et al. 2005", without_parameters<collapse_study>},
         {"griffiths_lane", "Griffiths & Lane 1999", without_parameters<griffiths_lane_study>},
+        {"large_strain_consolidation", "Xie & Leo 2004",
+         without_parameters<large_strain_consolidation_study>},
         {"largest_vortex", "Kamojjala et al. 2015", largest_vortex_study},
         {"mandel", "Mandel 1953; Cheng & Detournay 1988", without_parameters<mandel_study>},
         {"periodic_column", "Zienkiewicz, Chang & Bettess 1980", without_parameters<periodic_column_study>},
