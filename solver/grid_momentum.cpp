@@ -2,6 +2,7 @@
 
 #include "solver/threads.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -49,9 +50,11 @@ NodeImpulses two_phase_impulses(const Problem& problem, double dt, double accele
     const Vector2 stress_force(node.stress_force_x, node.stress_force_y);
     const Vector2 base(acceleration, 0.0);
 
-    const Vector2 force_fluid = porosity * pressure_force - node.mass_fluid * base;
+    const Vector2 drag(node.drag_force_x, node.drag_force_y);
+
+    const Vector2 force_fluid = porosity * pressure_force - node.mass_fluid * base - drag;
     const Vector2 force_solid = stress_force + (1.0 - porosity) * pressure_force - node.mass_solid * base -
-                                Vector2(0.0, buoyant_mass * problem.gravity);
+                                Vector2(0.0, buoyant_mass * problem.gravity) + drag;
     return {Vector2(node.momentum_solid_x, node.momentum_solid_y) + dt * force_solid,
             Vector2(node.momentum_fluid_x, node.momentum_fluid_y) + dt * force_fluid};
 }
@@ -175,6 +178,23 @@ void gather_tied_sums(const NodeConditions& conditions, std::vector<OuterForce>&
         master.water_y += node.water_y;
         master.risen_weight += node.risen_weight;
     });
+}
+
+void centre_drag(double dt, std::vector<TwoPhaseSums>& sums)
+{
+    const auto count = static_cast<std::int64_t>(sums.size());
+#pragma omp parallel for schedule(static) if (sums.size() > least_parallel_work)
+    for (std::int64_t k = 0; k < count; ++k) {
+        TwoPhaseSums& node = sums[static_cast<std::size_t>(k)];
+        if (!node.active() || !(node.drag > 0.0)) continue;
+        const double rate = dt * node.drag * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
+        const double known = std::min(0.5, 1.0 / rate) * node.drag;
+        node.drag -= known;
+        node.drag_force_x =
+            known * (node.momentum_fluid_x / node.mass_fluid - node.momentum_solid_x / node.mass_solid);
+        node.drag_force_y =
+            known * (node.momentum_fluid_y / node.mass_fluid - node.momentum_solid_y / node.mass_solid);
+    }
 }
 
 PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,

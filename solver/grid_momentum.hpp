@@ -19,6 +19,13 @@ struct PhaseVelocities {
     double solid, fluid;
 };
 
+/// Split the drag of every node into a part on the velocities before the step, a force known from the sums,
+/// and the rest, which stays implicit. With x = dt C (1/m_s + 1/m_w), half of it is known up to x = 2, the
+/// drag at the time of the forces, second order in time; beyond it C / x, which leaves nothing of the old
+/// relative velocity, so that none swings whatever x. A steady seepage is exact for every split. Once in a
+/// step, on sums whose tied nodes are gathered.
+void centre_drag(double dt, std::vector<TwoPhaseSums>& sums);
+
 /// Backward Euler on the drag alone: the 2 x 2 system of one node and direction
 ///   (m_s + dt C) v_s - dt C v_w = b_s,   -dt C v_s + (m_w + dt C) v_w = b_w
 /// in a form without cancellation, valid for dt C from 0 to infinity.

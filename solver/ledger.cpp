@@ -108,7 +108,8 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     const Vector2 load(dt * outer.load_x, dt * outer.load_y);
     const Vector2 water(dt * outer.water_x, dt * outer.water_y);
     const Vector2 mean_flux = (1.0 - porosity) * solid.mean + porosity * fluid.mean;
-    const Vector2 drag = dt * node.drag * (fluid.end - solid.end);
+    const Vector2 drag =
+        dt * (node.drag * (fluid.end - solid.end) + Vector2(node.drag_force_x, node.drag_force_y));
 
     entries.skeleton -= (stress - load).dot(solid.mean);
     entries.boundary += load.dot(solid.mean) + water.dot(mean_flux);

@@ -54,7 +54,7 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
     });
-    const double time = load_time(state, dt);
+    const double time = load_time(state);
     scatter_surface_loads(problem, time, particles, work.places, work.sums);
     if (pressed) scatter_outer_water(problem, time, particles, work.places, work.sums);
     scatter_reactions(problem, state, work.places, work.sums);
@@ -76,8 +76,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
     timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         const bool shaking = state.stage == Stage::shaking;
-        const double acceleration =
-            shaking ? base_acceleration(problem.base_motion, state.time + 0.5 * dt) : 0.0;
+        const double acceleration = shaking ? base_acceleration(problem.base_motion, state.time) : 0.0;
         const double kick = kick_time(state, dt);
         solve_single_phase_momentum(problem, work.conditions, kick, acceleration, damping, work.sums,
                                     work.motion);

@@ -123,9 +123,9 @@ void note_outer_forces(const Problem& problem, double time, const State& state, 
     });
 }
 
-double load_time(const State& state, double dt)
+double load_time(const State& state)
 {
-    return state.stage == Stage::relaxation ? 0.0 : state.time + 0.5 * dt;
+    return state.stage == Stage::relaxation ? 0.0 : state.time;
 }
 
 Vector2 full_load(const Problem& problem, const State& state, const Boundary& boundary)

@@ -34,7 +34,7 @@ void note_outer_forces(const Problem& problem, double time, const State& state, 
                        std::vector<OuterForce>& outer);
 
 /// The time at which a state's loads act: that of the shaking, 0 while the soil settles [s].
-double load_time(const State& state, double dt);
+double load_time(const State& state);
 
 /// The force of a boundary's load on the soil.
 struct BoundaryForce {

@@ -11,6 +11,7 @@
 #include "solver/surface_loads.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <string>
 
@@ -18,7 +19,8 @@ namespace quicksand {
 
 namespace {
 
-void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWorkspace& work)
+/// `time` is that of the loads [s].
+void scatter(const Problem& problem, double dt, double time, const State& state, TwoPhaseWorkspace& work)
 {
     const Particles& particles = state.particles;
     work.sums.assign(work.sums.size(), TwoPhaseSums{});
@@ -29,7 +31,6 @@ void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWork
             scatter_risen_water(problem, particles, work.lists, tile, work.patches_of(tile), work.sums,
                                 work.outer);
     });
-    const double time = load_time(state, dt);
     scatter_surface_loads(problem, time, particles, work.places, work.sums);
     scatter_outer_water(problem, time, particles, work.places, work.sums);
     scatter_reactions(problem, state, work.places, work.sums);
@@ -40,20 +41,19 @@ void scatter(const Problem& problem, double dt, const State& state, TwoPhaseWork
 }
 
 /// `kick` is the time over which the forces act, see kick_time [s].
-void solve_velocities(const Problem& problem, double dt, double kick, const State& state,
-                      TwoPhaseWorkspace& work)
+void solve_velocities(const Problem& problem, double kick, const State& state, TwoPhaseWorkspace& work)
 {
-    const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
+    const double acceleration = base_acceleration(problem.base_motion, state.time);
     solve_two_phase_momentum(problem, work.conditions, kick, acceleration, work.sums, work.motion);
     brake_by_dashpots(problem, work.conditions, kick, work.dashpots, work.sums, work.motion);
     hold_at_walls(problem, work.conditions, kick, work.sums, work.motion);
     spread_tied_motion(work.conditions, work.motion);
 }
 
-void enter_works(const Problem& problem, double dt, double kick, const TwoPhaseWorkspace& work, State& state)
+void enter_works(const Problem& problem, double kick, const TwoPhaseWorkspace& work, State& state)
 {
     if (!state.ledger) return;
-    const double acceleration = base_acceleration(problem.base_motion, state.time + 0.5 * dt);
+    const double acceleration = base_acceleration(problem.base_motion, state.time);
     enter_nodes(problem, work.ledger_nodes, kick, acceleration, work.sums, work.outer, work.motion,
                 *state.ledger);
 }
@@ -98,7 +98,7 @@ void set_up_cavities(const Problem& problem, const Particles& particles, SemiImp
 }
 
 /// Divergence and storage of the cells, and what boundaries let the nodes answer.
-void set_up_pressure(const Problem& problem, double dt, const Particles& particles,
+void set_up_pressure(const Problem& problem, double dt, double kick, const Particles& particles,
                      SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
@@ -117,21 +117,24 @@ void set_up_pressure(const Problem& problem, double dt, const Particles& particl
         prepare_increments(problem, dt, lists, tile, particles, pressure.storage, pressure.increment);
     });
     set_up_cavities(problem, particles, work);
-    set_pressure_compliances(problem, work.conditions, dt, work.sums, pressure.compliance);
-    include_dashpots(problem, work.conditions, dt, work.dashpots, work.sums, pressure.compliance);
-    pressure.walls = wall_compliances(problem, work.conditions, dt, work.sums);
+    set_pressure_compliances(problem, work.conditions, kick, work.sums, pressure.compliance);
+    include_dashpots(problem, work.conditions, kick, work.dashpots, work.sums, pressure.compliance);
+    pressure.walls = wall_compliances(problem, work.conditions, kick, work.sums);
 }
 
 /// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes.
-void solve_pressure(const Problem& problem, double dt, const State& state, SemiImplicitWorkspace& work)
+void solve_pressure(const Problem& problem, double dt, double kick, const State& state,
+                    SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
-    set_up_pressure(problem, dt, state.particles, work);
+    set_up_pressure(problem, dt, kick, state.particles, work);
+    // the flux gains over the kick and fills cells over the step: dt kick in the place of the equations' dt^2
+    const double step = std::sqrt(dt * kick);
     for (std::size_t i = 0; i < work.motion.size(); ++i) {
-        pressure.flux_x[i] = work.motion[i].flux_x;
-        pressure.flux_y[i] = work.motion[i].flux_y;
+        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
+        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
     }
-    if (!solve_increments(problem.grid, work.lists, work.conditions, dt, work.controls, pressure))
+    if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
         fail_to_solve(pressure, dt, state);
     set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
     for (std::size_t i = 0; i < work.sums.size(); ++i) {
@@ -187,11 +190,12 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         const double kick = kick_time(state, dt);
-        solve_velocities(problem, dt, kick, state, work);
-        enter_works(problem, dt, kick, work, state);
+        centre_drag(kick, work.sums);
+        solve_velocities(problem, kick, state, work);
+        enter_works(problem, kick, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
@@ -211,12 +215,14 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     work.flux_divergence.resize(particles.size());
     particles.pore_pressure_rate.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state, work); });
-    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, dt, dt, state, work); });
-    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, state, work); });
+    // loads between the stresses, which stand at the begin of the step, and the pressures at its end
+    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time + 0.5 * dt, state, work); });
+    const double kick = kick_time(state, dt);
+    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, kick, state, work); });
+    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, kick, state, work); });
     timed(work.timers, Phase::momentum, [&] {
-        solve_velocities(problem, dt, dt, state, work);
-        enter_works(problem, dt, dt, work, state);
+        solve_velocities(problem, kick, state, work);
+        enter_works(problem, kick, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {

@@ -32,8 +32,9 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
 ///
 ///  1  particles by cell; CPDI weights from their domains
 ///  2  particles -> nodes: masses, momenta, forces of stress and excess pressure, drag, loads on surfaces
-///  3  momentum balances of water and grains on the nodes, drag implicit at each node, with the velocity
-///     conditions inside; the base's acceleration acts on both phases as a body force
+///  3  momentum balances of water and grains on the nodes, drag at the time of the forces, implicit where
+///     it is strong (centre_drag), with the velocity conditions inside; the base's acceleration acts on
+///     both phases as a body force
 ///  4  nodes -> particles: velocities, velocity gradients, divergence of the flux
 ///  5  water: excess pore pressure, one increment per cell, and its slope within the cell
 ///  6  particles: position, domain, volume, porosity

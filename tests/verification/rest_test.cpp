@@ -41,7 +41,7 @@ TEST(Rest, LevelColumnUnderK0StaysAtRestFor10000Steps)
 
     EXPECT_GE(steps.steps, 10'000);
     const double reference_speed = std::sqrt(problem.gravity * 0.3175);
-    EXPECT_LT(largest_speed(state.particles), 1e-6 * reference_speed);
+    EXPECT_LT(largest_speed(state.particles), 1e-8 * reference_speed);
     // the pressure as a whole is the static pressure of the still water
     const double base_pressure = problem.water->density * problem.gravity * 0.3175;
     for (const double excess : state.particles.pore_pressure)
@@ -68,6 +68,8 @@ Problem submerged_dike()
     return problem;
 }
 
+constexpr int rest_steps = 500; // for 100 000 see examples/verification/README.md
+
 /// Elevation of the slope's surface at x [m].
 double slope_surface(double x)
 {
@@ -77,7 +79,7 @@ double slope_surface(double x)
 
 TEST(Rest, DikeSettlesInTheGravityStageAndStaysAtRestAfterwards)
 {
-    const Problem problem = submerged_dike();
+    Problem problem = submerged_dike();
     State state = fill(problem, 3, [](const Vector2& x) { return x.y() < slope_surface(x.x()); });
     const Material& sand = problem.materials[0];
     const double unit_weight = (1.0 - sand.porosity) * (sand.grain_density - 1000.0) * problem.gravity;
@@ -89,9 +91,17 @@ TEST(Rest, DikeSettlesInTheGravityStageAndStaysAtRestAfterwards)
     const RelaxationReport report = relax(problem, {}, state);
     EXPECT_LE(report.out_of_balance, 1e-6);
 
-    const double dt = stable_time_step(problem, state.particles).dt;
-    run(problem, 500.0 * dt, {}, state);
-    EXPECT_LT(largest_speed(state.particles), 1e-4 * std::sqrt(problem.gravity * 0.25));
+    for (const TimeScheme scheme : {TimeScheme::explicit_steps, TimeScheme::semi_implicit}) {
+        problem.scheme = scheme;
+        State shaken = state;
+        const double dt = stable_time_step(problem, state.particles).dt;
+        double fastest = 0.0;
+        for (int part = 1; part <= 10; ++part) {
+            run(problem, part * rest_steps / 10 * dt, {}, shaken);
+            fastest = std::max(fastest, largest_speed(shaken.particles));
+        }
+        EXPECT_LT(fastest, 1e-5 * std::sqrt(problem.gravity * 0.25));
+    }
 }
 
 } // namespace

@@ -175,7 +175,7 @@ double amplification(Problem problem, int rows, double frequency)
         // the velocity at the surface, from that of the highest particle and its gradient
         const double v = state.particles.velocity_solid.x[top] +
                          state.particles.half_edge_2.y[top] * state.particles.velocity_gradient_solid.xy[top];
-        relative += v * std::polar(2.0 / samples, -omega * time);
+        relative += v * std::polar(2.0 / samples, -omega * (time - 0.5 * state.last_step));
     }
     // the outcrop's acceleration sin(w t) has the amplitude -i, its velocity -i / (i w)
     const std::complex<double> outcrop = -1.0 / omega;
