@@ -48,22 +48,38 @@ std::vector<double> observation_times(double interval, double end_time)
     return times;
 }
 
+/// Times the steps after the first few.
+class StepWatch final : public Observer {
+public:
+    double next_time() const override { return std::numeric_limits<double>::infinity(); }
+    void observe(const Problem&, const State&, const StepReport&) override {}
+    void after_step(const StepReport& report) override
+    {
+        steps_ = report.step;
+        if (steps_ == warm_up_steps) watch_ = StopWatch();
+    }
+
+    bool has_enough() const { return steps_ > warm_up_steps && watch_.seconds() > step_trial_seconds; }
+    /// A run shorter than the trial has been measured as a whole.
+    double seconds_of_a_step() const
+    {
+        const std::int64_t measured = steps_ > warm_up_steps ? steps_ - warm_up_steps : steps_;
+        return watch_.seconds() / static_cast<double>(std::max<std::int64_t>(measured, 1));
+    }
+
+private:
+    StopWatch watch_;
+    std::int64_t steps_ = 0;
+};
+
 double measure_step(const AssembledCase& assembled)
 {
     State state = assembled.state;
     begin_shaking(assembled.problem, state);
     open_ledger(assembled.problem, state);
-    StopWatch watch;
-    std::int64_t steps = 0;
-    double seconds = 0.0;
-    run(assembled.problem, assembled.scene.end_time, {}, state, [&] {
-        if (++steps == warm_up_steps) watch = StopWatch();
-        seconds = watch.seconds();
-        return steps > warm_up_steps && seconds > step_trial_seconds;
-    });
-    // A run shorter than the trial has been measured as a whole.
-    const std::int64_t measured = steps > warm_up_steps ? steps - warm_up_steps : steps;
-    return seconds / static_cast<double>(std::max<std::int64_t>(measured, 1));
+    StepWatch watch;
+    run(assembled.problem, assembled.scene.end_time, {&watch}, state, [&] { return watch.has_enough(); });
+    return watch.seconds_of_a_step();
 }
 
 /// How the out-of-balance force has fallen.
