@@ -37,6 +37,7 @@ void read_ubcsand_materials(SceneValues& values, Scene& scene, Diagnostics& find
         if (values.text(table.path + ".model") != "ubcsand") continue;
         UbcSandParameters parameters = resolve_ubcsand(table, values, findings);
         parameters.static_poisson_ratio = values.number(table.path + ".static_poisson_ratio");
+        parameters.integration = UbcSandRunSettings().integration;
         parameters.ripple_strain = values.number(table.path + ".ripple_strain");
         parameters.resolved_floors = values.number(table.path + ".resolved_floors");
         check_k0(values, table, parameters, findings);

@@ -1,7 +1,8 @@
 #include "solver/ubcsand.hpp"
 
-#include "solver/ubcsand_kernel.hpp"
+#include "solver/ubcsand_flow.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace quicksand {
@@ -19,18 +20,29 @@ ubcsand::Moduli present_moduli(const UbcSand& law, const UbcSandState& state)
     return law.square_roots ? ubcsand::elastic_moduli<true>(law, s) : ubcsand::elastic_moduli<false>(law, s);
 }
 
-template <bool square_roots>
+template <bool square_roots, Integration order>
 void advance(const UbcSand& law, ubcsand::Strain remaining, UbcSandState& state)
 {
     for (double budget = ubcsand::most_substeps; budget > 0.0; budget -= 1.0) {
-        const ubcsand::Substep substep = ubcsand::next_substep<square_roots>(law, state, budget, remaining);
-        const ubcsand::Trial trial = ubcsand::elastic_trial(law, state, substep.moduli, substep.strain);
+        const ubcsand::Substep substep =
+            ubcsand::next_substep<square_roots, order>(law, state, budget, remaining);
+        const ubcsand::Trial trial = ubcsand::elastic_trial<order>(law, state, substep.start, substep.strain);
         if (trial.plastic) {
-            ubcsand::finish_plastic(law, trial, state);
+            ubcsand::finish_plastic<order>(law, trial, state);
         } else {
             ubcsand::finish_elastic(law, trial, state);
         }
         if (substep.last) return;
+    }
+}
+
+template <Integration order>
+void advance(const UbcSand& law, const ubcsand::Strain& strain, UbcSandState& state)
+{
+    if (law.square_roots) {
+        advance<true, order>(law, strain, state);
+    } else {
+        advance<false, order>(law, strain, state);
     }
 }
 
@@ -63,8 +75,10 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.s_min = m.stress_floor;
     law.static_poisson = m.static_poisson_ratio;
     law.per_ratio_step = 1.0 / m.largest_ratio_step;
+    law.per_excursion_step = std::max(law.per_ratio_step, 1.0 / std::max(m.reversal_tolerance, 1e-6));
     law.per_stress_step = 1.0 / m.largest_stress_step;
     law.resolved = m.resolved_floors * m.stress_floor;
+    law.integration = m.integration;
     law.square_roots = law.ne == 0.5 && law.me == 0.5;
     return law;
 }
@@ -97,10 +111,10 @@ void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState&
 {
     turn(increment.spin, state);
     const ubcsand::Strain strain = {increment.strain_x, increment.strain_y, increment.shear};
-    if (law.square_roots) {
-        advance<true>(law, strain, state);
+    if (law.integration == Integration::first_order) {
+        advance<Integration::first_order>(law, strain, state);
     } else {
-        advance<false>(law, strain, state);
+        advance<Integration::second_order>(law, strain, state);
     }
 }
 

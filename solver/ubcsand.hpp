@@ -34,8 +34,10 @@ struct UbcSand {
     double s_min;                // stress floor [Pa]
     double static_poisson;       // nu while settling under gravity [-]
     double per_ratio_step;       // 1 / largest elastic change of the stress ratio in a substep [-]
+    double per_excursion_step;   // the same while an excursion may still be tiny [-]
     double per_stress_step;      // 1 / largest relative elastic change of s in a substep [-]
     double resolved;             // mean stress below which substeps are as long as there [Pa]
+    Integration integration;     // of the substeps
     bool square_roots;           // ne = me = 1/2
 };
 

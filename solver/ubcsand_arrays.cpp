@@ -1,12 +1,13 @@
 // UBCSAND for arrays of points: blocks of lanes that go through the substeps together, so that the compiler
 // makes vectors of the kernel's arithmetic. A block without plastic lanes skips the return.
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC optimize("no-trapping-math") // lets both sides of a choice be computed; changes no value
+// lets both sides of a choice be computed and keeps them from becoming branches again; changes no value
+#pragma GCC optimize("no-trapping-math", "no-thread-jumps")
 #endif
 
 #include "solver/lanes.hpp"
 #include "solver/ubcsand.hpp"
-#include "solver/ubcsand_kernel.hpp"
+#include "solver/ubcsand_flow.hpp"
 
 namespace quicksand {
 
@@ -59,28 +60,35 @@ struct Block {
 
 /// The trials of a block between their making and the return.
 struct TrialBlock {
-    double G[width], E2[width], K[width], s[width], q_x[width], q_y[width], t[width], sigma_z[width];
-    double strain_x[width], strain_y[width], eta_y[width], r_x[width], r_y[width], branch[width],
-        scale[width], plastic[width];
+    double G[width], B[width], s_old[width], s_start[width], start_x[width], start_y[width];
+    double s[width], q_x[width], q_y[width], t[width], sigma_z[width];
+    double volumetric[width], shear_x[width], shear_y[width], E2[width], eta_y[width], branch[width],
+        plastic[width];
 
     void set(std::size_t k, const Trial& trial, double is_plastic)
     {
-        G[k] = trial.moduli.G, E2[k] = trial.moduli.E2, K[k] = trial.moduli.K;
+        G[k] = trial.start.moduli.G, B[k] = trial.start.moduli.B;
+        s_old[k] = trial.start.s_old, s_start[k] = trial.start.s;
+        start_x[k] = trial.start.q_x, start_y[k] = trial.start.q_y;
         s[k] = trial.s, q_x[k] = trial.q_x, q_y[k] = trial.q_y, t[k] = trial.t, sigma_z[k] = trial.sigma_z;
-        strain_x[k] = trial.strain_x, strain_y[k] = trial.strain_y, eta_y[k] = trial.eta_y,
-        r_x[k] = trial.r_x, r_y[k] = trial.r_y;
-        branch[k] = trial.branch, scale[k] = trial.scale;
+        volumetric[k] = trial.volumetric, shear_x[k] = trial.shear_x, shear_y[k] = trial.shear_y;
+        E2[k] = trial.E2, eta_y[k] = trial.eta_y, branch[k] = trial.branch;
         plastic[k] = is_plastic;
     }
 
-    Trial trial(std::size_t k) const
+    Trial trial(const UbcSand& law, std::size_t k) const
     {
         Trial trial{};
-        trial.moduli = {G[k], 0.0, E2[k], K[k]};
+        trial.start = {moduli_of(G[k], B[k]),
+                       s_old[k],
+                       s_start[k],
+                       s_start[k] + law.a,
+                       start_x[k],
+                       start_y[k],
+                       start_x[k] * start_x[k] + start_y[k] * start_y[k]};
         trial.s = s[k], trial.q_x = q_x[k], trial.q_y = q_y[k], trial.t = t[k], trial.sigma_z = sigma_z[k];
-        trial.strain_x = strain_x[k], trial.strain_y = strain_y[k], trial.eta_y = eta_y[k],
-        trial.r_x = r_x[k], trial.r_y = r_y[k];
-        trial.branch = branch[k], trial.scale = scale[k];
+        trial.volumetric = volumetric[k], trial.shear_x = shear_x[k], trial.shear_y = shear_y[k];
+        trial.E2 = E2[k], trial.eta_y = eta_y[k], trial.branch = branch[k];
         return trial;
     }
 };
@@ -93,14 +101,14 @@ inline double sum(const double (&values)[width])
 }
 
 /// [2] to [7] of one substep; elastic lanes are finished. Returns the number of plastic lanes.
-template <bool square_roots>
+template <bool square_roots, Integration order>
 inline double step_elastically(const UbcSand& law, double budget, Block& block, TrialBlock& trials)
 {
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
         Strain remaining = {block.strain_x[k], block.strain_y[k], block.strain_xy[k]};
-        const Substep substep = next_substep<square_roots>(law, state, budget, remaining);
-        const Trial trial = elastic_trial(law, state, substep.moduli, substep.strain);
+        const Substep substep = next_substep<square_roots, order>(law, state, budget, remaining);
+        const Trial trial = elastic_trial<order>(law, state, substep.start, substep.strain);
         const double plastic = select(trial.plastic, block.open[k], 0.0);
         finish_elastic(law, trial, state);
         block.set(k, block.open[k] > plastic, state);
@@ -112,22 +120,23 @@ inline double step_elastically(const UbcSand& law, double budget, Block& block, 
 }
 
 /// [8] to [10] of the plastic lanes.
+template <Integration order>
 inline void flow_plastically(const UbcSand& law, Block& block, const TrialBlock& trials)
 {
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
-        finish_plastic(law, trials.trial(k), state);
+        finish_plastic<order>(law, trials.trial(law, k), state);
         block.set(k, trials.plastic[k] > 0.0, state);
     }
 }
 
-template <bool square_roots>
+template <bool square_roots, Integration order>
 inline void advance_lanes(const UbcSand& law, Block& block)
 {
     TrialBlock trials;
     for (double budget = most_substeps; budget > 0.0; budget -= 1.0) {
-        if (step_elastically<square_roots>(law, budget, block, trials) > 0.0) {
-            flow_plastically(law, block, trials);
+        if (step_elastically<square_roots, order>(law, budget, block, trials) > 0.0) {
+            flow_plastically<order>(law, block, trials);
         }
         if (sum(block.open) == 0.0) return;
     }
@@ -160,7 +169,7 @@ inline void store(const Block& block, std::size_t p, std::size_t count, const Ub
     for (std::size_t k = 0; k < count; ++k) points.set(p + k, block.state(k));
 }
 
-template <bool square_roots>
+template <bool square_roots, Integration order>
 inline void advance_points(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
                            const UbcSandArrays& points)
 {
@@ -168,23 +177,38 @@ inline void advance_points(const UbcSand& law, double dt, std::size_t first, std
     for (std::size_t p = first; p < last; p += width) {
         const std::size_t count = last - p < width ? last - p : width;
         load(points, p, count, dt, turned, block);
-        advance_lanes<square_roots>(law, block);
+        advance_lanes<square_roots, order>(law, block);
         store(block, p, count, points);
     }
 }
 
 VECTOR_KERNEL
-void advance_generic(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
-                     const UbcSandArrays& points)
+void advance_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+                         const UbcSandArrays& points)
 {
-    advance_points<true>(law, dt, first, last, turned, points);
+    advance_points<false, Integration::first_order>(law, dt, first, last, turned, points);
+}
+
+/// With the exponents of the generic set.
+VECTOR_KERNEL
+void advance_generic_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                                 Turn turned, const UbcSandArrays& points)
+{
+    advance_points<true, Integration::first_order>(law, dt, first, last, turned, points);
 }
 
 VECTOR_KERNEL
-void advance_any(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
-                 const UbcSandArrays& points)
+void advance_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+                          const UbcSandArrays& points)
 {
-    advance_points<false>(law, dt, first, last, turned, points);
+    advance_points<false, Integration::second_order>(law, dt, first, last, turned, points);
+}
+
+VECTOR_KERNEL
+void advance_generic_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                                  Turn turned, const UbcSandArrays& points)
+{
+    advance_points<true, Integration::second_order>(law, dt, first, last, turned, points);
 }
 
 } // namespace
@@ -192,10 +216,12 @@ void advance_any(const UbcSand& law, double dt, std::size_t first, std::size_t l
 void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
             const UbcSandArrays& points)
 {
-    if (law.square_roots) {
-        advance_generic(law, dt, first, last, turned, points);
+    if (law.integration == Integration::first_order) {
+        (law.square_roots ? advance_generic_first_order : advance_first_order)(law, dt, first, last, turned,
+                                                                               points);
     } else {
-        advance_any(law, dt, first, last, turned, points);
+        (law.square_roots ? advance_generic_second_order : advance_second_order)(law, dt, first, last, turned,
+                                                                                 points);
     }
 }
 

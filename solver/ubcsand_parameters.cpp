@@ -76,6 +76,7 @@ UbcSandParameters ubcsand_from_relative_density(double relative_density)
 
 UbcSandParameters with(const UbcSandRunSettings& settings, UbcSandParameters parameters)
 {
+    parameters.integration = settings.integration;
     parameters.ripple_strain = settings.ripple_strain;
     parameters.largest_ratio_step = settings.largest_ratio_step;
     parameters.largest_stress_step = settings.largest_stress_step;

@@ -121,11 +121,40 @@ TEST(UbcSandSubsteps, OfARunAreFineEnoughBeforeAndAfterLiquefaction)
         const UbcSandParameters coarse = with(settings, fine);
         fine.largest_ratio_step /= 4.0;
         fine.largest_stress_step /= 4.0;
+        EXPECT_LT(difference(coarse, fine, 2e-2, 2.5e-4), 0.01) << n1_60; // strong shaking
         for (const double gamma : {5e-4, 2e-3, 2e-2}) {
             // the steps of strain of a semi-implicit run
             EXPECT_LT(difference(coarse, fine, gamma, 3e-5), 0.005) << n1_60 << " " << gamma;
         }
         EXPECT_LT(difference(coarse, fine, 5e-4, 3e-6), 0.001) << n1_60; // of an explicit one
+    }
+}
+
+/// Stress after loading at constant volume to a shear strain in a number of substeps.
+UbcSandState sheared(double k0, double gamma, int substeps, Integration integration)
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.integration = integration;
+    parameters.largest_ratio_step = parameters.largest_stress_step = 1e9; // a substep of each step
+    Specimen specimen = consolidate(make_ubcsand(parameters), {100e3, k0, 0.0});
+    for (int k = 0; k < substeps; ++k) strain(0.0, 0.0, gamma / substeps, specimen);
+    return specimen.state;
+}
+
+double order_of(Integration integration, double k0, double gamma)
+{
+    const UbcSandState exact = sheared(k0, gamma, 32768, Integration::second_order);
+    const double coarse = distance(sheared(k0, gamma, 64, integration), exact);
+    return std::log2(coarse / distance(sheared(k0, gamma, 128, integration), exact));
+}
+
+TEST(UbcSandSubsteps, AreOfTheirOrder)
+{
+    for (const double gamma : {3e-4, 1e-3}) { // at K0 = 0.5 the principal stresses turn
+        for (const double k0 : {0.5, 1.0}) {
+            EXPECT_NEAR(order_of(Integration::first_order, k0, gamma), 1.0, 0.1) << k0 << " " << gamma;
+            EXPECT_NEAR(order_of(Integration::second_order, k0, gamma), 2.0, 0.2) << k0 << " " << gamma;
+        }
     }
 }
 

@@ -1,5 +1,5 @@
 #include "solver/ubcsand.hpp"
-#include "solver/ubcsand_kernel.hpp"
+#include "solver/ubcsand_flow.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,32 +57,29 @@ TEST(UbcSand, ElasticModuliAreThoseOfTheGenericSetAtOneAtmosphere)
 TEST(UbcSand, ThePlasticModulusIsTheHyperbolaTimesTheFactor)
 {
     const UbcSand law = make_ubcsand(ubcsand_from_blow_count(15.0));
-    ubcsand::Trial trial{};
-    trial.scale = 0.5; // s = 50 kPa
-    trial.eta_y = 0.3;
+    const double number = ubcsand::plastic_number(law, 50e3);
     // 2 x 822.4 x 100 kPa x 0.5^0.4 x (1 - 0.7328 x 0.3/sin 34.5 deg)^2
-    EXPECT_NEAR(ubcsand::plastic_modulus(law, trial, 2.0), 46.65e6, 0.05e6);
+    EXPECT_NEAR(2.0 * ubcsand::plastic_modulus(law, number, 0.3), 46.65e6, 0.05e6);
 }
 
 TEST(UbcSand, TheFactorStiffensReloadingAndSoftensAfterDilation)
 {
     const UbcSand law = make_ubcsand(nevada_sand_55());
     UbcSandState state;
-    state.eta_max = 0.4;
     state.half_cycles = 6.0;
     state.origin_x = state.peak_x = 0.3;
     ubcsand::Trial trial{};
-    trial.eta_y = 0.4;
     trial.q_x = -1.0;
-    EXPECT_DOUBLE_EQ(ubcsand::hardening_factor(law, trial, state), 1.0);
-    trial.eta_y = 0.2;
-    EXPECT_DOUBLE_EQ(ubcsand::hardening_factor(law, trial, state), 0.6 * (4.0 + 0.5 * 6.0));
+    const auto factors = [&] { return ubcsand::hardening_factors(law, trial, state); };
+    EXPECT_DOUBLE_EQ(factors().virgin, 1.0);
+    EXPECT_DOUBLE_EQ(factors().secondary, 0.6 * (4.0 + 0.5 * 6.0));
     state.active_dilation = 1e-3;
-    EXPECT_NEAR(ubcsand::hardening_factor(law, trial, state), 4.2 * std::exp(-1.0), 1e-14);
+    EXPECT_NEAR(factors().virgin, std::exp(-1.0), 1e-14);
+    EXPECT_NEAR(factors().secondary, 4.2 * std::exp(-1.0), 1e-14);
     state.active_dilation = 0.1;
-    EXPECT_DOUBLE_EQ(ubcsand::hardening_factor(law, trial, state), 0.05);
+    EXPECT_DOUBLE_EQ(factors().secondary, 0.05);
     trial.q_x = 1.0; // the branch has not crossed the isotropic axis
-    EXPECT_DOUBLE_EQ(ubcsand::hardening_factor(law, trial, state), 4.2);
+    EXPECT_DOUBLE_EQ(factors().secondary, 4.2);
 }
 
 TEST(UbcSand, UnloadingIsElasticAndKeepsTheMeanStress)
