@@ -32,6 +32,9 @@ ColumnMode column_mode(const Layer& layer, double wave_number, Complex s);
 /// Give particles at rest the velocities, stresses and pressures of Re(mode).
 void start_mode(const ColumnMode& mode, Particles& particles);
 
+/// The same of any amplitudes a, b [m/s], c, d [Pa] of the mode's wave number.
+void start_amplitudes(const ColumnMode& mode, const Eigen::Vector4d& amplitudes, Particles& particles);
+
 /// Part of the mode in a state before its first step, by projection of the particles on sin and cos of their
 /// reference height [-]; 1 for Re(shape) of a mode that does not travel, 1/2 of the shape and its conjugate
 /// otherwise.
@@ -40,6 +43,13 @@ Complex measure_start(const ColumnMode& mode, const Particles& particles);
 /// The same in a run under way. Its velocities stand half a step before the stresses: they are taken as the
 /// mean of them and of those after one step more.
 Complex measure_mode(const Problem& problem, const ColumnMode& mode, State state);
+
+/// Complex frequency of the mode from runs of `state` at rest, one from each of the four amplitudes alone:
+/// their changes over one part of `duration` are taken to those over the next by a matrix, of whose
+/// eigenvalues the one nearest to the mode's tells its frequency. What the start has besides the grid's own
+/// waves of this number then does not count, nor how nearly parallel two modes are [1/s].
+Complex propagated_frequency(const Problem& problem, const Layer& layer, const ColumnMode& mode,
+                             const State& state, double duration);
 
 /// Complex frequency measured over a duration in which the part went from `before` to `after`; its phase is
 /// taken nearest to the exact one's [1/s].

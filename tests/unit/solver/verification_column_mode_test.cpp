@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace quicksand {
@@ -64,6 +65,18 @@ TEST(ColumnMode, IsMeasuredAsItWasStartedAndAloneAmongTheModes)
     start_mode(fast, closed.state.particles);
     EXPECT_NEAR(std::abs(measure_start(fast, closed.state.particles) - 0.5), 0.0, 1e-10);
     EXPECT_NEAR(std::abs(measure_start(slow, closed.state.particles)), 0.0, 1e-10);
+}
+
+TEST(ColumnMode, PropagatesWithTheDispersionOfBilinearCells)
+{
+    const Column closed = column(10, SoilCondition::fixed);
+    const Layer layer = read_layer(closed.problem, closed.state);
+    const double xi = 2.0 * std::numbers::pi;
+    const ColumnMode slow = column_mode(layer, xi, longitudinal_modes(layer.soil, xi).slow);
+    const Complex s = propagated_frequency(closed.problem, layer, slow, closed.state, 2e-3);
+    // lumped masses: a wave of this number is slower by (xi h)^2 / 24, and decays as it should
+    EXPECT_NEAR(1.0 - s.imag() / slow.s.imag(), std::pow(0.1 * xi, 2) / 24.0, 5e-4);
+    EXPECT_NEAR(s.real() / slow.s.real(), 1.0, 1e-4);
 }
 
 TEST(ColumnMode, FindsTheFrequencyOfAKnownGrowth)
