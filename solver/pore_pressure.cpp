@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace quicksand {
 
@@ -51,23 +52,48 @@ CellSums sum_cell(const CellLists& lists, std::size_t first, std::size_t last, c
     return sums;
 }
 
-Vector2 pressure_slope(const BackgroundGrid& grid, const CellLists& lists, const CellMeans& means,
+/// The soil of a cell beside another one, with the place where it is seen from there.
+struct Neighbour {
+    std::size_t slot = 0;
+    double shift = 0.0; // of its centre along x [m]
+};
+
+/// A neighbour of a cell, or where it is empty its image on the other side of a laminar box; none: no soil.
+std::optional<Neighbour> find_neighbour(const Problem& problem, const CellLists& lists,
+                                        const CellMeans& means, std::int32_t cell)
+{
+    const auto slot_of = [&](std::int32_t c) {
+        return static_cast<std::size_t>(lists.slot_of_cell[static_cast<std::size_t>(c)]);
+    };
+    if (means.volume[slot_of(cell)] > 0.0) return Neighbour{slot_of(cell), 0.0};
+    if (!problem.tied_sides) return std::nullopt;
+    const double width = problem.tied_sides->x_right - problem.tied_sides->x_left;
+    const auto cells = static_cast<std::int32_t>(std::lround(width / problem.grid.cell_size));
+    const std::int32_t columns = problem.grid.all_cells_x(), column = cell % columns;
+    if (column + cells < columns && means.volume[slot_of(cell + cells)] > 0.0)
+        return Neighbour{slot_of(cell + cells), -width};
+    if (column - cells >= 0 && means.volume[slot_of(cell - cells)] > 0.0)
+        return Neighbour{slot_of(cell - cells), width};
+    return std::nullopt;
+}
+
+Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const CellMeans& means,
                        std::size_t slot)
 {
-    const std::int32_t cell = lists.cell_of_slot[slot], columns = grid.all_cells_x();
+    const std::int32_t cell = lists.cell_of_slot[slot], columns = problem.grid.all_cells_x();
     const Vector2 centre = means.centre[slot];
     SlopeFit fit;
     for (std::int32_t b = -1; b <= 1; ++b) {
         for (std::int32_t a = -1; a <= 1; ++a) {
+            if (a == 0 && b == 0) continue;
             // centres never lie in the outermost cells of the rim, so that the neighbours exist
-            const auto other = static_cast<std::size_t>(
-                lists.slot_of_cell[static_cast<std::size_t>(cell + b * columns + a)]);
-            if (means.volume[other] > 0.0 && other != slot) {
-                fit.add(means.centre[other] - centre, means.pore_pressure[other] - means.pore_pressure[slot]);
-            }
+            const auto other = find_neighbour(problem, lists, means, cell + b * columns + a);
+            if (!other) continue;
+            const Vector2 seen = means.centre[other->slot] + Vector2(other->shift, 0.0);
+            fit.add(seen - centre, means.pore_pressure[other->slot] - means.pore_pressure[slot]);
         }
     }
-    return fit.slope(grid.cell_size);
+    return fit.slope(problem.grid.cell_size);
 }
 
 /// dp of a tile's cells from divergence(p) of the flux [1/s].
@@ -224,7 +250,7 @@ void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, c
     const Vectors& place = place_in_equations(problem, particles);
     const bool cavitates = problem.water->cavitation_pressure.has_value();
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
-        const Vector2 slope = pressure_slope(problem.grid, lists, means, slot), centre = means.centre[slot];
+        const Vector2 slope = pressure_slope(problem, lists, means, slot), centre = means.centre[slot];
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
             particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre);
