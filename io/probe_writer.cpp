@@ -124,8 +124,9 @@ ProbeWriter::ProbeWriter(const Scene& scene, const Problem& problem, const State
     double last_time = std::numeric_limits<double>::infinity();
     for (const SceneProbe& scene_probe : scene.probes) {
         probes_.push_back(open_probe(scene_probe, problem, state, label, results, resume));
-        const bool by_nodes = scene_probe.kind == ProbeKind::fixed || scene_probe.kind == ProbeKind::profile;
-        needs_nodal_fields_ = needs_nodal_fields_ || by_nodes;
+        if (scene_probe.kind == ProbeKind::fixed) fixed_points_.push_back(*scene_probe.at);
+        for (int k = 0; scene_probe.kind == ProbeKind::profile && k < scene_probe.points; ++k)
+            fixed_points_.push_back(profile_point(scene_probe, k));
         last_time = std::min(last_time, probes_.back().file.last_time().value_or(-1.0));
     }
     if (!probes_.empty()) clock_.go_on(state.time, last_time);
@@ -158,7 +159,8 @@ ProbeWriter::Probe ProbeWriter::open_probe(const SceneProbe& scene_probe, const 
 
 void ProbeWriter::observe(const Problem& problem, const State& state, const StepReport&)
 {
-    const NodalFields fields = needs_nodal_fields_ ? nodal_fields(problem, state.particles) : NodalFields{};
+    const NodalFields fields =
+        fixed_points_.empty() ? NodalFields{} : nodal_fields_at(problem, state.particles, fixed_points_);
     for (Probe& probe : probes_) write(probe, state.time, sample(probe, problem, state, fields));
     clock_.advance();
 }

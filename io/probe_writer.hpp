@@ -49,7 +49,7 @@ private:
     void write(Probe& probe, double time, std::vector<ProbeSample> samples) const;
 
     bool saturated_;
-    bool needs_nodal_fields_ = false;
+    std::vector<Vector2> fixed_points_; // of all fixed probes and profiles [m]
     ObservationClock clock_;
     std::vector<Probe> probes_;
 };

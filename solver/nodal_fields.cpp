@@ -5,6 +5,8 @@
 #include "solver/monitors.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <optional>
 
 namespace quicksand {
 
@@ -56,9 +58,52 @@ void particle_values(const Problem& problem, const Particles& particles, std::si
     *values++ = particles.velocity_fluid.y[p];
 }
 
-} // namespace
+/// The cell that holds a point, as the node at its lower left corner and the point's place in it.
+struct PointInCell {
+    int i = 0, j = 0;
+    double xi = 0.0, eta = 0.0; // 0..1
 
-NodalFields nodal_fields(const Problem& problem, const Particles& particles)
+    std::size_t node(const BackgroundGrid& grid, int k) const
+    {
+        return static_cast<std::size_t>((j + k / 2) * grid.nodes_x() + i + k % 2);
+    }
+};
+
+std::optional<PointInCell> find_cell(const BackgroundGrid& grid, const Vector2& point)
+{
+    const Vector2 cells = (point - grid.rim_origin()) / grid.cell_size;
+    const bool in_grid = cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() <= grid.all_cells_x() &&
+                         cells.y() <= grid.all_cells_y();
+    if (!in_grid) return std::nullopt;
+    PointInCell place;
+    place.i = std::min(static_cast<int>(cells.x()), grid.all_cells_x() - 1);
+    place.j = std::min(static_cast<int>(cells.y()), grid.all_cells_y() - 1);
+    place.xi = cells.x() - place.i;
+    place.eta = cells.y() - place.j;
+    return place;
+}
+
+/// Which nodes are asked for.
+using NodeMask = std::vector<std::uint8_t>;
+
+/// Whether a domain may give weight to a node that is asked for.
+bool may_reach(const BackgroundGrid& grid, const ParallelogramDomain& domain, const NodeMask& wanted)
+{
+    constexpr double rounding = 1e-6; // [cells]
+    const Vector2 reach = domain.half_edge_1.cwiseAbs() + domain.half_edge_2.cwiseAbs();
+    const Vector2 centre = (domain.centre - grid.rim_origin()) / grid.cell_size;
+    const Vector2 lower = centre - reach / grid.cell_size - Vector2::Constant(rounding),
+                  upper = centre + reach / grid.cell_size + Vector2::Constant(1.0 + rounding);
+    const int last_i = std::min(static_cast<int>(upper.x()), grid.nodes_x() - 1),
+              last_j = std::min(static_cast<int>(upper.y()), grid.nodes_y() - 1);
+    for (int j = std::max(0, static_cast<int>(lower.y())); j <= last_j; ++j) {
+        for (int i = std::max(0, static_cast<int>(lower.x())); i <= last_i; ++i)
+            if (wanted[static_cast<std::size_t>(j * grid.nodes_x() + i)] != 0) return true;
+    }
+    return false;
+}
+
+NodalFields average(const Problem& problem, const Particles& particles, const NodeMask& wanted)
 {
     const BackgroundGrid& grid = problem.grid;
     NodalFields fields;
@@ -74,14 +119,16 @@ NodalFields nodal_fields(const Problem& problem, const Particles& particles)
     for (std::size_t p = 0; p < particles.size(); ++p) {
         ParallelogramDomain domain{particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
         limit_domain(grid.cell_size, domain);
+        if (!may_reach(grid, domain, wanted)) continue;
         evaluate_cpdi(grid, domain, patch);
         particle_values(problem, particles, p, values);
         for (int k = 0; k < patch.width * patch.height; ++k) {
-            const int node = patch.base + k / patch.width * grid.nodes_x() + k % patch.width;
+            const auto node =
+                static_cast<std::size_t>(patch.base + k / patch.width * grid.nodes_x() + k % patch.width);
+            if (wanted[node] == 0) continue;
             const double weight = patch.weights[k].value * particles.volume[p];
-            fields.volume[static_cast<std::size_t>(node)] += weight;
-            for (std::size_t f = 0; f < arrays.size(); ++f)
-                (*arrays[f])[static_cast<std::size_t>(node)] += weight * values[f];
+            fields.volume[node] += weight;
+            for (std::size_t f = 0; f < arrays.size(); ++f) (*arrays[f])[node] += weight * values[f];
         }
     }
     for (std::size_t i = 0; i < grid.node_count(); ++i) {
@@ -91,21 +138,34 @@ NodalFields nodal_fields(const Problem& problem, const Particles& particles)
     return fields;
 }
 
+} // namespace
+
+NodalFields nodal_fields(const Problem& problem, const Particles& particles)
+{
+    return average(problem, particles, NodeMask(problem.grid.node_count(), 1));
+}
+
+NodalFields nodal_fields_at(const Problem& problem, const Particles& particles,
+                            const std::vector<Vector2>& points)
+{
+    NodeMask wanted(problem.grid.node_count(), 0);
+    for (const Vector2& point : points) {
+        const auto cell = find_cell(problem.grid, point);
+        for (int k = 0; cell && k < 4; ++k) wanted[cell->node(problem.grid, k)] = 1;
+    }
+    return average(problem, particles, wanted);
+}
+
 PointWeights point_weights(const BackgroundGrid& grid, const NodalFields& fields, const Vector2& point)
 {
     PointWeights result;
-    const Vector2 cells = (point - grid.rim_origin()) / grid.cell_size;
-    const bool in_grid = cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() <= grid.all_cells_x() &&
-                         cells.y() <= grid.all_cells_y();
-    if (!in_grid) return result;
-    const int i = std::min(static_cast<int>(cells.x()), grid.all_cells_x() - 1);
-    const int j = std::min(static_cast<int>(cells.y()), grid.all_cells_y() - 1);
-    const double xi = cells.x() - i, eta = cells.y() - j;
+    const auto cell = find_cell(grid, point);
+    if (!cell) return result;
     result.inside = true;
     for (int k = 0; k < 4; ++k) {
-        const int a = k % 2, b = k / 2;
-        result.node[k] = static_cast<std::size_t>((j + b) * grid.nodes_x() + i + a);
-        result.weight[k] = (a == 0 ? 1.0 - xi : xi) * (b == 0 ? 1.0 - eta : eta);
+        result.node[k] = cell->node(grid, k);
+        result.weight[k] =
+            (k % 2 == 0 ? 1.0 - cell->xi : cell->xi) * (k / 2 == 0 ? 1.0 - cell->eta : cell->eta);
         result.inside = result.inside && fields.volume[result.node[k]] > 0.0;
     }
     return result;

@@ -27,6 +27,11 @@ struct NodalFields {
 
 NodalFields nodal_fields(const Problem& problem, const Particles& particles);
 
+/// The same, to the same bits, at the nodes of the cells that hold the points; zero at all others, whose
+/// particles are passed over.
+NodalFields nodal_fields_at(const Problem& problem, const Particles& particles,
+                            const std::vector<Vector2>& points);
+
 /// Bilinear weights of the four nodes around a point: the value of a nodal field there is
 /// sum weight[k] field[node[k]]. `inside` is false where the cell does not touch soil at all four nodes.
 struct PointWeights {
