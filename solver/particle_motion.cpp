@@ -11,19 +11,6 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::int64_t chunk = 512; // particles a thread takes at a time [-]
-
-/// Call work(first, last) for chunks of the particles, on all threads.
-template <class Work>
-void for_each_chunk(std::size_t count, Work&& work)
-{
-    const auto total = static_cast<std::int64_t>(count);
-#pragma omp parallel for schedule(static) if (count > least_parallel_work)
-    for (std::int64_t first = 0; first < total; first += chunk) {
-        work(static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(total, first + chunk)));
-    }
-}
-
 /// edge += dt L other
 void add_stretch(double dt, const Gradients& L, std::size_t p, const Vectors& other, Vectors& edge)
 {

@@ -1,8 +1,12 @@
 #include "solver/particle_order.hpp"
 
 #include "solver/failure.hpp"
+#include "solver/lanes.hpp"
+#include "solver/threads.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 
@@ -23,6 +27,20 @@ namespace {
     record.identifier = state.particles.identifier[p];
     record.position = state.particles.position[p];
     throw NumericalError(record);
+}
+
+/// Particles whose velocity or volume is out of all bounds.
+VECTOR_KERNEL
+std::int64_t count_bad(const Particles& particles, std::size_t first, std::size_t last)
+{
+    const double *x = particles.velocity_solid.x.data(), *y = particles.velocity_solid.y.data();
+    const double* volume = particles.volume.data();
+    std::int64_t bad = 0;
+    for (std::size_t p = first; p < last; ++p) {
+        const bool slow = x[p] * x[p] + y[p] * y[p] < std::numeric_limits<double>::max();
+        bad += !(slow & (volume[p] > 0.0));
+    }
+    return bad;
 }
 
 } // namespace
@@ -63,10 +81,12 @@ void throw_lost_corner(double dt, const State& state, std::size_t p)
 void check_particles(double dt, const State& state)
 {
     const Particles& particles = state.particles;
-    std::size_t bad = 0;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double vx = particles.velocity_solid.x[p], vy = particles.velocity_solid.y[p];
-        bad += !(vx * vx + vy * vy < std::numeric_limits<double>::max()) || !(particles.volume[p] > 0.0);
+    const auto count = static_cast<std::int64_t>(particles.size());
+    std::int64_t bad = 0;
+#pragma omp parallel for schedule(static) reduction(+ : bad) if (particles.size() > least_parallel_work)
+    for (std::int64_t first = 0; first < count; first += chunk) {
+        bad += count_bad(particles, static_cast<std::size_t>(first),
+                         static_cast<std::size_t>(std::min(count, first + chunk)));
     }
     if (bad == 0) return;
     for (std::size_t p = 0; p < particles.size(); ++p) {

@@ -1,12 +1,28 @@
 // When threads pay.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace quicksand {
 
 /// Work on fewer particles or nodes than this stays on one thread: starting and joining the others costs more
 /// than they save, much more on a machine that is busy with other work [-].
 inline constexpr std::size_t least_parallel_work = 2000;
+
+/// Particles or nodes that a thread takes at a time [-].
+inline constexpr std::int64_t chunk = 512;
+
+/// Call work(first, last) for chunks of `count` particles, on all threads.
+template <class Work>
+void for_each_chunk(std::size_t count, Work&& work)
+{
+    const auto total = static_cast<std::int64_t>(count);
+#pragma omp parallel for schedule(static) if (count > least_parallel_work)
+    for (std::int64_t first = 0; first < total; first += chunk) {
+        work(static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(total, first + chunk)));
+    }
+}
 
 } // namespace quicksand

@@ -1,6 +1,8 @@
 #include "solver/time_step_control.hpp"
 
 #include "solver/failure.hpp"
+#include "solver/lanes.hpp"
+#include "solver/threads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,43 +31,113 @@ struct MaterialExtremes {
 };
 
 struct Extremes {
-    double max_speed = 0.0;                  // [m/s]
+    double speed_squared = 0.0;              // the largest [m2/s2]
     std::vector<MaterialExtremes> materials; // as Problem::materials
+
+    double max_speed() const { return std::sqrt(speed_squared); }
 };
 
-void include_run(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last,
-                 Extremes& extremes)
+/// The larger, lane by lane; the first where the second is not a number.
+inline Lanes larger(const Lanes& a, const Lanes& b)
 {
-    const auto m = static_cast<std::size_t>(particles.material[first]);
-    const Material& material = problem.materials[m];
-    MaterialExtremes& extreme = extremes.materials[m];
-    double least = 1.0, most = 0.0; // of the grains' share of the volume
-    for (std::size_t p = first; p < last; ++p) {
-        const double share = particles.mass_solid[p] / (material.grain_density * particles.volume[p]);
-        least = std::min(least, share);
-        most = std::max(most, share);
-    }
-    extreme.min_porosity = std::min(extreme.min_porosity, 1.0 - most);
-    extreme.max_porosity = std::max(extreme.max_porosity, 1.0 - least);
-    const double modulus = std::visit(
-        [&](const auto& law) { return stiffest_modulus(law, first, last, particles); }, material.law);
-    extreme.stiffest_modulus = std::max(extreme.stiffest_modulus, modulus);
+    return b > a ? b : a;
 }
 
+inline Lanes smaller(const Lanes& a, const Lanes& b)
+{
+    return b < a ? b : a;
+}
+
+VECTOR_KERNEL
+double largest_speed_squared(const Particles& particles, std::size_t first, std::size_t last)
+{
+    const double *x = particles.velocity_solid.x.data(), *y = particles.velocity_solid.y.data();
+    Lanes most = all_lanes(0.0);
+    std::size_t p = first;
+    for (; p + 4 <= last; p += 4) {
+        const Lanes vx = load_lanes(x + p), vy = load_lanes(y + p);
+        most = larger(most, vx * vx + vy * vy);
+    }
+    double result = std::max({most[0], most[1], most[2], most[3]});
+    for (; p < last; ++p) result = std::max(result, x[p] * x[p] + y[p] * y[p]);
+    return result;
+}
+
+/// The least and the largest share of the grains in the volume of particles of one material [-].
+struct GrainShares {
+    double least = 1.0, most = 0.0;
+};
+
+VECTOR_KERNEL
+GrainShares grain_shares(double grain_density, const Particles& particles, std::size_t first,
+                         std::size_t last)
+{
+    const double *mass = particles.mass_solid.data(), *volume = particles.volume.data();
+    Lanes least = all_lanes(1.0), most = all_lanes(0.0);
+    std::size_t p = first;
+    for (; p + 4 <= last; p += 4) {
+        const Lanes share = load_lanes(mass + p) / (grain_density * load_lanes(volume + p));
+        least = smaller(least, share);
+        most = larger(most, share);
+    }
+    GrainShares result{std::min({least[0], least[1], least[2], least[3]}),
+                       std::max({most[0], most[1], most[2], most[3]})};
+    for (; p < last; ++p) {
+        const double share = mass[p] / (grain_density * volume[p]);
+        result.least = std::min(result.least, share);
+        result.most = std::max(result.most, share);
+    }
+    return result;
+}
+
+void include(const MaterialExtremes& other, MaterialExtremes& extreme)
+{
+    extreme.min_porosity = std::min(extreme.min_porosity, other.min_porosity);
+    extreme.max_porosity = std::max(extreme.max_porosity, other.max_porosity);
+    extreme.stiffest_modulus = std::max(extreme.stiffest_modulus, other.stiffest_modulus);
+}
+
+/// Particles [first, last) are of one material.
+MaterialExtremes extremes_of_run(const Material& material, const Particles& particles, std::size_t first,
+                                 std::size_t last)
+{
+    const GrainShares shares = grain_shares(material.grain_density, particles, first, last);
+    const double modulus = std::visit(
+        [&](const auto& law) { return stiffest_modulus(law, first, last, particles); }, material.law);
+    return {1.0 - shares.most, 1.0 - shares.least, modulus};
+}
+
+void include_chunk(const Problem& problem, const Particles& particles, std::size_t begin, std::size_t end,
+                   Extremes& extremes)
+{
+    extremes.speed_squared = std::max(extremes.speed_squared, largest_speed_squared(particles, begin, end));
+    for (std::size_t first = begin, last = begin; first < end; first = last) {
+        const std::int32_t material = particles.material[first];
+        while (last < end && particles.material[last] == material) ++last;
+        const auto m = static_cast<std::size_t>(material);
+        include(extremes_of_run(problem.materials[m], particles, first, last), extremes.materials[m]);
+    }
+}
+
+/// Extremes do not depend on the order in which they are found, nor on the threads.
 Extremes find_extremes(const Problem& problem, const Particles& particles)
 {
-    Extremes extremes;
-    extremes.materials.resize(problem.materials.size());
-    double speed_squared = 0.0;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double x = particles.velocity_solid.x[p], y = particles.velocity_solid.y[p];
-        speed_squared = std::max(speed_squared, x * x + y * y);
-    }
-    extremes.max_speed = std::sqrt(speed_squared);
-    for (std::size_t first = 0, last = 0; first < particles.size(); first = last) {
-        last = first + 1;
-        while (last < particles.size() && particles.material[last] == particles.material[first]) ++last;
-        include_run(problem, particles, first, last, extremes);
+    const std::vector<MaterialExtremes> none(problem.materials.size());
+    Extremes extremes{0.0, none};
+    const auto count = static_cast<std::int64_t>(particles.size());
+#pragma omp parallel if (particles.size() > least_parallel_work)
+    {
+        Extremes own{0.0, none};
+#pragma omp for schedule(static) nowait
+        for (std::int64_t first = 0; first < count; first += chunk) {
+            include_chunk(problem, particles, static_cast<std::size_t>(first),
+                          static_cast<std::size_t>(std::min(count, first + chunk)), own);
+        }
+#pragma omp critical(extremes)
+        {
+            extremes.speed_squared = std::max(extremes.speed_squared, own.speed_squared);
+            for (std::size_t m = 0; m < none.size(); ++m) include(own.materials[m], extremes.materials[m]);
+        }
     }
     return extremes;
 }
@@ -121,7 +193,7 @@ double dragged_shear_limit(double G, double drag, double r_s, double r_w, double
 TimeStep limit_motion(const Problem& problem, const Extremes& extremes, TimeStep limit)
 {
     if (problem.strain == StrainForm::small) return limit; // no particle moves through the grid
-    const double dt = motion_safety * problem.grid.cell_size / extremes.max_speed;
+    const double dt = motion_safety * problem.grid.cell_size / extremes.max_speed();
     return dt < limit.dt ? TimeStep{dt, TimeStepLimiter::motion, ""} : limit;
 }
 
