@@ -6,10 +6,13 @@
 #include "app/step_cost.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv_file.hpp"
+#include "solver/soil_column.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string>
+#include <vector>
 
 namespace quicksand {
 
@@ -32,19 +35,31 @@ std::vector<fs::path> scenes_of(const BenchChoice& choice)
     if (!scenes.empty()) return scenes;
     for (const char* name : {"scene", "small_strain", "undrained", "elastic", "dry", "dry_elastic"})
         scenes.push_back(example_folder("benchmarks") / (std::string(name) + ".toml"));
+    scenes.push_back(example_folder("shake_table"));
     return scenes;
 }
 
-SkipPoint measure(const BenchChoice& choice, const fs::path& scene, Journal& journal)
+SkipPoint measure_body(const std::string& name, std::size_t particles, const Problem& problem,
+                       const State& state, int threads)
+{
+    return {name, particles, measure_step(problem, state, threads),
+            static_cast<double>(memory_bytes(state.particles))};
+}
+
+/// The scene, and the one column of it that a run computes, if there is one; all per particle of the body.
+std::vector<SkipPoint> measure(const BenchChoice& choice, const fs::path& scene, Journal& journal)
 {
     const SceneSetup setup = set_up_body(choice, scene, {}, journal);
-    const State& state = setup.assembled.state;
-    SkipPoint point;
-    point.name = setup.assembled.scene.title;
-    point.particles = state.particles.size();
-    point.bytes = static_cast<double>(memory_bytes(state.particles));
-    point.cost = measure_step(setup.assembled.problem, state, std::max(1, choice.threads));
-    return point;
+    const AssembledCase& body = setup.assembled;
+    const std::size_t particles = body.state.particles.size();
+    const int threads = std::max(1, choice.threads);
+    std::vector<SkipPoint> points{
+        measure_body(body.scene.title, particles, body.problem, body.state, threads)};
+    if (const auto column = find_soil_column(body.problem, body.state).column) {
+        points.push_back(measure_body(fmt::format("the same, one of {} columns", column->columns), particles,
+                                      column->problem, column->state, threads));
+    }
+    return points;
 }
 
 double each(const SkipPoint& point)
@@ -64,14 +79,15 @@ ExitCode measure_skips(const BenchChoice& choice)
     std::string csv = "# " + machine_text() + "\nscene,particles,step_s,bytes\n";
     double first = 0.0;
     for (const fs::path& scene : scenes_of(choice)) {
-        const SkipPoint point = measure(choice, scene, journal);
-        if (first == 0.0) first = each(point);
-        journal.say(fmt::format("{:<36}{:>12}{:>12.1f}{:>12.0f} %{:>18.0f}", point.name,
-                                grouped(static_cast<long long>(point.particles)), 1e9 * each(point),
-                                100.0 * each(point) / first,
-                                point.bytes / static_cast<double>(point.particles)));
-        csv += fmt::format("{},{},{:.6g},{:.0f}\n", csv_text(point.name), point.particles, point.cost.total,
-                           point.bytes);
+        for (const SkipPoint& point : measure(choice, scene, journal)) {
+            if (first == 0.0) first = each(point);
+            journal.say(fmt::format("{:<36}{:>12}{:>12.1f}{:>12.0f} %{:>18.0f}", point.name.substr(0, 35),
+                                    grouped(static_cast<long long>(point.particles)), 1e9 * each(point),
+                                    100.0 * each(point) / first,
+                                    point.bytes / static_cast<double>(point.particles)));
+            csv += fmt::format("{},{},{:.6g},{:.0f}\n", csv_text(point.name), point.particles,
+                               point.cost.total, point.bytes);
+        }
     }
     write_atomically(choice.directory / "skip.csv", csv);
     journal.say("The table is in " + (choice.directory / "skip.csv").string());

@@ -62,7 +62,7 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.say(describe_time_step(assembled));
     const Forecast forecast = forecast_run(assembled, folder.directory / "trial");
     journal.say(describe_cost(forecast));
-    journal.say(describe_left_out(assembled.scene));
+    journal.say(describe_left_out(assembled));
     write_initial_frame(assembled, folder);
     journal.say("The initial state is in " + folder.particle_series().string() + " and " +
                 folder.grid_series().string() + "; this plan is in " +

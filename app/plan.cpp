@@ -211,8 +211,18 @@ std::string describe_cost(const Forecast& forecast)
     return text;
 }
 
-std::string describe_left_out(const Scene& scene)
+std::string describe_column(const SoilColumn& column)
 {
+    return fmt::format(
+        "One column of {} is computed: the soil repeats from cell to cell between tied sides, and "
+        "{} particles stand for {}",
+        column.columns, grouped(static_cast<long long>(column.state.particles.size())),
+        grouped(static_cast<long long>(column.source.size())));
+}
+
+std::string describe_left_out(const AssembledCase& assembled)
+{
+    const Scene& scene = assembled.scene;
     std::string text;
     const auto leave_out = [&](bool condition, const char* line) {
         if (condition) text += std::string("  ") + line + '\n';
@@ -233,7 +243,18 @@ std::string describe_left_out(const Scene& scene)
     leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),
               "meshing: the particles lie on a lattice");
     leave_out(scene.probes.empty(), "probes: none are named");
-    return text.empty() ? text : "Not needed, so left out\n" + text;
+    std::string obstacle;
+    if (scene.columns == ColumnsComputed::one) {
+        const ColumnSearch search = find_soil_column(assembled.problem, assembled.state);
+        if (search.column)
+            text +=
+                fmt::format("  {} of {} columns of cells: the soil repeats from cell to cell between tied "
+                            "sides, and one stands for all\n",
+                            search.column->columns - 1, search.column->columns);
+        if (!search.obstacle.empty())
+            obstacle = "All columns of cells between the tied sides are computed: " + search.obstacle + '\n';
+    }
+    return (text.empty() ? text : "Not needed, so left out\n" + text) + obstacle;
 }
 
 } // namespace quicksand

@@ -3,6 +3,7 @@
 
 #include "app/scene_setup.hpp"
 #include "app/trial.hpp"
+#include "solver/soil_column.hpp"
 
 #include <string>
 
@@ -33,6 +34,9 @@ std::string describe_time_step(const AssembledCase& assembled);
 std::string describe_cost(const Forecast& forecast);
 
 /// What the scene does not need and is left out.
-std::string describe_left_out(const Scene& scene);
+std::string describe_left_out(const AssembledCase& assembled);
+
+/// "One column of 9 is computed ...", for the journal of a run.
+std::string describe_column(const SoilColumn& column);
 
 } // namespace quicksand

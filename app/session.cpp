@@ -1,6 +1,7 @@
 #include "app/session.hpp"
 
 #include "app/number_format.hpp"
+#include "app/plan.hpp"
 #include "app/progress_line.hpp"
 #include "app/stop_signal.hpp"
 #include "io/checkpoint.hpp"
@@ -10,11 +11,13 @@
 #include "io/vtk_series.hpp"
 #include "solver/failure.hpp"
 #include "solver/ledger.hpp"
+#include "solver/soil_column.hpp"
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -62,7 +65,9 @@ private:
 /// Everything the run needs at hand.
 struct Session {
     const Scene& scene;
-    const Problem& problem;
+    const Problem& body;      // as drawn
+    const SoilColumn* column; // that stands for it, if one does
+    const Problem& problem;   // that is computed, with its state
     State& state;
     const std::string& hash;
     ResultsFolder folder;
@@ -133,6 +138,26 @@ void settle(Session& session)
     }
 }
 
+/// The writers of the results and what shows the run to them: itself, or the body that its column stands for.
+struct Output {
+    std::vector<std::unique_ptr<Observer>> writers;
+    std::optional<ColumnObserver> of_body;
+    std::vector<Observer*> observers;
+
+    Output(const Session& session, bool resume)
+    {
+        const OutputSettings settings{session.folder.directory, session.hash, resume, &session.state};
+        State wide;
+        if (session.column) widen(*session.column, session.state, wide);
+        writers = make_output_observers(session.scene, session.body, session.column ? wide : session.state,
+                                        settings);
+        for (const auto& writer : writers) observers.push_back(writer.get());
+        if (!session.column) return;
+        of_body.emplace(*session.column, session.body, std::move(observers));
+        observers = {&*of_body};
+    }
+};
+
 /// `begins` the shaking, or goes on with it.
 void shake(Session& session, bool begins)
 {
@@ -140,12 +165,10 @@ void shake(Session& session, bool begins)
         if (session.scene.output.history_interval > 0.0) open_ledger(session.problem, session.state);
         keep_state(session); // from here a stop or a failure need not settle the soil again
     }
-    const OutputSettings settings{session.folder.directory, session.hash, !begins};
-    const auto writers = make_output_observers(session.scene, session.problem, session.state, settings);
+    const Output output(session, !begins);
     ProgressLine progress(session.state.time, session.scene.end_time, session.state.particles.size(),
                           session.journal);
-    std::vector<Observer*> observers;
-    for (const auto& writer : writers) observers.push_back(writer.get());
+    std::vector<Observer*> observers = output.observers;
     observers.push_back(&progress);
     try {
         run(session.problem, session.scene.end_time, observers, session.state, StopSignal::received);
@@ -189,6 +212,15 @@ bool run_stages(Session& session)
     return true;
 }
 
+/// The column that stands for the body, where the scene lets it and a checkpoint is of it.
+std::optional<SoilColumn> choose_column(const AssembledCase& assembled, const std::optional<State>& kept)
+{
+    if (assembled.scene.columns == ColumnsComputed::all) return std::nullopt;
+    std::optional<SoilColumn> column = find_soil_column(assembled.problem, assembled.state).column;
+    if (column && kept && kept->particles.size() != column->state.particles.size()) column.reset();
+    return column;
+}
+
 ExitCode run_guarded(Session& session, bool& finished)
 {
     try {
@@ -210,15 +242,19 @@ ExitCode run_guarded(Session& session, bool& finished)
 SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& journal)
 {
     const Scene& scene = setup.assembled.scene;
-    const Problem& problem = setup.assembled.problem;
-    State& state = setup.assembled.state;
     const FolderUse use = choice.resume      ? FolderUse::resume
                           : choice.overwrite ? FolderUse::overwrite
                                              : FolderUse::fresh;
     const auto directory = choice.directory.empty() ? default_results(scene.file) : choice.directory;
     SessionOutcome outcome;
     outcome.folder = prepare_results_folder(directory, scene, use);
-    if (choice.resume) state = read_checkpoint(outcome.folder.checkpoint(), setup.hash);
+    std::optional<State> kept;
+    if (choice.resume) kept = read_checkpoint(outcome.folder.checkpoint(), setup.hash);
+    const Problem& body = setup.assembled.problem;
+    std::optional<SoilColumn> column = choose_column(setup.assembled, kept);
+    const Problem& problem = column ? column->problem : body;
+    State& state = column ? column->state : setup.assembled.state;
+    if (kept) state = std::move(*kept);
     journal.keep(outcome.folder.log(), choice.resume);
 
     RunManifest manifest =
@@ -237,7 +273,10 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
         grouped(static_cast<long long>(state.particles.size())), problem.grid.cells_x, problem.grid.cells_y,
         short_number(problem.grid.cell_size), thread_count(), directory.string()));
     ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
-    Session session{scene, problem, state, setup.hash, outcome.folder, choice.resume, journal, keeper};
+    if (column) journal.say(describe_column(*column));
+    const SoilColumn* narrow = column ? &*column : nullptr;
+    Session session{scene,      body,           narrow,        problem, state,
+                    setup.hash, outcome.folder, choice.resume, journal, keeper};
     outcome.code = run_guarded(session, outcome.finished);
     return outcome;
 }

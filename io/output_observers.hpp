@@ -15,6 +15,7 @@ struct OutputSettings {
     std::filesystem::path directory; // prepared by prepare_results_folder()
     std::string scene_hash;          // as in the checkpoint and the manifest
     bool resume = false;             // continue the files at state.time instead of beginning them
+    const State* kept = nullptr;     // what checkpoints hold; none: the state shown to the observers
 };
 
 /// Writers of fields.pvd, grid.pvd, probes/*.csv, history.csv, steps.csv and checkpoint/state.h5, at the

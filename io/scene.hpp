@@ -96,6 +96,9 @@ struct SceneVerification {
     SourcePlace place, limits_place, orders_place; // of the table and of two of its keys
 };
 
+/// Which columns of cells a run computes where all of them are the same.
+enum class ColumnsComputed { one, all };
+
 struct Scene {
     std::filesystem::path file;
     std::string text; // as read, for the manifest's hash and the copy in the results
@@ -115,6 +118,7 @@ struct Scene {
     StrainForm strain = StrainForm::large;
     TimeScheme scheme = TimeScheme::explicit_steps;
     double step_share = 1.0; // of the stable time step [-]
+    ColumnsComputed columns = ColumnsComputed::one;
 
     double gravity = standard_gravity;  // [m/s2]
     std::optional<Water> water;         // none: a dry scene

@@ -144,6 +144,7 @@ struct TiedSides {
     std::string left, right; // names of the boundary curves
     double x_left = 0.0;     // [m], on a grid line
     double x_right = 0.0;    // [m], on a grid line
+    bool wraps = false;      // soil that leaves by one side comes in by the other
 };
 
 /// How the equations follow the motion of the soil.

@@ -1,6 +1,7 @@
 #include "solver/simulation.hpp"
 
 #include "solver/particle_order.hpp"
+#include "solver/soil_column.hpp"
 #include "solver/stepper.hpp"
 #include "solver/viscous_boundary.hpp"
 
@@ -56,6 +57,7 @@ void run(const Problem& problem, double end_time, const std::vector<Observer*>& 
         report.time_step = divide_evenly(stable, event - state.time);
         const bool arrives = report.time_step.dt >= event - state.time;
         stepper->advance(problem, report.time_step.dt, state);
+        wrap_particles(problem, state.particles);
         if (arrives) state.time = event; // hit exactly, without the sum's rounding
         check_particles(report.time_step.dt, state);
         report.step = state.step;

@@ -1,0 +1,179 @@
+// One column of cells for all of them: the same answer as the run of all columns, but for rounding.
+#include "solver/boundary_pieces.hpp"
+#include "solver/ledger.hpp"
+#include "solver/soil_column.hpp"
+#include "solver/two_phase_step.hpp"
+#include "tests/fixtures/sand_box.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+constexpr double cell = 0.02, height = 12.0 * cell + cell / 3.0; // the last cell is filled in part [m]
+
+/// Sand at 120 g between tied sides, four cells wide, shaken by 24 g.
+Problem make_ground()
+{
+    Problem problem = centrifuge_column();
+    problem.grid = {{-2.0 * cell, 0.0}, cell, 8, 15};
+    Material& sand = problem.materials[0];
+    sand.law = make_ubcsand(sand_of_runs());
+    sand.hydraulic_conductivity = 5.8e-5;
+    problem.region_names = {"sand"};
+    problem.water = water_to(height);
+    problem.boundaries = rectangle(0.0, 0.0, 4.0 * cell, height, SoilCondition::fixed, SoilCondition::tied,
+                                   SoilCondition::free);
+    problem.tied_sides = TiedSides{"left", "right", 0.0, 4.0 * cell};
+    problem.base_motion = SineMotion{24.0 * standard_gravity, 180.0, 50.0, 2.0};
+    return problem;
+}
+
+State make_state(const Problem& problem)
+{
+    State state = fill(problem, 3,
+                       [](const Vector2& x) { return x.x() > 0.0 && x.x() < 4.0 * cell && x.y() < height; });
+    set_level_ground_stress(problem, height, 0.5, state);
+    begin_shaking(problem, state);
+    return state;
+}
+
+/// The vector or tensor that a component belongs to: what is zero but for rounding is small beside the
+/// others.
+std::string whole_of(const std::string& name)
+{
+    const std::size_t end = name.rfind('_');
+    const std::string component = end == std::string::npos ? "" : name.substr(end + 1);
+    const bool is_component = !component.empty() && component.find_first_not_of("xyz") == std::string::npos;
+    return is_component ? name.substr(0, end) : name;
+}
+
+/// Largest difference of two states of a body, relative to the largest size, by vector or tensor.
+std::map<std::string, double> differences(const Particles& a, const Particles& b)
+{
+    std::vector<std::size_t> place(b.size());
+    for (std::size_t p = 0; p < b.size(); ++p) place[static_cast<std::size_t>(b.identifier[p])] = p;
+    std::vector<const Scalars*> arrays;
+    for_each_array(b, [&](const char*, const Scalars& values) { arrays.push_back(&values); });
+    std::map<std::string, double> difference, size;
+    std::size_t k = 0;
+    for_each_array(a, [&](const char* name, const Scalars& values) {
+        const Scalars& others = *arrays[k++];
+        const std::string whole = whole_of(name);
+        for (std::size_t p = 0; p < values.size(); ++p) {
+            const double other = others[place[static_cast<std::size_t>(a.identifier[p])]];
+            size[whole] = std::max(size[whole], std::abs(other));
+            difference[whole] = std::max(difference[whole], std::abs(values[p] - other));
+        }
+    });
+    for (auto& [whole, value] : difference)
+        if (size[whole] > 0.0) value /= size[whole];
+    return difference;
+}
+
+void expect_same(const Particles& a, const Particles& b, double tolerance)
+{
+    for (const auto& [whole, difference] : differences(a, b)) EXPECT_LT(difference, tolerance) << whole;
+}
+
+TEST(SoilColumn, RunsAsAllColumnsDoExplicitly)
+{
+    const Problem body = make_ground();
+    State all = make_state(body);
+    SoilColumn column = *find_soil_column(body, all).column;
+    EXPECT_EQ(column.columns, 4);
+    EXPECT_EQ(4 * column.state.particles.size(), all.particles.size());
+    open_ledger(body, all);
+    open_ledger(column.problem, column.state);
+    const double end_time = 2.0 / 180.0;
+    run(body, end_time, {}, all);
+    run(column.problem, end_time, {}, column.state);
+    EXPECT_EQ(all.step, column.state.step);
+    State wide;
+    widen(column, column.state, wide);
+    expect_same(wide.particles, all.particles, 1e-10);
+    EXPECT_GT(*std::max_element(all.particles.pore_pressure.begin(), all.particles.pore_pressure.end()), 5e3);
+
+    std::vector<double> sums;
+    for_each_number(*all.ledger, [&](const char*, double value) { sums.push_back(value); });
+    const double size = std::max(std::abs(all.ledger->base_work), std::abs(all.ledger->skeleton_work));
+    std::size_t k = 0;
+    for_each_number(*wide.ledger, [&](const char* name, double value) {
+        EXPECT_NEAR(value, sums[k], 1e-10 * std::max(size, std::abs(sums[k]))) << name;
+        ++k;
+    });
+}
+
+/// Steps of the semi-implicit scheme whose pressures are solved for to the last digits.
+void step_exactly(const Problem& problem, double dt, int steps, State& state)
+{
+    SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
+    work.controls.tolerance = 1e-12;
+    for (int k = 0; k < steps; ++k) {
+        advance_semi_implicit_step(problem, dt, state, work);
+        wrap_particles(problem, state.particles);
+    }
+}
+
+TEST(SoilColumn, RunsAsAllColumnsDoSemiImplicitly)
+{
+    Problem body = make_ground();
+    body.scheme = TimeScheme::semi_implicit;
+    State all = make_state(body);
+    SoilColumn column = *find_soil_column(body, all).column;
+    const double dt = 0.8 * stable_time_step(body, all.particles).dt;
+    const int steps = static_cast<int>(2.0 / 180.0 / dt);
+    step_exactly(body, dt, steps, all);
+    step_exactly(column.problem, dt, steps, column.state);
+    State wide;
+    widen(column, column.state, wide);
+    expect_same(wide.particles, all.particles, 1e-10);
+    EXPECT_GT(*std::max_element(all.particles.pore_pressure.begin(), all.particles.pore_pressure.end()), 5e3);
+}
+
+TEST(SoilColumn, RunsAsAllColumnsDoUnderALoadOnRock)
+{
+    Problem body = make_ground();
+    body.boundaries[0].soil = SoilCondition::viscous;
+    body.boundaries[0].half_space = HalfSpace{2200.0, 760.0, 1500.0};
+    body.boundaries[2].load = SurfaceLoad{};
+    body.boundaries[2].load->traction = {2e3, -2e4};
+    State all = make_state(body);
+    ASSERT_TRUE(attach_boundaries(body, all.particles).empty());
+    SoilColumn column = *find_soil_column(body, all).column;
+    EXPECT_FALSE(column.problem.boundaries[2].pieces.empty());
+    run(body, 0.5 / 180.0, {}, all);
+    run(column.problem, 0.5 / 180.0, {}, column.state);
+    State wide;
+    widen(column, column.state, wide);
+    expect_same(wide.particles, all.particles, 1e-10);
+}
+
+TEST(SoilColumn, SettlesAsAllColumnsDo)
+{
+    Problem body = make_ground();
+    body.materials[0].law = LinearElastic{20e6, 0.3};
+    State all = make_state(body);
+    all.stage = Stage::relaxation;
+    for (Scalars* stress : {&all.particles.stress.xx, &all.particles.stress.yy, &all.particles.stress.zz})
+        std::fill(stress->begin(), stress->end(), 0.0);
+    SoilColumn column = *find_soil_column(body, all).column;
+    RelaxationControls controls;
+    controls.tolerance = 1e-2; // nearer to rest the damping, by the sign of velocities, lets rounding grow
+    EXPECT_EQ(relax(body, controls, all).steps, relax(column.problem, controls, column.state).steps);
+    State wide;
+    widen(column, column.state, wide);
+    expect_same(wide.particles, all.particles, 1e-10);
+    EXPECT_LT(*std::min_element(all.particles.stress.yy.begin(), all.particles.stress.yy.end()), -1e5);
+}
+
+} // namespace
+} // namespace quicksand
