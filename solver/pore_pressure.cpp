@@ -14,6 +14,7 @@ namespace {
 template <class Work>
 void for_each_filled_cell(const CellLists& lists, const Tile& tile, Work&& work)
 {
+    if (lists.first_entry(tile) == lists.last_entry(tile)) return;
     for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
         const auto slot = static_cast<std::size_t>(c);
         const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
