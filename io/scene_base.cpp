@@ -16,24 +16,9 @@ using Kind = DocumentNode::Kind;
 
 constexpr const char* base_key = "base";
 
-/// A TOML string; control characters are escaped.
-std::string quoted(const std::string& text)
-{
-    std::string result = "\"";
-    for (const char c : text) {
-        if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) {
-            result += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
-            continue;
-        }
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + '"';
-}
-
 std::string value_as_toml(const DocumentNode& node)
 {
-    if (node.kind == Kind::text) return quoted(node.text);
+    if (node.kind == Kind::text) return toml_text(node.text);
     if (node.kind == Kind::integer) return fmt::format("{}", node.integer);
     if (node.kind == Kind::number) {
         const std::string digits = fmt::format("{}", node.number);

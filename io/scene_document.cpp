@@ -1,5 +1,7 @@
 #include "io/scene_document.hpp"
 
+#include <fmt/format.h>
+
 #include <exception>
 
 namespace {
@@ -163,17 +165,6 @@ std::optional<DocumentNode> parse(const std::filesystem::path& file, std::string
     return std::nullopt;
 }
 
-/// `text` as a TOML string.
-std::string quoted(std::string_view text)
-{
-    std::string result = "\"";
-    for (const char c : text) {
-        if (c == '"' || c == '\\') result += '\\';
-        result += c;
-    }
-    return result + '"';
-}
-
 std::string_view trim(std::string_view text)
 {
     while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
@@ -224,7 +215,7 @@ std::optional<DocumentNode> parse_override(const std::string& text, Diagnostics&
     Diagnostics first_try, second_try;
     auto node = parse("", text, first_try);
     if (!node && !value.empty() && value.find_first_of("\"'[{") != 0) {
-        node = parse("", text.substr(0, equals) + "= " + quoted(value), second_try);
+        node = parse("", text.substr(0, equals) + "= " + toml_text(value), second_try);
     }
     if (!node) {
         refuse(value.empty() ? "there is no value" : first_try.findings().front().what);
@@ -242,6 +233,20 @@ const DocumentNode* DocumentNode::find(std::string_view child) const
         if (node.name == child) return &node;
     }
     return nullptr;
+}
+
+std::string toml_text(std::string_view text)
+{
+    std::string result = "\"";
+    for (const char c : text) {
+        if (static_cast<unsigned char>(c) < 0x20U || c == 0x7F) {
+            result += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+            continue;
+        }
+        if (c == '"' || c == '\\') result += '\\';
+        result += c;
+    }
+    return result + '"';
 }
 
 void replace_keys(DocumentNode&& document, DocumentNode& target)

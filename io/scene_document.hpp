@@ -30,6 +30,9 @@ struct DocumentNode {
 std::optional<DocumentNode> read_document(const std::filesystem::path& file, std::string_view text,
                                           const std::vector<std::string>& overrides, Diagnostics& findings);
 
+/// The text as a TOML string; control characters are escaped.
+std::string toml_text(std::string_view text);
+
 /// Put every value of `document` in place of that of the same path in `target`, or add it.
 void replace_keys(DocumentNode&& document, DocumentNode& target);
 

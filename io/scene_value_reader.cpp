@@ -1,7 +1,8 @@
 #include "io/scene_value_reader.hpp"
 
+#include "io/quantity_hints.hpp"
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 namespace quicksand {
@@ -57,38 +58,6 @@ private:
     Diagnostics& findings_;
 };
 
-std::string list_units(Dimension dimension)
-{
-    std::vector<std::string> symbols;
-    for (const Unit& unit : units_of(dimension)) symbols.emplace_back(unit.symbol);
-    return one_of(symbols);
-}
-
-std::string lower_case(std::string_view text)
-{
-    std::string lower(text);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
-}
-
-/// The unit that differs from the text in capitals only, "" when there is none.
-std::string unit_in_other_case(std::string_view text, Dimension dimension)
-{
-    for (const Unit& unit : units_of(dimension)) {
-        if (lower_case(unit.symbol) == lower_case(text)) return std::string(unit.symbol);
-    }
-    return "";
-}
-
-/// How a number of the dimension is written.
-std::string number_form(Dimension dimension)
-{
-    if (dimension == Dimension::none) return "a number";
-    const auto& units = units_of(dimension);
-    return "a number in " + std::string(units[0].symbol) + ", or a quantity in quotes as \"1 " +
-           std::string(units[1].symbol) + "\"";
-}
-
 std::optional<ReadNumber> ValueReader::read_quantity(const DocumentNode& node)
 {
     if (node.kind == Kind::integer || node.kind == Kind::number) {
@@ -123,24 +92,6 @@ std::optional<ReadNumber> ValueReader::read_quantity(const DocumentNode& node)
         return std::nullopt;
     }
     return ReadNumber{*value, *quantity};
-}
-
-/// The quantity that was probably meant: the same number in a unit that makes `wanted` hold; "" when none
-/// does.
-std::string likely_quantity(const Quantity& written, Dimension dimension, const Interval& wanted)
-{
-    if (dimension == Dimension::none) {
-        const bool percent = written.number > 1.0 && wanted.contains(written.number / 100.0);
-        return percent ? number_text(written.number / 100.0) + " (" + number_text(written.number) + " %)"
-                       : "";
-    }
-    for (const Unit& unit : units_of(dimension)) {
-        if (unit.symbol == written.unit || (written.unit.empty() && unit.multiply == unit.divide)) continue;
-        if (wanted.contains(written.number * unit.multiply / unit.divide)) {
-            return '"' + number_text(written.number) + " " + std::string(unit.symbol) + '"';
-        }
-    }
-    return "";
 }
 
 bool ValueReader::check_range(double value, const DocumentNode& node, const ReadNumber* read)
