@@ -46,7 +46,7 @@ void measure_scheme(const BenchChoice& choice, const std::string& scheme, Journa
 {
     std::vector<std::string> overrides;
     if (!scheme.empty()) overrides.push_back("analysis.scheme=\"" + scheme + '"');
-    const SceneSetup setup = set_up_body(choice, first_scene(choice), overrides, journal);
+    const SceneSetup setup = set_up_body(choice, only_scene(choice), overrides, journal);
     const State& state = setup.assembled.state;
     const std::vector<int> counts =
         choice.threads > 0 ? std::vector<int>{choice.threads} : std::vector<int>{1, 2};

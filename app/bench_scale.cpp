@@ -66,7 +66,7 @@ ExitCode measure_scale(const BenchChoice& choice)
     Journal journal;
     std::filesystem::create_directories(choice.directory);
     const int most = choice.threads > 0 ? choice.threads : thread_count();
-    const std::filesystem::path scene = first_scene(choice);
+    const std::filesystem::path scene = only_scene(choice);
     const SceneSetup drawn = set_up_body(choice, scene, {}, journal);
     const BackgroundGrid grid = drawn.assembled.problem.grid;
     const auto own = static_cast<double>(drawn.assembled.state.particles.size());

@@ -1,6 +1,7 @@
 #include "app/step_cost.hpp"
 
 #include "app/example_folder.hpp"
+#include "solver/failure.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stepper.hpp"
 
@@ -38,8 +39,14 @@ SceneSetup set_up_body(const BenchChoice& choice, const std::filesystem::path& s
     return setup;
 }
 
-std::filesystem::path first_scene(const BenchChoice& choice)
+std::filesystem::path only_scene(const BenchChoice& choice)
 {
+    if (choice.words.size() > 1) {
+        throw InputError("error[command-line]: bench kernel and scale measure one scene, " +
+                         std::to_string(choice.words.size()) +
+                         " are given\nexpected: a scene, or none for examples/dike" +
+                         "\nhint: bench skip compares several scenes");
+    }
     return choice.words.empty() ? example_folder("dike") : std::filesystem::path(choice.words.front());
 }
 

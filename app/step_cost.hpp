@@ -16,7 +16,7 @@ SceneSetup set_up_body(const BenchChoice& choice, const std::filesystem::path& s
                        const std::vector<std::string>& overrides, Journal& journal);
 
 /// The first scene of the choice, or the dike example.
-std::filesystem::path first_scene(const BenchChoice& choice);
+std::filesystem::path only_scene(const BenchChoice& choice);
 
 /// Wall time of a step and of its phases [s].
 struct StepCost {

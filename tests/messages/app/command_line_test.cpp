@@ -18,8 +18,8 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
 {
     const Outcome outcome = run_program("");
     EXPECT_EQ(outcome.code, 0);
-    for (const char* command :
-         {"run", "check", "stability", "new", "element", "keys", "probe", "picture", "figures", "demo", "verify", "bench", "version"}) {
+    for (const char* command : {"run", "check", "stability", "new", "element", "keys", "probe", "picture",
+                                "figures", "demo", "verify", "bench", "version"}) {
         expect_mention(outcome, command);
     }
     expect_mention(outcome, "Exit codes");
@@ -27,8 +27,8 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
 
 TEST(CommandLine, EveryCommandHasHelp)
 {
-    for (const char* command :
-         {"run", "check", "stability", "new", "element", "keys", "probe", "picture", "figures", "demo", "verify", "bench", "version"}) {
+    for (const char* command : {"run", "check", "stability", "new", "element", "keys", "probe", "picture",
+                                "figures", "demo", "verify", "bench", "version"}) {
         EXPECT_EQ(run_program(std::string(command) + " --help").code, 0) << command;
     }
 }
@@ -45,7 +45,19 @@ TEST(CommandLine, AnUnknownCommandListsTheCommands)
 {
     const Outcome outcome = run_program("frobnicate");
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "expected: run, check, stability, new, element, keys, probe, picture, figures, demo, verify, bench, version");
+    expect_mention(outcome, "expected: run, check, stability, new, element, keys, probe, picture, figures, "
+                            "demo, verify, bench, version");
+}
+
+TEST(CommandLine, OneBenchTakesOneScene)
+{
+    for (const std::string subject : {"kernel", "scale"}) {
+        const Outcome outcome =
+            run_program("bench " + subject + " " + example("dike") + " " + example("column"));
+        EXPECT_EQ(outcome.code, 2);
+        expect_mention(outcome, "bench kernel and scale measure one scene, 2 are given");
+        expect_mention(outcome, "hint: bench skip compares several scenes");
+    }
 }
 
 TEST(CommandLine, AMisspeltOptionIsGuessed)
