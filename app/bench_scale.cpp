@@ -64,9 +64,9 @@ std::string csv_of(const std::vector<ScalePoint>& points)
 ExitCode measure_scale(const BenchChoice& choice)
 {
     Journal journal;
+    const std::filesystem::path scene = only_scene(choice);
     std::filesystem::create_directories(choice.directory);
     const int most = choice.threads > 0 ? choice.threads : thread_count();
-    const std::filesystem::path scene = only_scene(choice);
     const SceneSetup drawn = set_up_body(choice, scene, {}, journal);
     const BackgroundGrid grid = drawn.assembled.problem.grid;
     const auto own = static_cast<double>(drawn.assembled.state.particles.size());
