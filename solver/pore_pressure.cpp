@@ -59,15 +59,13 @@ struct Neighbour {
     double shift = 0.0; // of its centre along x [m]
 };
 
-/// A neighbour of a cell, or where it is empty its image on the other side of a laminar box; none: no soil.
-std::optional<Neighbour> find_neighbour(const Problem& problem, const CellLists& lists,
-                                        const CellMeans& means, std::int32_t cell)
+/// The image of an empty cell on the other side of a laminar box; none: no soil there either.
+std::optional<Neighbour> find_image(const Problem& problem, const CellLists& lists, const CellMeans& means,
+                                    std::int32_t cell)
 {
     const auto slot_of = [&](std::int32_t c) {
         return static_cast<std::size_t>(lists.slot_of_cell[static_cast<std::size_t>(c)]);
     };
-    if (means.volume[slot_of(cell)] > 0.0) return Neighbour{slot_of(cell), 0.0};
-    if (!problem.tied_sides) return std::nullopt;
     const double width = problem.tied_sides->x_right - problem.tied_sides->x_left;
     const auto cells = static_cast<std::int32_t>(std::lround(width / problem.grid.cell_size));
     const std::int32_t columns = problem.grid.all_cells_x(), column = cell % columns;
@@ -86,12 +84,18 @@ Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const Cel
     SlopeFit fit;
     for (std::int32_t b = -1; b <= 1; ++b) {
         for (std::int32_t a = -1; a <= 1; ++a) {
-            if (a == 0 && b == 0) continue;
             // centres never lie in the outermost cells of the rim, so that the neighbours exist
-            const auto other = find_neighbour(problem, lists, means, cell + b * columns + a);
-            if (!other) continue;
-            const Vector2 seen = means.centre[other->slot] + Vector2(other->shift, 0.0);
-            fit.add(seen - centre, means.pore_pressure[other->slot] - means.pore_pressure[slot]);
+            const std::int32_t beside = cell + b * columns + a;
+            const auto other = static_cast<std::size_t>(lists.slot_of_cell[static_cast<std::size_t>(beside)]);
+            if (other == slot) continue;
+            if (means.volume[other] > 0.0) {
+                fit.add(means.centre[other] - centre, means.pore_pressure[other] - means.pore_pressure[slot]);
+            } else if (problem.tied_sides) {
+                const auto image = find_image(problem, lists, means, beside);
+                if (!image) continue;
+                fit.add(means.centre[image->slot] + Vector2(image->shift, 0.0) - centre,
+                        means.pore_pressure[image->slot] - means.pore_pressure[slot]);
+            }
         }
     }
     return fit.slope(problem.grid.cell_size);
