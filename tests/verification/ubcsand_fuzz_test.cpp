@@ -71,8 +71,8 @@ double least_dissipation(const UbcSand& law, const UbcSandIncrement& increment, 
         const Trial trial = elastic_trial<order>(law, state, substep.start, substep.strain);
         if (trial.plastic) {
             const PlasticFlow flow = finish_plastic<order>(law, trial, state);
-            least =
-                std::min({least, flow.lambda, (flow.t * flow.lambda + flow.s * flow.contraction) / flow.s});
+            const double D = flow.lambda > 0.0 ? flow.contraction / flow.lambda : 0.0;
+            least = std::min({least, flow.lambda, flow.t / flow.s + D});
         } else {
             finish_elastic(law, trial, state);
         }
