@@ -1,5 +1,6 @@
 #include "geometry/geo_script.hpp"
 
+#include "geometry/lower_case.hpp"
 #include "solver/failure.hpp"
 
 #include <fmt/format.h>
@@ -105,9 +106,7 @@ std::optional<std::string> quoted_name(const Script& script, std::size_t at)
 /// CAD and mesh files hold data, not commands.
 bool holds_data(const Script& script)
 {
-    std::string extension = script.file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = lower_case(script.file.extension().string());
     const bool is_cad = extension == ".step" || extension == ".stp" || extension == ".brep" ||
                         extension == ".iges" || extension == ".igs";
     return is_cad || script.text.rfind("$MeshFormat", 0) == 0;

@@ -2,6 +2,7 @@
 
 #include "geometry/child_process.hpp"
 #include "geometry/geo_script.hpp"
+#include "geometry/lower_case.hpp"
 #include "geometry/region_locator.hpp"
 #include "geometry/section_check.hpp"
 #include "solver/failure.hpp"
@@ -46,10 +47,7 @@ private:
 
 std::string lower_case_extension(const fs::path& file)
 {
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
+    return lower_case(file.extension().string());
 }
 
 /// Least number of letters to insert, delete or change.

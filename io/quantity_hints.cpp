@@ -1,21 +1,9 @@
 #include "io/quantity_hints.hpp"
 
+#include "geometry/lower_case.hpp"
 #include "io/scene_value_reader.hpp"
 
-#include <cctype>
-
 namespace quicksand {
-
-namespace {
-
-std::string lower_case(std::string_view text)
-{
-    std::string lower(text);
-    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    return lower;
-}
-
-} // namespace
 
 std::string list_units(Dimension dimension)
 {
@@ -27,7 +15,8 @@ std::string list_units(Dimension dimension)
 std::string unit_in_other_case(std::string_view text, Dimension dimension)
 {
     for (const Unit& unit : units_of(dimension)) {
-        if (lower_case(unit.symbol) == lower_case(text)) return std::string(unit.symbol);
+        if (lower_case(std::string(unit.symbol)) == lower_case(std::string(text)))
+            return std::string(unit.symbol);
     }
     return "";
 }

@@ -1,5 +1,6 @@
 #include "io/result_reader.hpp"
 
+#include "geometry/lower_case.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv_file.hpp"
 #include "io/diagnostics.hpp"
@@ -10,7 +11,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -28,13 +28,6 @@ struct FieldComponent {
     std::size_t array = 0; // place in the frame's list
     std::size_t component = 0;
 };
-
-std::string lower_case(std::string text)
-{
-    std::transform(text.begin(), text.end(), text.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return text;
-}
 
 /// All numbers of the arrays by name; z of vectors, which is zero, is left out.
 std::vector<FieldComponent> components_of(const std::vector<FrameArray>& arrays)

@@ -1,9 +1,9 @@
 #include "io/scene_references.hpp"
 
+#include "geometry/lower_case.hpp"
 #include "io/scene_value_reader.hpp"
 
 #include <algorithm>
-#include <cctype>
 
 namespace quicksand {
 
@@ -90,10 +90,10 @@ void check_scheme(const SceneValues& values, Diagnostics& findings)
     if (values.text("analysis.scheme") != "semi_implicit") return;
     const std::string flow = values.text("water.flow");
     if (flow != "undrained" && flow != "drained") return;
-    findings.add(error_at(
-        values.place("analysis.scheme"), "combination",
-        "scheme = \"semi_implicit\" has no pressure to solve for with water.flow = \"" + flow + "\"",
-        "scheme = \"explicit\", or water.flow = \"coupled\""));
+    findings.add(
+        error_at(values.place("analysis.scheme"), "combination",
+                 "scheme = \"semi_implicit\" has no pressure to solve for with water.flow = \"" + flow + "\"",
+                 "scheme = \"explicit\", or water.flow = \"coupled\""));
 }
 
 /// Laws of the porosity have nothing to follow where the porosity stays.
@@ -146,9 +146,7 @@ void check_probes(const SceneValues& values, Diagnostics& findings)
             findings.add(error_at(probe.place, "name", "the probe's name cannot be that of a file",
                                   "at most 100 characters, none of / \\ : * ? \" < > |, no leading dot"));
         }
-        std::string lower = name;
-        for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        const auto [other, is_new] = spellings.emplace(lower, name);
+        const auto [other, is_new] = spellings.emplace(lower_case(name), name);
         if (!is_new) {
             findings.add(error_at(probe.place, "name",
                                   "the probes \"" + other->second + "\" and \"" + name +
