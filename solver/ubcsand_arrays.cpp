@@ -1,5 +1,6 @@
-// UBCSAND for arrays of points: blocks of lanes that go through the substeps together, so that the compiler
-// makes vectors of the kernel's arithmetic. A block without plastic lanes skips the return.
+// UBCSAND for arrays of points: blocks of lanes that take a substep together, so that the compiler makes
+// vectors of the kernel's arithmetic. A block without plastic lanes skips the return. Points that need more
+// than one substep wait for a second round, where a lane that is done goes on with the next of them.
 #if defined(__GNUC__) && !defined(__clang__)
 // lets both sides of a choice be computed and keeps them from becoming branches again; changes no value
 #pragma GCC optimize("no-trapping-math", "no-thread-jumps")
@@ -15,7 +16,8 @@ namespace {
 
 using namespace ubcsand;
 
-constexpr std::size_t width = 8; // lanes of a block [-]
+constexpr std::size_t width = 8;     // lanes of a block [-]
+constexpr std::size_t segment = 512; // most points that wait for their second substep [-]
 
 /// The points of a block, one array per quantity. Lanes beyond the last point are closed.
 struct Block {
@@ -24,6 +26,7 @@ struct Block {
     double leg_x[width], leg_y[width], back_x[width], back_y[width], last_leg[width], waiting[width];
     double half_cycles[width], dilation[width], active_dilation[width];
     double strain_x[width], strain_y[width], strain_xy[width]; // what remains
+    double budget[width];                                      // substeps left
     double open[width];                                        // 1 until the last substep is done
 
     UbcSandState state(std::size_t k) const
@@ -102,18 +105,19 @@ inline double sum(const double (&values)[width])
 
 /// [2] to [7] of one substep; elastic lanes are finished. Returns the number of plastic lanes.
 template <bool square_roots, Integration order>
-inline double step_elastically(const UbcSand& law, double budget, Block& block, TrialBlock& trials)
+inline double step_elastically(const UbcSand& law, Block& block, TrialBlock& trials)
 {
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
         Strain remaining = {block.strain_x[k], block.strain_y[k], block.strain_xy[k]};
-        const Substep substep = next_substep<square_roots, order>(law, state, budget, remaining);
+        const Substep substep = next_substep<square_roots, order>(law, state, block.budget[k], remaining);
         const Trial trial = elastic_trial<order>(law, state, substep.start, substep.strain);
         const double plastic = select(trial.plastic, block.open[k], 0.0);
         finish_elastic(law, trial, state);
         block.set(k, block.open[k] > plastic, state);
         trials.set(k, trial, plastic);
         block.strain_x[k] = remaining.x, block.strain_y[k] = remaining.y, block.strain_xy[k] = remaining.xy;
+        block.budget[k] -= 1.0;
         block.open[k] = select(substep.last, 0.0, block.open[k]);
     }
     return sum(trials.plastic);
@@ -131,14 +135,11 @@ inline void flow_plastically(const UbcSand& law, Block& block, const TrialBlock&
 }
 
 template <bool square_roots, Integration order>
-inline void advance_lanes(const UbcSand& law, Block& block)
+inline void take_substep(const UbcSand& law, Block& block)
 {
     TrialBlock trials;
-    for (double budget = most_substeps; budget > 0.0; budget -= 1.0) {
-        if (step_elastically<square_roots, order>(law, budget, block, trials) > 0.0) {
-            flow_plastically<order>(law, block, trials);
-        }
-        if (sum(block.open) == 0.0) return;
+    if (step_elastically<square_roots, order>(law, block, trials) > 0.0) {
+        flow_plastically<order>(law, block, trials);
     }
 }
 
@@ -160,7 +161,10 @@ inline void load(const UbcSandArrays& points, std::size_t p, std::size_t count, 
         block.strain_y[k] = -dt * points.L_yy[p + k];
         block.strain_xy[k] = -dt * (L_xy + L_yx);
     }
-    for (std::size_t k = 0; k < width; ++k) block.open[k] = k < count ? 1.0 : 0.0;
+    for (std::size_t k = 0; k < width; ++k) {
+        block.budget[k] = most_substeps;
+        block.open[k] = k < count ? 1.0 : 0.0;
+    }
 }
 
 inline void store(const Block& block, std::size_t p, std::size_t count, const UbcSandArrays& points)
@@ -169,16 +173,72 @@ inline void store(const Block& block, std::size_t p, std::size_t count, const Ub
     for (std::size_t k = 0; k < count; ++k) points.set(p + k, block.state(k));
 }
 
+/// Points with strain left after their first substep.
+struct Unfinished {
+    std::size_t point[segment];
+    Strain strain[segment]; // what remains
+    std::size_t count = 0;
+};
+
+inline void note_unfinished(const Block& block, std::size_t p, std::size_t count, Unfinished& unfinished)
+{
+    if (sum(block.open) == 0.0) return;
+    for (std::size_t k = 0; k < count; ++k) {
+        if (block.open[k] == 0.0) continue;
+        unfinished.point[unfinished.count] = p + k;
+        unfinished.strain[unfinished.count] = {block.strain_x[k], block.strain_y[k], block.strain_xy[k]};
+        ++unfinished.count;
+    }
+}
+
+/// Put an unfinished point into a lane.
+inline void load(const UbcSandArrays& points, const Unfinished& unfinished, std::size_t i, std::size_t k,
+                 Block& block)
+{
+    block.set(k, true, points.state(unfinished.point[i]));
+    const Strain& strain = unfinished.strain[i];
+    block.strain_x[k] = strain.x, block.strain_y[k] = strain.y, block.strain_xy[k] = strain.xy;
+    block.budget[k] = most_substeps - 1.0;
+    block.open[k] = 1.0;
+}
+
+/// The substeps after the first, in lanes that are filled anew as soon as their point is done.
+template <bool square_roots, Integration order>
+inline void finish(const UbcSand& law, const Unfinished& unfinished, const UbcSandArrays& points)
+{
+    Block block{};
+    std::size_t in_lane[width];
+    const std::size_t lanes = unfinished.count < width ? unfinished.count : width;
+    for (std::size_t k = 0; k < lanes; ++k) load(points, unfinished, in_lane[k] = k, k, block);
+    std::size_t next = lanes;
+    for (std::size_t left = unfinished.count; left > 0;) {
+        take_substep<square_roots, order>(law, block);
+        for (std::size_t k = 0; k < lanes; ++k) {
+            if (block.open[k] > 0.0 || in_lane[k] == unfinished.count) continue;
+            points.set(unfinished.point[in_lane[k]], block.state(k));
+            --left;
+            in_lane[k] = next;
+            if (next < unfinished.count) load(points, unfinished, next++, k, block);
+        }
+    }
+}
+
 template <bool square_roots, Integration order>
 inline void advance_points(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
                            const UbcSandArrays& points)
 {
     Block block{};
+    Unfinished unfinished;
     for (std::size_t p = first; p < last; p += width) {
         const std::size_t count = last - p < width ? last - p : width;
         load(points, p, count, dt, turned, block);
-        advance_lanes<square_roots, order>(law, block);
+        take_substep<square_roots, order>(law, block);
         store(block, p, count, points);
+        note_unfinished(block, p, count, unfinished);
+        if (unfinished.count + width > segment || p + count == last) {
+            finish<square_roots, order>(law, unfinished, points);
+            unfinished.count = 0;
+        }
     }
 }
 
