@@ -15,6 +15,7 @@ namespace {
 using Kind = DocumentNode::Kind;
 
 constexpr const char* base_key = "base";
+constexpr const char* without_key = "without";
 
 std::string value_as_toml(const DocumentNode& node)
 {
@@ -44,13 +45,49 @@ void append_table(const DocumentNode& table, const KeyPath& path, std::string& t
     }
 }
 
+/// Take the key or table of this path out of `table`, whose own path is `place`; false when there is none.
+bool take_out(const std::string& path, const KeyPath& place, DocumentNode& table)
+{
+    for (auto node = table.children.begin(); node != table.children.end(); ++node) {
+        KeyPath inner = place;
+        inner.push_back(node->name);
+        if (join_path(inner) == path) {
+            table.children.erase(node);
+            return true;
+        }
+        if (node->kind == Kind::table && take_out(path, inner, *node)) return true;
+    }
+    return false;
+}
+
+/// Take what the variant goes without out of its base.
+void take_out_keys(const DocumentNode& document, const std::string& base_name, DocumentNode& base,
+                   Diagnostics& findings)
+{
+    const DocumentNode* without = document.find(without_key);
+    if (without == nullptr || without->kind != Kind::array) return; // the check of the keys tells
+    for (const DocumentNode& item : without->children) {
+        if (item.kind == Kind::text && !take_out(item.text, {}, base))
+            findings.add(error_at(item.place, without_key, "the base has no '" + item.text + "'",
+                                  "a key or table of " + base_name + ", as \"water\" or \"motion.cycles\""));
+    }
+}
+
 } // namespace
 
 std::optional<DocumentNode> merge_with_base(const std::filesystem::path& file, DocumentNode&& document,
                                             Diagnostics& findings)
 {
     const DocumentNode* name = document.find(base_key);
-    if (name == nullptr || name->kind != Kind::text) return std::move(document);
+    if (name == nullptr || name->kind != Kind::text) {
+        if (const DocumentNode* without = document.find(without_key)) {
+            findings.add(error_at(without->name_place, without_key,
+                                  "the scene has no base to leave keys out of", "",
+                                  "remove the key, or add base = \"scene.toml\""));
+            return std::nullopt;
+        }
+        return std::move(document);
+    }
     const auto refuse = [&](std::string what, std::string expected) {
         findings.add(error_at(name->place, "base", std::move(what), std::move(expected)));
         return std::nullopt;
@@ -70,6 +107,8 @@ std::optional<DocumentNode> merge_with_base(const std::filesystem::path& file, D
     if (!merged) return std::nullopt;
     if (merged->find(base_key) != nullptr)
         return refuse("the base has a base itself", "a scene that stands by itself");
+    take_out_keys(document, name->text, *merged, findings);
+    if (findings.has_errors()) return std::nullopt;
     replace_keys(std::move(document), *merged);
     return merged;
 }
@@ -77,7 +116,8 @@ std::optional<DocumentNode> merge_with_base(const std::filesystem::path& file, D
 std::string document_text(const DocumentNode& document)
 {
     DocumentNode standing = document;
-    std::erase_if(standing.children, [](const DocumentNode& node) { return node.name == base_key; });
+    std::erase_if(standing.children,
+                  [](const DocumentNode& node) { return node.name == base_key || node.name == without_key; });
     std::string text;
     append_table(standing, {}, text);
     return text;

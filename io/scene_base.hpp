@@ -10,7 +10,8 @@
 namespace quicksand {
 
 /// Put the keys of a scene into the scene beside it that it names as its base, if any; the result has the
-/// keys of both. What is wrong with the base is added to `findings`; then the result is empty.
+/// keys of both but those of the base that the scene goes without. What is wrong with the base is added to
+/// `findings`; then the result is empty.
 std::optional<DocumentNode> merge_with_base(const std::filesystem::path& file, DocumentNode&& document,
                                             Diagnostics& findings);
 

@@ -226,11 +226,9 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     auto document = read_document(file, *text, overrides, findings);
     if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
     const bool stands_alone = document->find("base") == nullptr;
-    if (!stands_alone) {
-        findings.keep_text(file, *text);
-        document = merge_with_base(file, std::move(*document), findings);
-        if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
-    }
+    if (!stands_alone) findings.keep_text(file, *text);
+    document = merge_with_base(file, std::move(*document), findings);
+    if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
 
     SceneValues values = check_document(scene_key_table(), *document, findings);
     check_references(values, findings);

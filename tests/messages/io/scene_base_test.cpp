@@ -27,6 +27,33 @@ TEST_F(Variant, ReplacesTheKeysItGives)
     EXPECT_EQ(scene.probes.size(), 2U);
 }
 
+TEST_F(Variant, GoesWithoutKeysOfItsBase)
+{
+    const std::string dry =
+        std::string(head) + "without = [\"water\", \"materials.sand.hydraulic_conductivity\"]\n";
+    const SceneReading reading = folder.read(dry);
+    EXPECT_FALSE(reading.scene.water);
+    EXPECT_EQ(folder.read(reading.scene.text).scene.text, reading.scene.text);
+    EXPECT_EQ(reading.scene.text.find("without"), std::string::npos);
+}
+
+TEST_F(Variant, GoesWithoutNothingElse)
+{
+    EXPECT_EQ(folder.message(std::string(head) + "without = [\"watr\"]\n"),
+              R"_(scene.toml:3:12: error[without]: the base has no 'watr'
+    3 | without = ["watr"]
+      |            ^~~~~~
+expected: a key or table of column.toml, as "water" or "motion.cycles"
+)_");
+    EXPECT_EQ(folder.message(fixtures::replaced(fixtures::column_scene, "scene_version = 1",
+                                                "scene_version = 1\nwithout = [\"water\"]")),
+              R"_(scene.toml:2:1: error[without]: the scene has no base to leave keys out of
+    2 | without = ["water"]
+      | ^~~~~~~
+hint: remove the key, or add base = "scene.toml"
+)_");
+}
+
 TEST_F(Variant, LeavesACopyThatStandsByItself)
 {
     const std::string copy =
