@@ -55,7 +55,7 @@ R"_(
 scene.toml:2:1: error[unknown-key]: unknown key 'titel'
     2 | titel = "column"
       | ^~~~~
-expected: one of scene_version, title, base, accept
+expected: one of scene_version, title, base, without, accept
 hint: did you mean title?
 )_"},
 SceneMistake{"ValueInsteadOfTable",
