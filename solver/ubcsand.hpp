@@ -9,8 +9,8 @@
 //            arrays of points are tension positive, as everywhere else. Shear strain is engineering shear.
 // Limits     Start from a stress inside the failure limit (K_0 of 0.5; elastic gravity loading with these
 //            moduli gives 0.016). Turning of the principal stresses at constant ratio causes no plastic
-//            strain. Ripples are no half cycles where the parameters have a strain of ripples, as in runs;
-//            they strain plastically nevertheless when they reload.
+//            strain. Ripples are no half cycles where the parameters have a strain of ripples, as in runs,
+//            and the locus stays at the last true reversal; those of unloading contract the sand a little.
 #pragma once
 
 #include "solver/ubcsand_parameters.hpp"
@@ -48,7 +48,7 @@ struct UbcSandState {
     double sigma_z = 0.0;     // [Pa]
     double tau_xy = 0.0;      // [Pa]
     double eta_max = 0.0;     // largest stress ratio so far [-]
-    double branch = 2.0;      // 0 just reversed, 1 far from the reversal, 2 loading
+    double branch = 2.0;      // 0 just reversed, 0.5 strain too, 1 far from there, 1.5 in a ripple, 2 loading
     double peak_x = 0.0;      // r where the stress last turned: (sigma_x - sigma_y)/2 over s [-]
     double peak_y = 0.0;      //                                 tau_xy over s [-]
     double origin_x = 0.0;    // the same for the last turn that was not a ripple's [-]
@@ -91,7 +91,8 @@ void begin_shaking(const UbcSand& law, UbcSandState& state);
 /// 10  stress in the direction of the trial, largest ratio
 ///
 /// With a strain of ripples a half cycle needs, besides loading after a reversal, that the strain itself has
-/// turned and gone that far back, or a quarter of the longer of its last two legs when that is less.
+/// turned and gone that far back, or a quarter of the longer of its last two legs when that is less. Until
+/// then unloading is an excursion, which reloads elastically.
 void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState& state);
 
 /// Step 1 alone. Tangent of half the angle is half the spin (Hughes and Winget 1980).

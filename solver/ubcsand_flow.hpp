@@ -135,14 +135,21 @@ inline PlasticFlow flow_at_floor(const UbcSand& m, const Trial& trial, double G_
     return {m.s_min, smaller(trial.t - G * lambda, m.eta_f * sb), lambda, 0.0, 0.0};
 }
 
-/// [8] Loading begins, or goes on: count it, and soften a branch that has changed its sense.
+/// [8] Loading begins, or goes on: count it, and soften a branch that has changed its sense. Unloading that
+/// the strain interrupts by less than a turn reloads in a ripple, which is no loading yet.
 inline void remember_loading(const UbcSand& m, const Trial& trial, UbcSandState& state)
 {
-    const double loads = select(trial.branch == far_from_reversal, 1.0, 0.0);
-    count_half_cycles(follow_strain(m, trial.shear_x, trial.shear_y, state), loads, state);
-    const double other_sense = select(accord(trial, state.peak_x, state.peak_y) <= 0.0, loads, 0.0);
-    state.active_dilation = select(other_sense > 0.0, state.dilation, state.active_dilation);
-    state.branch = loading;
+    const double turned = follow_strain(m, trial.shear_x, trial.shear_y, state);
+    const double back = state.back_x * state.back_x + state.back_y * state.back_y;
+    const double resumed = select(trial.branch == loading_in_ripple, 1.0, 0.0);
+    const double unloaded = select(trial.branch == far_from_reversal, 1.0, resumed);
+    const double in_ripple = select(back > 0.0, select(turned > 0.0, 0.0, unloaded), 0.0);
+    const double other_side = select(accord(trial, state.peak_x, state.peak_y) <= 0.0, 1.0, 0.0);
+    const double crossed = select(trial.branch < far_from_reversal, other_side, 0.0);
+    const double loads = select(in_ripple > 0.0, 0.0, larger(unloaded, crossed));
+    count_half_cycles(turned, loads, state);
+    state.active_dilation = select(loads * other_side > 0.0, state.dilation, state.active_dilation);
+    state.branch = select(in_ripple > 0.0, loading_in_ripple, loading);
 }
 
 /// The middle of a substep, and the direction of the flow there.
@@ -196,7 +203,7 @@ inline Return return_from_middle(const UbcSand& m, const Trial& trial, const Har
     const PlasticFlow flow = flow_on_locus(m, trial, F, eta_max, middle.place);
     const double G = middle.place.moduli.G;
     const bool drags =
-        (smaller(smaller(estimate.s, flow.s), start.s_old) >= m.s_min) & (trial.branch != just_reversed);
+        (smaller(smaller(estimate.s, flow.s), start.s_old) >= m.s_min) & (trial.branch >= far_from_reversal);
     Return end;
     end.flow = select(drags, flow, estimate);
     end.q_x = select(drags, start.q_x + G * (trial.shear_x - flow.lambda * middle.n_x), trial.q_x);

@@ -113,7 +113,7 @@ double substep_share(const UbcSand& m, const Start& start, const UbcSandState& s
         return 1.0 / count_of(smaller(larger(by_ratio * m.per_ratio_step, by_stress), budget));
     } else {
         const double per_ratio =
-            select(state.branch == just_reversed, m.per_excursion_step, m.per_ratio_step);
+            select(state.branch == strain_reversed, m.per_excursion_step, m.per_ratio_step);
         const double along = start.q_x * dq_x + start.q_y * dq_y;
         const double inward = start.squared * ds - along * start.sb;
         const double turns = larger(squared * start.sb - along * ds, inward); // at most the whole strain
@@ -167,11 +167,12 @@ inline void place_locus(const UbcSand& m, const UbcSandState& state, Trial& tria
     const double away_x = trial.start.q_x * per_stress - state.peak_x;
     const double away_y = trial.start.q_y * per_stress - state.peak_y;
     const double departed =
-        select(away_x * away_x + away_y * away_y >= m.tolerance_squared, far_from_reversal, just_reversed);
-    trial.branch = select(state.branch == just_reversed, departed, state.branch);
+        select(away_x * away_x + away_y * away_y >= m.tolerance_squared, far_from_reversal, strain_reversed);
+    trial.branch = select(state.branch == strain_reversed, departed, state.branch);
     const double eta_squared = trial.start.squared * per_stress * per_stress;
     const double peak_squared = state.peak_x * state.peak_x + state.peak_y * state.peak_y;
-    const double held = select(trial.branch == just_reversed, larger(eta_squared, peak_squared), eta_squared);
+    const double held =
+        select(trial.branch < far_from_reversal, larger(eta_squared, peak_squared), eta_squared);
     trial.eta_y = smaller(std::sqrt(held), m.eta_f);
 }
 
@@ -219,8 +220,11 @@ inline void finish_elastic(const UbcSand& m, const Trial& trial, UbcSandState& s
     const double per_stress = 1.0 / trial.start.sb;
     state.peak_x = select(reversal, trial.start.q_x * per_stress, state.peak_x);
     state.peak_y = select(reversal, trial.start.q_y * per_stress, state.peak_y);
-    state.branch = select(reversal, just_reversed, trial.branch);
-    count_half_cycles(follow_strain(m, trial.shear_x, trial.shear_y, state), 0.0, state);
+    const double turned = follow_strain(m, trial.shear_x, trial.shear_y, state);
+    const double resumed = select(trial.branch == loading_in_ripple, far_from_reversal, trial.branch);
+    const double branch = select(reversal, just_reversed, resumed);
+    state.branch = select(turned > 0.0, larger(branch, strain_reversed), branch);
+    count_half_cycles(turned, 0.0, state);
     set_stress(m, trial.s, trial.q_x, trial.q_y, trial.sigma_z + trial.E2 * trial.volumetric, state);
 }
 

@@ -11,8 +11,10 @@
 namespace quicksand::ubcsand {
 
 /// Where a point is on its branch: doubles, so that vectors hold one kind of number. Unloading that has just
-/// begun may be an excursion of the loading before, until the stress ratio has gone the tolerance from there.
-inline constexpr double just_reversed = 0.0, far_from_reversal = 1.0, loading = 2.0;
+/// begun may be an excursion of the loading before, until the strain has turned and the stress ratio has gone
+/// the tolerance from there.
+inline constexpr double just_reversed = 0.0, strain_reversed = 0.5, far_from_reversal = 1.0,
+                        loading_in_ripple = 1.5, loading = 2.0;
 
 /// What the reversals of the strain and the beginnings of loading owe each other, a half cycle for each pair.
 inline constexpr double loading_waits = -1.0, even = 0.0, reversal_waits = 1.0;

@@ -91,5 +91,32 @@ TEST(UbcSandNoise, ASineOfTwoAndOfFivePercentIsNoHalfCycle)
     }
 }
 
+/// Mean stress in the plane [Pa] that sand which has liquefied gains by 2 % of shear in 8 s, with ripples of
+/// 50 Hz.
+double dilation_of_liquefied_sand(double ripple)
+{
+    const UbcSand law = make_ubcsand(with(UbcSandRunSettings(), nevada_sand_55()));
+    Specimen specimen = consolidate(law, {});
+    const std::vector<double> cycles = cycles_of_strain(3e-3, 40);
+    for (std::size_t k = 1; k < cycles.size(); ++k) strain(0.0, 0.0, cycles[k] - cycles[k - 1], specimen);
+    double before = 0.0;
+    constexpr int steps = 20000;
+    for (int k = 1; k <= steps; ++k) {
+        const double time = 8.0 * k / steps;
+        const double gamma = 0.02 * k / steps + ripple * std::sin(100.0 * 3.141592653589793 * time);
+        strain(0.0, 0.0, gamma - before, specimen);
+        before = gamma;
+    }
+    return 0.5 * (specimen.state.sigma_x + specimen.state.sigma_y);
+}
+
+TEST(UbcSandNoise, RipplesDoNotKeepLiquefiedSandFromDilating)
+{
+    const double gained = dilation_of_liquefied_sand(0.0);
+    EXPECT_GT(gained, 5e3);
+    for (const double ripple : {1e-6, 1e-5, 3e-5})
+        EXPECT_NEAR(dilation_of_liquefied_sand(ripple), gained, 0.02 * gained) << ripple;
+}
+
 } // namespace
 } // namespace quicksand

@@ -92,7 +92,7 @@ TEST(UbcSand, UnloadingIsElasticAndKeepsTheMeanStress)
     update(law, shear(-1e-6), state);
     EXPECT_NEAR(mean(state), mean(peak), 1e-9);
     EXPECT_NEAR(state.tau_xy, peak.tau_xy - 1e-6 * shear_modulus(law, peak), 1e-9);
-    EXPECT_EQ(state.branch, ubcsand::just_reversed);
+    EXPECT_EQ(state.branch, ubcsand::strain_reversed);
     EXPECT_NEAR(state.peak_y, peak.tau_xy / mean(peak), 1e-15);
 }
 
@@ -107,7 +107,7 @@ TEST(UbcSand, OnlyARealReversalCountsAHalfCycle)
     update(law, shear(-tiny), state);
     update(law, shear(0.99 * tiny), state);
     EXPECT_EQ(state.half_cycles, 0.0);
-    EXPECT_EQ(state.branch, ubcsand::just_reversed);
+    EXPECT_EQ(state.branch, ubcsand::strain_reversed);
     update(law, shear(0.1 * tiny), state);
     EXPECT_EQ(state.branch, ubcsand::loading);
     EXPECT_EQ(state.half_cycles, 0.0);
@@ -131,10 +131,12 @@ TEST(UbcSand, ARippleIsNoHalfCycleAndAReversalIsOneAtOnceAfterIt)
     const UbcSand law = make_ubcsand(parameters);
     UbcSandState state = consolidated(law, 1.0);
     update(law, shear(5e-4), state);
-    update(law, shear(-5e-5), state); // far in ratio, loads again: a ripple of the loading
+    update(law, shear(-5e-5), state); // far in ratio, but the strain has not turned: a ripple of the loading
+    EXPECT_EQ(state.branch, ubcsand::just_reversed);
     update(law, shear(6e-5), state);
+    EXPECT_EQ(state.branch, ubcsand::loading);
     EXPECT_EQ(state.half_cycles, 0.0);
-    EXPECT_EQ(state.waiting, ubcsand::loading_waits);
+    EXPECT_EQ(state.waiting, ubcsand::even);
     for (int k = 0; k < 40; ++k) update(law, shear(-1e-5), state); // 4e-4 back, loads on the other side
     EXPECT_EQ(state.branch, ubcsand::loading);
     EXPECT_EQ(state.half_cycles, 1.0);
@@ -144,6 +146,27 @@ TEST(UbcSand, ARippleIsNoHalfCycleAndAReversalIsOneAtOnceAfterIt)
         EXPECT_LE(state.half_cycles, 2.0);
     }
     EXPECT_GT(state.origin_y, 0.0); // where the loading ended, not the ripples
+}
+
+TEST(UbcSand, ARippleOfUnloadingReloadsWithoutLoading)
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.ripple_strain = 1e-4;
+    const UbcSand law = make_ubcsand(parameters);
+    UbcSandState state = consolidated(law, 1.0);
+    update(law, shear(5e-4), state);
+    const UbcSandState peak = state;
+    for (int k = 0; k < 12; ++k) update(law, shear(-1e-5), state);
+    EXPECT_EQ(state.branch, ubcsand::far_from_reversal);
+    update(law, shear(2e-5), state);
+    EXPECT_EQ(state.branch, ubcsand::loading_in_ripple);
+    EXPECT_EQ(state.half_cycles, 0.0);
+    update(law, shear(-3e-5), state); // on with the unloading, from the same peak
+    EXPECT_EQ(state.branch, ubcsand::far_from_reversal);
+    EXPECT_NEAR(state.peak_y, peak.tau_xy / mean(peak), 1e-12);
+    for (int k = 0; k < 12; ++k) update(law, shear(1e-5), state); // a true reversal
+    EXPECT_EQ(state.branch, ubcsand::loading);
+    EXPECT_EQ(state.half_cycles, 1.0);
 }
 
 TEST(UbcSand, RipplesAreMeasuredByTheLegWhenThatIsShort)
