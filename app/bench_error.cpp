@@ -127,8 +127,8 @@ std::vector<WorkPoint> measure_scene(const std::string& scene, const BenchChoice
         std::string directory = setting.name;
         std::replace(directory.begin(), directory.end(), ' ', '_');
         const double seconds = run_setting(scene, setting, choice, folder / directory);
-        points.push_back(
-            {name, setting.name, 0, history_error(folder / directory, folder / "reference"), seconds});
+        for (const HistoryError& each : history_errors(folder / directory, folder / "reference"))
+            points.push_back({name + ", " + each.quantity, setting.name, 0, each.error, seconds});
     }
     return points;
 }
@@ -196,12 +196,36 @@ std::string recommendation(const std::vector<WorkPoint>& points, double wanted)
                              duration_text(best->seconds));
 }
 
+/// The points apart that are of different problems, or of different quantities of a scene.
+std::vector<std::vector<WorkPoint>> by_problem(const std::vector<WorkPoint>& points)
+{
+    std::vector<std::vector<WorkPoint>> parts;
+    for (const WorkPoint& point : points) {
+        const auto part = std::find_if(parts.begin(), parts.end(), [&](const std::vector<WorkPoint>& each) {
+            return each.front().problem == point.problem;
+        });
+        if (part == parts.end()) {
+            parts.push_back({point});
+        } else {
+            part->push_back(point);
+        }
+    }
+    return parts;
+}
+
+std::string picture_name(std::string problem)
+{
+    std::erase(problem, ',');
+    std::replace(problem.begin(), problem.end(), ' ', '_');
+    return "error_" + problem + ".png";
+}
+
 std::string csv_of(const std::vector<WorkPoint>& points)
 {
     std::string text = "# " + machine_text() + "\nproblem,setting,cells,largest_error,seconds\n";
     for (const WorkPoint& point : points)
-        text += fmt::format("{},{},{},{:.6g},{:.6g}\n", point.problem, csv_text(point.setting), point.cells,
-                            point.error, point.seconds);
+        text += fmt::format("{},{},{},{:.6g},{:.6g}\n", csv_text(point.problem), csv_text(point.setting),
+                            point.cells, point.error, point.seconds);
     return text;
 }
 
@@ -222,10 +246,12 @@ ExitCode measure_errors(const BenchChoice& choice)
         const std::vector<WorkPoint> points =
             is_a_run(problem) ? measure_scene(problem, choice) : measure_problem(problem, choice, journal);
         if (points.empty()) continue;
-        draw_line_plot(work_plot(points.front().problem, points),
-                       choice.directory / ("error_" + points.front().problem + ".png"));
-        advice += '\n' + points.front().problem;
-        for (const double wanted : {0.05, 0.01, 0.001}) advice += '\n' + recommendation(points, wanted);
+        for (const std::vector<WorkPoint>& part : by_problem(points)) {
+            const std::string& name = part.front().problem;
+            draw_line_plot(work_plot(name, part), choice.directory / picture_name(name));
+            advice += '\n' + name;
+            for (const double wanted : {0.05, 0.01, 0.001}) advice += '\n' + recommendation(part, wanted);
+        }
         all.insert(all.end(), points.begin(), points.end());
         write_atomically(choice.directory / "error.csv", csv_of(all)); // what is done is not lost
     }

@@ -11,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,9 +63,25 @@ std::vector<SkipPoint> measure(const BenchChoice& choice, const fs::path& scene,
     return points;
 }
 
+/// Wall time of a particle's step [s].
 double each(const SkipPoint& point)
 {
     return point.cost.total / static_cast<double>(point.particles);
+}
+
+/// Wall time of a particle's second of motion [s].
+double each_second(const SkipPoint& point)
+{
+    return each(point) / point.cost.time_step;
+}
+
+std::string row_of(const SkipPoint& point, const SkipPoint& first)
+{
+    return fmt::format("{:<36}{:>12}{:>10.1f}{:>8.0f} %{:>12.3g}{:>12.0f} %{:>16.0f}",
+                       point.name.substr(0, 35), grouped(static_cast<long long>(point.particles)),
+                       1e9 * each(point), 100.0 * each(point) / each(first), point.cost.time_step,
+                       100.0 * each_second(point) / each_second(first),
+                       point.bytes / static_cast<double>(point.particles));
 }
 
 } // namespace
@@ -74,19 +91,16 @@ ExitCode measure_skips(const BenchChoice& choice)
     Journal journal;
     fs::create_directories(choice.directory);
     journal.say(machine_text());
-    journal.say(fmt::format("{:<36}{:>12}{:>12}{:>14}{:>18}", "scene", "particles", "ns each", "of the first",
-                            "bytes/particle"));
-    std::string csv = "# " + machine_text() + "\nscene,particles,step_s,bytes\n";
-    double first = 0.0;
+    journal.say(fmt::format("{:<36}{:>12}{:>10}{:>10}{:>12}{:>14}{:>16}", "scene; shares of the first",
+                            "particles", "ns each", "a step", "dt s", "a second", "bytes/particle"));
+    std::string csv = "# " + machine_text() + "\nscene,particles,step_s,time_step_s,bytes\n";
+    std::optional<SkipPoint> first;
     for (const fs::path& scene : scenes_of(choice)) {
         for (const SkipPoint& point : measure(choice, scene, journal)) {
-            if (first == 0.0) first = each(point);
-            journal.say(fmt::format("{:<36}{:>12}{:>12.1f}{:>12.0f} %{:>18.0f}", point.name.substr(0, 35),
-                                    grouped(static_cast<long long>(point.particles)), 1e9 * each(point),
-                                    100.0 * each(point) / first,
-                                    point.bytes / static_cast<double>(point.particles)));
-            csv += fmt::format("{},{},{:.6g},{:.0f}\n", csv_text(point.name), point.particles,
-                               point.cost.total, point.bytes);
+            if (!first) first = point;
+            journal.say(row_of(point, *first));
+            csv += fmt::format("{},{},{:.6g},{:.6g},{:.0f}\n", csv_text(point.name), point.particles,
+                               point.cost.total, point.cost.time_step, point.bytes);
         }
     }
     write_atomically(choice.directory / "skip.csv", csv);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <string>
 
 namespace quicksand {
@@ -14,7 +13,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 3> compared = {"excess_pore_pressure_Pa", "ux_m", "uy_m"};
+struct ComparedColumn {
+    const char *column, *quantity;
+};
+
+constexpr std::array<ComparedColumn, 3> compared = {{{"excess_pore_pressure_Pa", "excess pore pressure"},
+                                                     {"uy_m", "settlement"},
+                                                     {"ux_m", "sideways displacement"}}};
 
 struct Difference {
     double range = 0.0, root_mean_square = 0.0;
@@ -43,30 +48,36 @@ bool is_profile(const PictureTable& table)
     return time == nullptr || std::adjacent_find(time->begin(), time->end()) != time->end();
 }
 
-} // namespace
-
-double history_error(const fs::path& results, const fs::path& reference)
+/// What both runs have of the column, probe by probe.
+std::vector<Difference> differences(const char* column, const fs::path& results, const fs::path& reference)
 {
-    std::map<std::string, std::vector<Difference>> by_quantity;
+    std::vector<Difference> all;
     for (const auto& entry : fs::directory_iterator(reference / "probes")) {
         if (entry.path().extension() != ".csv") continue;
         const PictureTable exact = read_picture_table(entry.path());
         if (is_profile(exact)) continue;
         const PictureTable table = read_picture_table(results / "probes" / entry.path().filename());
-        for (const char* column : compared) {
-            if (table.find(column) == nullptr || exact.find(column) == nullptr) continue;
-            by_quantity[column].push_back(difference(*table.find(column), *exact.find(column)));
-        }
+        if (table.find(column) == nullptr || exact.find(column) == nullptr) continue;
+        all.push_back(difference(*table.find(column), *exact.find(column)));
     }
-    double largest = 0.0;
-    for (const auto& [column, differences] : by_quantity) {
-        double range = 0.0;
-        for (const Difference& each : differences) range = std::max(range, each.range);
-        for (const Difference& each : differences) {
-            if (each.range > 0.01 * range) largest = std::max(largest, each.root_mean_square / each.range);
+    return all;
+}
+
+} // namespace
+
+std::vector<HistoryError> history_errors(const fs::path& results, const fs::path& reference)
+{
+    std::vector<HistoryError> errors;
+    for (const ComparedColumn& each : compared) {
+        const std::vector<Difference> probes = differences(each.column, results, reference);
+        double range = 0.0, largest = 0.0;
+        for (const Difference& probe : probes) range = std::max(range, probe.range);
+        for (const Difference& probe : probes) {
+            if (probe.range > 0.01 * range) largest = std::max(largest, probe.root_mean_square / probe.range);
         }
+        if (range > 0.0) errors.push_back({each.quantity, largest});
     }
-    return largest;
+    return errors;
 }
 
 } // namespace quicksand

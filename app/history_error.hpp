@@ -2,13 +2,21 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 namespace quicksand {
 
-/// Largest over the probes, their excess pore pressures and displacements: the root of the mean square
-/// difference over the range of the reference [-]. Both are results folders of the same scene with the same
-/// probe times. Profiles are left out, and quantities that hardly change: by less than 1 % of what the same
-/// quantity does at the probe where it changes most. Throws FileError.
-double history_error(const std::filesystem::path& results, const std::filesystem::path& reference);
+/// The largest error of a quantity over the probes.
+struct HistoryError {
+    std::string quantity;
+    double error = 0.0; // root of the mean square difference over the range of the reference [-]
+};
+
+/// Of the probes' excess pore pressure, settlement and sideways displacement, as far as they have them. Both
+/// are results folders of the same scene with the same probe times. Profiles are left out, and probes where a
+/// quantity hardly changes: by less than 1 % of what it does where it changes most. Throws FileError.
+std::vector<HistoryError> history_errors(const std::filesystem::path& results,
+                                         const std::filesystem::path& reference);
 
 } // namespace quicksand

@@ -94,7 +94,7 @@ double cost_one_by_one(const UbcSand& law, Shear shear)
 
 std::string describe_law_cost()
 {
-    const UbcSand law = make_ubcsand(nevada_sand_55());
+    const UbcSand law = make_ubcsand(with(UbcSandRunSettings(), nevada_sand_55()));
     std::string text =
         fmt::format("UBCSAND alone, {} particles in one substep each: median of {} runs\n{:<16}"
                     "{:>20}{:>20}{:>12}\n",

@@ -19,6 +19,7 @@ StepCost measure_run(const Problem& problem, double dt, int steps, State& state,
     const auto start = std::chrono::steady_clock::now();
     for (int step = 0; step < steps; ++step) stepper.advance(problem, dt, state);
     StepCost cost;
+    cost.time_step = dt;
     cost.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
     cost.phases = stepper.timers();
     for (double& seconds : cost.phases.seconds) seconds /= steps;

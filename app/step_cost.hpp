@@ -21,6 +21,7 @@ std::filesystem::path only_scene(const BenchChoice& choice);
 /// Wall time of a step and of its phases [s].
 struct StepCost {
     double total = 0.0;
+    double time_step = 0.0; // of the motion [s]
     PhaseTimers phases;
 };
 
