@@ -162,17 +162,17 @@ void draw_heading(const FieldPicture& picture, const PictureLayout& layout, Canv
 {
     TextStyle time{.size = 21.0, .across = AlignX::right};
     const std::string now = time_text(picture.time);
-    canvas.write(now, {layout.axes.right(), 46.0}, time);
+    const double right = layout.width - 20.0; // of the sheet: a narrow section leaves its title little room
+    canvas.write(now, {right, 46.0}, time);
 
     const TextStyle heading{.size = 24.0, .bold = true};
-    const double room = layout.axes.width - canvas.text_width(now, time) - 24.0;
+    const double room = right - layout.axes.left - canvas.text_width(now, time) - 24.0;
     canvas.write(fit(picture.quantity, room, heading, canvas), {layout.axes.left, 46.0}, heading);
 
     std::string line = picture.title;
     if (!picture.note.empty()) line += (line.empty() ? "" : "  ·  ") + picture.note;
     const TextStyle note{.size = 17.0, .colour = faint_ink};
-    const double note_room = layout.width - layout.axes.left - 20.0;
-    canvas.write(fit(line, note_room, note, canvas), {layout.axes.left, 76.0}, note);
+    canvas.write(fit(line, right - layout.axes.left, note, canvas), {layout.axes.left, 76.0}, note);
 }
 
 } // namespace
