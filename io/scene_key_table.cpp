@@ -190,6 +190,11 @@ std::vector<SceneKey> material_keys()
          .allowed = not_negative, .plausible = {0.0, 3e-4}, .when = ubcsand_only,
          .doc = "Reversals of less shear strain are ripples of the run, no half cycles; below it sand keeps its "
                 "volume [Dobry et al. 1982]."},
+        {.pattern = "materials.*.largest_porosity", .default_note = "e_max = e + 0.376 relative_density",
+         .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true}, .plausible = {0.38, 0.6},
+         .when = ubcsand_only,
+         .doc = "Porosity of the loosest sand, which no longer dilates; once its grains have parted it bears nothing "
+                "until they touch again."},
         {.pattern = "materials.*.resolved_floors", .default_value = UbcSandRunSettings().resolved_floors,
          .allowed = not_negative, .plausible = {0.0, 40.0}, .when = ubcsand_only,
          .doc = "Below this multiple of stress_floor substeps are as long as there, which speeds liquefied sand up."},
@@ -331,8 +336,7 @@ std::vector<SceneKey> all_keys()
     };
     for (const auto& part :
          {geometry_keys(), analysis_keys(), ground_keys(), material_keys(), sand_keys(), region_keys(),
-          boundary_keys(), initial_keys(), motion_keys(), run_keys(), figure_keys(),
-          verification_keys()}) {
+          boundary_keys(), initial_keys(), motion_keys(), run_keys(), figure_keys(), verification_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
     return keys;

@@ -27,6 +27,30 @@ void check_k0(const SceneValues& values, const NamedTable& table, const UbcSandP
                           "0.5 is usual for sand that was not loaded before"));
 }
 
+/// Void ratios of Nevada sand at its loosest and densest, 0.887 and 0.511 [Arulmoli et al. 1992]: their
+/// difference stands for that of other sands.
+constexpr double void_ratio_range = 0.376; // e_max - e_min [-]
+
+/// Porosity of the sand at its loosest, given or by its density.
+double largest_porosity(const NamedTable& table, double relative_density, SceneValues& values,
+                        Diagnostics& findings)
+{
+    const std::string key = table.path + ".largest_porosity";
+    const double porosity = values.number(table.path + ".porosity");
+    if (const auto given = values.find<double>(key)) {
+        if (*given < porosity)
+            findings.add(
+                error_at(values.place(key), "range",
+                         key + " = " + number_text(*given) + " is below porosity = " + number_text(porosity),
+                         "the porosity of the sand at its loosest"));
+        return *given;
+    }
+    const double void_ratio = porosity / (1.0 - porosity) + void_ratio_range * relative_density;
+    const double largest = void_ratio / (1.0 + void_ratio);
+    show(key, largest, values);
+    return largest;
+}
+
 } // namespace
 
 void read_ubcsand_materials(SceneValues& values, Scene& scene, Diagnostics& findings)
@@ -40,6 +64,8 @@ void read_ubcsand_materials(SceneValues& values, Scene& scene, Diagnostics& find
         parameters.integration = UbcSandRunSettings().integration;
         parameters.ripple_strain = values.number(table.path + ".ripple_strain");
         parameters.resolved_floors = values.number(table.path + ".resolved_floors");
+        const double loosest = largest_porosity(table, parameters.relative_density, values, findings);
+        parameters.largest_specific_volume = 1.0 / (material.material.grain_density * (1.0 - loosest));
         check_k0(values, table, parameters, findings);
         material.ubcsand = parameters;
         if (!findings.has_errors()) material.material.law = make_ubcsand(parameters);

@@ -78,13 +78,6 @@ void show_words(const std::string& path, const std::string& words, SceneValues& 
     if (key != values.keys.end()) key->value = words;
 }
 
-/// The same for a number, of which six digits are read.
-void show(const std::string& path, double value, SceneValues& values)
-{
-    const double scale = value == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
-    show_words(path, number_text(std::round(value * scale) / scale), values);
-}
-
 /// The density in all three ways; they say the same.
 void show_density(const std::string& material, double n1_60, SceneValues& values)
 {
@@ -167,6 +160,13 @@ std::vector<SceneKey> ubcsand_keys()
 }
 
 // clang-format on
+
+void show(const std::string& path, double value, SceneValues& values)
+{
+    // six digits are read
+    const double scale = value == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
+    show_words(path, number_text(std::round(value * scale) / scale), values);
+}
 
 UbcSandParameters resolve_ubcsand(const NamedTable& material, SceneValues& values, Diagnostics& findings)
 {

@@ -4,6 +4,7 @@
 #include "io/scene_check.hpp"
 #include "solver/ubcsand_parameters.hpp"
 
+#include <string>
 #include <vector>
 
 namespace quicksand {
@@ -15,5 +16,8 @@ std::vector<SceneKey> ubcsand_keys();
 /// the keys given replace their value; what the set derives from K_G^e and phi_cv follows those given. The
 /// resolved keys of `values` get the numbers. What is wrong is added to `findings`.
 UbcSandParameters resolve_ubcsand(const NamedTable& material, SceneValues& values, Diagnostics& findings);
+
+/// Put a number that a default gives into the resolved key of this path.
+void show(const std::string& path, double value, SceneValues& values);
 
 } // namespace quicksand

@@ -77,6 +77,7 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.per_ratio_step = 1.0 / m.largest_ratio_step;
     law.per_excursion_step = std::max(law.per_ratio_step, 1.0 / std::max(m.reversal_tolerance, 1e-6));
     law.per_stress_step = 1.0 / m.largest_stress_step;
+    law.largest_specific_volume = m.largest_specific_volume;
     law.resolved = m.resolved_floors * m.stress_floor;
     law.integration = m.integration;
     law.square_roots = law.ne == 0.5 && law.me == 0.5;
@@ -110,7 +111,8 @@ void turn(double spin, UbcSandState& state)
 void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState& state)
 {
     turn(increment.spin, state);
-    const ubcsand::Strain strain = {increment.strain_x, increment.strain_y, increment.shear};
+    const ubcsand::Strain strain =
+        ubcsand::borne(law, state, {increment.strain_x, increment.strain_y, increment.shear});
     if (law.integration == Integration::first_order) {
         advance<Integration::first_order>(law, strain, state);
     } else {

@@ -21,24 +21,25 @@ namespace quicksand {
 
 /// The law made ready: parameters as the kernel uses them. Make it with `make_ubcsand` only.
 struct UbcSand {
-    double G_atm, B_atm, Gp_atm; // elastic shear, elastic bulk and plastic shear modulus at s = P_a [Pa]
-    double ne, me, np;           // their exponents [-]
-    double sin_cv, eta_f;        // sin phi_cv, sin phi_f [-]
-    double R;                    // R_f / eta_f [-]
-    double a;                    // c cot phi_f, shift of the mean stress [Pa]
-    double h1, h2, s0, s1;       // factors of the plastic modulus [-]
-    double tolerance_squared;    // reversal tolerance, squared [-]
-    double ripple_squared;       // strain of a ripple, squared [-]
-    double a_dil_log2;           // softening after dilation, as a power of 2 [-]
-    double fac_post;             // least factor after dilation [-]
-    double s_min;                // stress floor [Pa]
-    double static_poisson;       // nu while settling under gravity [-]
-    double per_ratio_step;       // 1 / largest elastic change of the stress ratio in a substep [-]
-    double per_excursion_step;   // the same while an excursion may still be tiny [-]
-    double per_stress_step;      // 1 / largest relative elastic change of s in a substep [-]
-    double resolved;             // mean stress below which substeps are as long as there [Pa]
-    Integration integration;     // of the substeps
-    bool square_roots;           // ne = me = 1/2
+    double G_atm, B_atm, Gp_atm;    // elastic shear, elastic bulk and plastic shear modulus at s = P_a [Pa]
+    double ne, me, np;              // their exponents [-]
+    double sin_cv, eta_f;           // sin phi_cv, sin phi_f [-]
+    double R;                       // R_f / eta_f [-]
+    double a;                       // c cot phi_f, shift of the mean stress [Pa]
+    double h1, h2, s0, s1;          // factors of the plastic modulus [-]
+    double tolerance_squared;       // reversal tolerance, squared [-]
+    double ripple_squared;          // strain of a ripple, squared [-]
+    double a_dil_log2;              // softening after dilation, as a power of 2 [-]
+    double fac_post;                // least factor after dilation [-]
+    double s_min;                   // stress floor [Pa]
+    double static_poisson;          // nu while settling under gravity [-]
+    double per_ratio_step;          // 1 / largest elastic change of the stress ratio in a substep [-]
+    double per_excursion_step;      // the same while an excursion may still be tiny [-]
+    double per_stress_step;         // 1 / largest relative elastic change of s in a substep [-]
+    double largest_specific_volume; // of the loosest sand, per mass of grains [m3/kg]
+    double resolved;                // mean stress below which substeps are as long as there [Pa]
+    Integration integration;        // of the substeps
+    bool square_roots;              // ne = me = 1/2
 };
 
 /// Stress and memory of a point. A new point has the memory `begin_shaking` gives.
@@ -62,6 +63,8 @@ struct UbcSandState {
     double half_cycles = 0.0; // n, reversals that were followed by loading [-]
     double dilation = 0.0;    // g_dil, plastic shear strain in dilation [-]
     double active_dilation = 0.0; // its value at the last counted half cycle, which softens the branch [-]
+    double least_contraction =
+        -1.0; // of D: -1, or 0 where the sand is at its loosest; given, not remembered [-]
 };
 
 /// A strain increment, compression positive, and the rotation that comes with it.
@@ -114,6 +117,7 @@ struct UbcSandArrays {
     double *eta_max, *branch, *peak_x, *peak_y;            // memory as in UbcSandState and of its signs
     double *origin_x, *origin_y, *leg_x, *leg_y, *back_x, *back_y, *last_leg, *waiting;
     double *half_cycles, *dilation, *active_dilation;
+    const double *volume, *mass_solid; // [m3, kg], which tell where the sand is at its loosest
 
     UbcSandState state(std::size_t p) const
     {

@@ -24,17 +24,17 @@ struct Block {
     double sigma_x[width], sigma_y[width], sigma_z[width], tau_xy[width];
     double eta_max[width], branch[width], peak_x[width], peak_y[width], origin_x[width], origin_y[width];
     double leg_x[width], leg_y[width], back_x[width], back_y[width], last_leg[width], waiting[width];
-    double half_cycles[width], dilation[width], active_dilation[width];
+    double half_cycles[width], dilation[width], active_dilation[width], least_contraction[width];
     double strain_x[width], strain_y[width], strain_xy[width]; // what remains
     double budget[width];                                      // substeps left
     double open[width];                                        // 1 until the last substep is done
 
     UbcSandState state(std::size_t k) const
     {
-        return {sigma_x[k], sigma_y[k],     sigma_z[k],  tau_xy[k],         eta_max[k],
-                branch[k],  peak_x[k],      peak_y[k],   origin_x[k],       origin_y[k],
-                leg_x[k],   leg_y[k],       back_x[k],   back_y[k],         last_leg[k],
-                waiting[k], half_cycles[k], dilation[k], active_dilation[k]};
+        return {sigma_x[k], sigma_y[k],     sigma_z[k],  tau_xy[k],          eta_max[k],
+                branch[k],  peak_x[k],      peak_y[k],   origin_x[k],        origin_y[k],
+                leg_x[k],   leg_y[k],       back_x[k],   back_y[k],          last_leg[k],
+                waiting[k], half_cycles[k], dilation[k], active_dilation[k], least_contraction[k]};
     }
 
     void set(std::size_t k, bool condition, const UbcSandState& state)
@@ -66,7 +66,7 @@ struct TrialBlock {
     double G[width], B[width], s_old[width], s_start[width], start_x[width], start_y[width];
     double s[width], q_x[width], q_y[width], t[width], sigma_z[width];
     double volumetric[width], shear_x[width], shear_y[width], E2[width], eta_y[width], branch[width],
-        plastic[width];
+        least_D[width], plastic[width];
 
     void set(std::size_t k, const Trial& trial, double is_plastic)
     {
@@ -76,6 +76,7 @@ struct TrialBlock {
         s[k] = trial.s, q_x[k] = trial.q_x, q_y[k] = trial.q_y, t[k] = trial.t, sigma_z[k] = trial.sigma_z;
         volumetric[k] = trial.volumetric, shear_x[k] = trial.shear_x, shear_y[k] = trial.shear_y;
         E2[k] = trial.E2, eta_y[k] = trial.eta_y, branch[k] = trial.branch;
+        least_D[k] = trial.least_D;
         plastic[k] = is_plastic;
     }
 
@@ -92,6 +93,7 @@ struct TrialBlock {
         trial.s = s[k], trial.q_x = q_x[k], trial.q_y = q_y[k], trial.t = t[k], trial.sigma_z = sigma_z[k];
         trial.volumetric = volumetric[k], trial.shear_x = shear_x[k], trial.shear_y = shear_y[k];
         trial.E2 = E2[k], trial.eta_y = eta_y[k], trial.branch = branch[k];
+        trial.least_D = least_D[k];
         return trial;
     }
 };
@@ -143,9 +145,15 @@ inline void take_substep(const UbcSand& law, Block& block)
     }
 }
 
+/// D may be negative but in the loosest sand.
+inline double least_contraction(const UbcSand& law, const UbcSandArrays& points, std::size_t p)
+{
+    return select(points.volume[p] > law.largest_specific_volume * points.mass_solid[p], 0.0, -1.0);
+}
+
 /// Put `count` points from p on into the lanes: compression-positive strains and turned states.
-inline void load(const UbcSandArrays& points, std::size_t p, std::size_t count, double dt, Turn turned,
-                 Block& block)
+inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p, std::size_t count, double dt,
+                 Turn turned, Block& block)
 {
     const bool turns = turned == Turn::stress_and_memory;
     for (std::size_t k = 0; k < count; ++k) {
@@ -156,10 +164,12 @@ inline void load(const UbcSandArrays& points, std::size_t p, std::size_t count, 
             turn_memory(rotation, state);
             turn_stress(rotation, state);
         }
+        state.least_contraction = least_contraction(law, points, p + k);
         block.set(k, true, state);
-        block.strain_x[k] = -dt * points.L_xx[p + k];
-        block.strain_y[k] = -dt * points.L_yy[p + k];
-        block.strain_xy[k] = -dt * (L_xy + L_yx);
+        block.least_contraction[k] = state.least_contraction;
+        const Strain strain =
+            borne(law, state, {-dt * points.L_xx[p + k], -dt * points.L_yy[p + k], -dt * (L_xy + L_yx)});
+        block.strain_x[k] = strain.x, block.strain_y[k] = strain.y, block.strain_xy[k] = strain.xy;
     }
     for (std::size_t k = 0; k < width; ++k) {
         block.budget[k] = most_substeps;
@@ -192,10 +202,11 @@ inline void note_unfinished(const Block& block, std::size_t p, std::size_t count
 }
 
 /// Put an unfinished point into a lane.
-inline void load(const UbcSandArrays& points, const Unfinished& unfinished, std::size_t i, std::size_t k,
-                 Block& block)
+inline void load(const UbcSand& law, const UbcSandArrays& points, const Unfinished& unfinished, std::size_t i,
+                 std::size_t k, Block& block)
 {
     block.set(k, true, points.state(unfinished.point[i]));
+    block.least_contraction[k] = least_contraction(law, points, unfinished.point[i]);
     const Strain& strain = unfinished.strain[i];
     block.strain_x[k] = strain.x, block.strain_y[k] = strain.y, block.strain_xy[k] = strain.xy;
     block.budget[k] = most_substeps - 1.0;
@@ -209,7 +220,7 @@ inline void finish(const UbcSand& law, const Unfinished& unfinished, const UbcSa
     Block block{};
     std::size_t in_lane[width];
     const std::size_t lanes = unfinished.count < width ? unfinished.count : width;
-    for (std::size_t k = 0; k < lanes; ++k) load(points, unfinished, in_lane[k] = k, k, block);
+    for (std::size_t k = 0; k < lanes; ++k) load(law, points, unfinished, in_lane[k] = k, k, block);
     std::size_t next = lanes;
     for (std::size_t left = unfinished.count; left > 0;) {
         take_substep<square_roots, order>(law, block);
@@ -218,7 +229,7 @@ inline void finish(const UbcSand& law, const Unfinished& unfinished, const UbcSa
             points.set(unfinished.point[in_lane[k]], block.state(k));
             --left;
             in_lane[k] = next;
-            if (next < unfinished.count) load(points, unfinished, next++, k, block);
+            if (next < unfinished.count) load(law, points, unfinished, next++, k, block);
         }
     }
 }
@@ -231,7 +242,7 @@ inline void advance_points(const UbcSand& law, double dt, std::size_t first, std
     Unfinished unfinished;
     for (std::size_t p = first; p < last; p += width) {
         const std::size_t count = last - p < width ? last - p : width;
-        load(points, p, count, dt, turned, block);
+        load(law, points, p, count, dt, turned, block);
         take_substep<square_roots, order>(law, block);
         store(block, p, count, points);
         note_unfinished(block, p, count, unfinished);

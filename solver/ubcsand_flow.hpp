@@ -78,6 +78,12 @@ struct Place {
     double s_trial; // [Pa]
 };
 
+/// D at a ratio [-].
+inline double contraction(const UbcSand& m, const Trial& trial, double eta)
+{
+    return larger(trial.least_D, m.sin_cv - eta);
+}
+
 /// Share of a range of ratios that is above a value [-].
 inline double share_above(double value, double from, double to)
 {
@@ -89,13 +95,13 @@ inline double share_above(double value, double from, double to)
 inline PlasticFlow flow_from_start(const UbcSand& m, const Trial& trial, double G_p)
 {
     const double G = trial.start.moduli.G, K = trial.start.moduli.K, sb = trial.s + m.a;
-    const double D = m.sin_cv - trial.eta_y, D_f = m.sin_cv - m.eta_f;
+    const double D = contraction(m, trial, trial.eta_y), D_f = contraction(m, trial, m.eta_f);
     const double lambda = (trial.t - trial.eta_y * sb) / (G + G_p - trial.eta_y * K * D);
     const double failing = larger(0.0, (trial.t - m.eta_f * sb) / (G - m.eta_f * K * D_f));
     const bool fails = trial.t - G * lambda > m.eta_f * (trial.s - K * D * lambda + m.a);
-    const double flowed = select(fails, failing, lambda), contraction = select(fails, D_f, D) * flowed;
-    return {trial.s - K * contraction, trial.t - G * flowed, flowed, contraction,
-            select(contraction < 0.0, flowed, 0.0)};
+    const double flowed = select(fails, failing, lambda), contracted = select(fails, D_f, D) * flowed;
+    return {trial.s - K * contracted, trial.t - G * flowed, flowed, contracted,
+            select(contracted < 0.0, flowed, 0.0)};
 }
 
 /// [8, 8c] Return to the hardened locus, t - eta_y sb = G^p lambda (sb after/sb here), ds = -K' D lambda,
@@ -105,7 +111,7 @@ inline PlasticFlow flow_on_locus(const UbcSand& m, const Trial& trial, const Har
                                  double eta_max, const Place& at)
 {
     const double G = at.moduli.G, K = at.moduli.K, eta_y = trial.eta_y;
-    const double D = m.sin_cv - at.eta, D_f = m.sin_cv - m.eta_f;
+    const double D = contraction(m, trial, at.eta), D_f = contraction(m, trial, m.eta_f);
     const double modulus = plastic_modulus(m, at.number, at.eta);
     const double elastic = G - eta_y * K * D;
     const double secondary = F.secondary * modulus, virgin = F.virgin * modulus;

@@ -3,7 +3,8 @@
 //
 // Symbols    s = (sigma_x + sigma_y)/2, q = ((sigma_x - sigma_y)/2, tau_xy), t = |q|
 //            a = c cot phi_f, sb = s + a, r = q/sb, eta = t/sb = sin of the mobilised friction angle
-//            lambda = plastic shear strain, D = sin phi_cv - eta = plastic contraction per lambda
+//            lambda = plastic shear strain, D = sin phi_cv - eta = plastic contraction per lambda, but not
+//            negative in the loosest sand
 //            K' = B + G/3, E1 = B + 4G/3, E2 = B - 2G/3
 // Units/signs  Pa; stress and strain are compression positive in here, shear strain is engineering shear.
 // Numbers    [1] to [10] are the steps of the algorithm as the docstring of `update` lists them.
@@ -54,6 +55,16 @@ inline double half_change(double before, double after)
 struct Strain {
     double x, y, xy; // [-]
 };
+
+/// The strain that the grains feel: none where they have parted, which is at the stress floor in sand looser
+/// than the loosest.
+inline Strain borne(const UbcSand& m, const UbcSandState& state, const Strain& strain)
+{
+    constexpr double rounding = 1.0 + 1e-9;
+    const double at_floor = select(0.5 * (state.sigma_x + state.sigma_y) <= m.s_min * rounding, 1.0, 0.0);
+    const double share = 1.0 - at_floor * (1.0 + state.least_contraction);
+    return {share * strain.x, share * strain.y, share * strain.xy};
+}
 
 /// Stress of a point as the substep finds it.
 struct Start {
@@ -155,6 +166,7 @@ struct Trial {
     double shear_y;     // its gamma_xy [-]
     double E2;          // in the middle of the substep [Pa]
     double eta_y;       // ratio of the locus [-]
+    double least_D;     // of the state [-]
     double branch;      // before the substep, with the departure from where it turned noticed
     bool plastic;
 };
@@ -183,6 +195,7 @@ Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Start& st
     Trial trial;
     trial.start = start;
     trial.sigma_z = state.sigma_z;
+    trial.least_D = state.least_contraction;
     trial.volumetric = strain.x + strain.y;
     trial.shear_x = strain.x - strain.y;
     trial.shear_y = strain.xy;

@@ -56,6 +56,7 @@ UbcSandParameters ubcsand_from_blow_count(double n1_60, std::optional<double> el
     require_positive("n1_60", n1_60);
     const double N = n1_60;
     UbcSandParameters parameters;
+    parameters.relative_density = std::sqrt(N / blow_count(1.0));
     parameters.elastic_shear_number = elastic_shear_number.value_or(21.7 * 20.0 * std::cbrt(N));
     parameters.elastic_bulk_number = 0.7 * parameters.elastic_shear_number;
     parameters.plastic_shear_number = 0.003 * parameters.elastic_shear_number * N * N + 100.0;
@@ -119,6 +120,8 @@ void check(const UbcSandParameters& m)
     require_positive("largest_stress_step", m.largest_stress_step);
     require_not_negative("resolved_floors", m.resolved_floors);
     require_positive("stress_floor", m.stress_floor);
+    require(m.largest_specific_volume > 0.0, "largest_specific_volume", m.largest_specific_volume,
+            "positive");
     require_stable_flow(m);
 }
 

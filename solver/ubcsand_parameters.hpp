@@ -8,6 +8,7 @@
 // Limits     Plane strain. The set is tied to a density: a soil that densifies keeps its parameters.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 namespace quicksand {
@@ -18,6 +19,8 @@ enum class Integration { first_order, second_order };
 
 /// Defaults are the generic set for (N1)60 = 13.9, to which `ubcsand_from_blow_count` gives all digits.
 struct UbcSandParameters {
+    double relative_density = 0.55; // Dr of the blow count [-] [IB08]
+
     // elasticity: G = K_G P_a (s/P_a)^ne, B = K_B P_a (s/P_a)^me, s the in-plane mean [BB11]
     double elastic_shear_number = 1043.7; // K_G^e [-], 434 N^(1/3)
     double elastic_bulk_number = 730.6;   // K_B^e [-], 0.7 K_G^e, drained (never the pore water's)
@@ -43,6 +46,10 @@ struct UbcSandParameters {
     double ripple_strain = 0.0;       // shear strain of ripples, which are no half cycles; 0: no ripples [-]
     double dilation_softening = 1000.0; // a_dil [-]; F falls by exp(-a_dil x shear strain in dilation)
     double softened_factor = 0.05;      // least F after dilation [-]
+
+    // the loosest sand: it does not dilate, and when its grains have parted it bears nothing until they touch
+    // [own]
+    double largest_specific_volume = std::numeric_limits<double>::infinity(); // per mass of grains [m3/kg]
 
     // settling under gravity, see settling_sand.hpp [own]
     double static_poisson_ratio = 1.0 / 3.0; // nu [-]; level ground settles to K_0 = nu/(1 - nu) = 0.5

@@ -43,7 +43,9 @@ UbcSandArrays arrays_of(Particles& particles)
             cycles.waiting.data(),
             cycles.half_cycles.data(),
             cycles.dilation.data(),
-            cycles.active_dilation.data()};
+            cycles.active_dilation.data(),
+            particles.volume.data(),
+            particles.mass_solid.data()};
 }
 
 /// Shrink the deviator in the plane to the failure limit and raise the mean stress to the floor; true when

@@ -10,7 +10,7 @@
 namespace quicksand {
 namespace {
 
-constexpr std::size_t array_count = 23; // four of the motion, four of the stress, the memory
+constexpr std::size_t array_count = 25; // four of the motion, four of the stress, the memory, volume and mass
 
 /// Points in arrays with random stress, memory and motion.
 class RandomPoints {
@@ -27,8 +27,12 @@ public:
             state.tau_xy = 10e3 * (unit(random_) - 0.5);
             begin_shaking(law, state);
             points().set(p, state);
+            arrays_[23][p] = unit(random_);
+            arrays_[24][p] = 1.0;
         }
     }
+
+    double specific_volume(std::size_t p) const { return arrays_[23][p] / arrays_[24][p]; }
 
     /// A velocity gradient for every point, over a wide range of sizes, some of them zero.
     void move(double scale)
@@ -47,8 +51,8 @@ public:
     {
         std::array<double*, array_count> a{};
         for (std::size_t k = 0; k < a.size(); ++k) a[k] = arrays_[k].data();
-        return {a[0],  a[1],  a[2],  a[3],  a[4],  a[5],  a[6],  a[7],  a[8],  a[9],  a[10], a[11],
-                a[12], a[13], a[14], a[15], a[16], a[17], a[18], a[19], a[20], a[21], a[22]};
+        return {a[0],  a[1],  a[2],  a[3],  a[4],  a[5],  a[6],  a[7],  a[8],  a[9],  a[10], a[11], a[12],
+                a[13], a[14], a[15], a[16], a[17], a[18], a[19], a[20], a[21], a[22], a[23], a[24]};
     }
 
     UbcSandIncrement increment(std::size_t p, double dt) const
@@ -86,7 +90,10 @@ int differences(const UbcSandParameters& parameters, std::size_t count, unsigned
         const double dt = 1e-4;
         update(law, dt, 0, count, Turn::stress_and_memory, points.points());
         for (std::size_t p = 0; p < count; ++p) {
+            const bool loosest = points.specific_volume(p) > law.largest_specific_volume;
+            single[p].least_contraction = loosest ? 0.0 : -1.0;
             update(law, points.increment(p, dt), single[p]);
+            single[p].least_contraction = -1.0; // not remembered
             if (!same_bits(single[p], points.points().state(p))) ++different;
         }
     }
@@ -97,6 +104,13 @@ TEST(UbcSandArrays, HaveTheBitsOfSinglePoints)
 {
     EXPECT_EQ(differences(nevada_sand_55(), 203, 1, 2000), 0);
     EXPECT_EQ(differences(ubcsand_from_blow_count(5.0), 64, 2, 2000), 0);
+}
+
+TEST(UbcSandArrays, HaveTheBitsOfSinglePointsWithTheSettingsOfRunsAndLoosestSand)
+{
+    UbcSandParameters parameters = with(UbcSandRunSettings(), nevada_sand_55());
+    parameters.largest_specific_volume = 0.5; // a half of the points
+    EXPECT_EQ(differences(parameters, 203, 8, 1000), 0);
 }
 
 TEST(UbcSandArrays, HaveTheBitsOfSinglePointsForAnyNumberOfPoints)

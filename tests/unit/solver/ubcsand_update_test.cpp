@@ -1,5 +1,6 @@
 #include "solver/ubcsand.hpp"
 #include "solver/ubcsand_flow.hpp"
+#include "solver/ubcsand_particles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -237,6 +238,40 @@ TEST(UbcSand, AnAbsurdStrainEndsInBoundedTimeInsideTheLimit)
         EXPECT_TRUE(std::isfinite(state.sigma_x + state.sigma_y + state.sigma_z + state.tau_xy));
         EXPECT_LE(ratio(law, state), law.eta_f * (1.0 + 1e-9));
     }
+}
+
+TEST(UbcSand, TheLoosestSandShearsAtConstantVolume)
+{
+    for (const Integration integration : {Integration::first_order, Integration::second_order}) {
+        UbcSandParameters parameters = nevada_sand_55();
+        parameters.integration = integration;
+        const UbcSand law = make_ubcsand(parameters);
+        UbcSandState free = consolidated(law, 0.6), loosest = free;
+        loosest.least_contraction = 0.0;
+        for (int k = 0; k < 4000; ++k) { // 4 % of shear at constant volume
+            update(law, shear(1e-5), free);
+            update(law, shear(1e-5), loosest);
+        }
+        EXPECT_GT(mean(free), 1.05 * mean(loosest)); // dilation presses the free sand
+        const double before = mean(loosest);
+        for (int k = 0; k < 1000; ++k) update(law, shear(1e-5), loosest);
+        EXPECT_NEAR(mean(loosest), before, 1e-6 * before);
+        EXPECT_NEAR(loosest.tau_xy, failure_shear(law, before), 0.02 * before);
+    }
+}
+
+TEST(UbcSand, GrainsThatHavePartedBearNothingUntilTheyTouch)
+{
+    const UbcSand law = make_ubcsand(nevada_sand_55());
+    UbcSandState state = consolidated(law, 1.0);
+    state.least_contraction = 0.0; // looser than the loosest
+    update(law, {-0.05, -0.05, 0.0, 0.0}, state);
+    EXPECT_NEAR(mean(state), law.s_min, 1e-6);
+    update(law, {0.02, 0.02, 0.01, 0.0}, state); // on the way back
+    EXPECT_NEAR(mean(state), law.s_min, 1e-6);
+    state.least_contraction = -1.0; // they touch
+    update(law, {1e-4, 1e-4, 0.0, 0.0}, state);
+    EXPECT_GT(mean(state), 2.0 * law.s_min);
 }
 
 } // namespace
