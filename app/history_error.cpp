@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace quicksand {
 
@@ -48,17 +49,32 @@ bool is_profile(const PictureTable& table)
     return time == nullptr || std::adjacent_find(time->begin(), time->end()) != time->end();
 }
 
-/// What both runs have of the column, probe by probe.
-std::vector<Difference> differences(const char* column, const fs::path& results, const fs::path& reference)
+/// What two runs have of one probe.
+struct ProbePair {
+    PictureTable run, reference;
+};
+
+std::vector<ProbePair> read_probes(const fs::path& results, const fs::path& reference)
 {
-    std::vector<Difference> all;
+    std::vector<ProbePair> probes;
     for (const auto& entry : fs::directory_iterator(reference / "probes")) {
         if (entry.path().extension() != ".csv") continue;
-        const PictureTable exact = read_picture_table(entry.path());
+        PictureTable exact = read_picture_table(entry.path());
         if (is_profile(exact)) continue;
-        const PictureTable table = read_picture_table(results / "probes" / entry.path().filename());
-        if (table.find(column) == nullptr || exact.find(column) == nullptr) continue;
-        all.push_back(difference(*table.find(column), *exact.find(column)));
+        probes.push_back(
+            {read_picture_table(results / "probes" / entry.path().filename()), std::move(exact)});
+    }
+    return probes;
+}
+
+/// Of the probes that have the column in both runs.
+std::vector<Difference> differences(const char* column, const std::vector<ProbePair>& probes)
+{
+    std::vector<Difference> all;
+    for (const ProbePair& probe : probes) {
+        const std::vector<double>* run = probe.run.find(column);
+        const std::vector<double>* exact = probe.reference.find(column);
+        if (run != nullptr && exact != nullptr) all.push_back(difference(*run, *exact));
     }
     return all;
 }
@@ -67,13 +83,14 @@ std::vector<Difference> differences(const char* column, const fs::path& results,
 
 std::vector<HistoryError> history_errors(const fs::path& results, const fs::path& reference)
 {
+    const std::vector<ProbePair> probes = read_probes(results, reference);
     std::vector<HistoryError> errors;
     for (const ComparedColumn& each : compared) {
-        const std::vector<Difference> probes = differences(each.column, results, reference);
+        const std::vector<Difference> all = differences(each.column, probes);
         double range = 0.0, largest = 0.0;
-        for (const Difference& probe : probes) range = std::max(range, probe.range);
-        for (const Difference& probe : probes) {
-            if (probe.range > 0.01 * range) largest = std::max(largest, probe.root_mean_square / probe.range);
+        for (const Difference& one : all) range = std::max(range, one.range);
+        for (const Difference& one : all) {
+            if (one.range > 0.01 * range) largest = std::max(largest, one.root_mean_square / one.range);
         }
         if (range > 0.0) errors.push_back({each.quantity, largest});
     }
