@@ -20,6 +20,14 @@ double ratio(const UbcSand& law, const UbcSandState& state)
     return std::hypot(0.5 * (state.sigma_x - state.sigma_y), state.tau_xy) / (mean(state) + law.a);
 }
 
+/// Reversals of less than 1e-4 are ripples.
+UbcSand sand_with_ripples()
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.ripple_strain = 1e-4;
+    return make_ubcsand(parameters);
+}
+
 UbcSandState consolidated(const UbcSand& law, double k0)
 {
     UbcSandState state;
@@ -127,9 +135,7 @@ TEST(UbcSand, OnlyARealReversalCountsAHalfCycle)
 
 TEST(UbcSand, ARippleIsNoHalfCycleAndAReversalIsOneAtOnceAfterIt)
 {
-    UbcSandParameters parameters = nevada_sand_55();
-    parameters.ripple_strain = 1e-4;
-    const UbcSand law = make_ubcsand(parameters);
+    const UbcSand law = sand_with_ripples();
     UbcSandState state = consolidated(law, 1.0);
     update(law, shear(5e-4), state);
     update(law, shear(-5e-5), state); // far in ratio, but the strain has not turned: a ripple of the loading
@@ -151,9 +157,7 @@ TEST(UbcSand, ARippleIsNoHalfCycleAndAReversalIsOneAtOnceAfterIt)
 
 TEST(UbcSand, ARippleOfUnloadingReloadsWithoutLoading)
 {
-    UbcSandParameters parameters = nevada_sand_55();
-    parameters.ripple_strain = 1e-4;
-    const UbcSand law = make_ubcsand(parameters);
+    const UbcSand law = sand_with_ripples();
     UbcSandState state = consolidated(law, 1.0);
     update(law, shear(5e-4), state);
     const UbcSandState peak = state;
@@ -173,9 +177,7 @@ TEST(UbcSand, ARippleOfUnloadingReloadsWithoutLoading)
 TEST(UbcSand, RipplesAreMeasuredByTheLegWhenThatIsShort)
 {
     // small stresses have small strains: legs of 4e-5 are half cycles although a ripple may have 1e-4
-    UbcSandParameters parameters = nevada_sand_55();
-    parameters.ripple_strain = 1e-4;
-    const UbcSand law = make_ubcsand(parameters);
+    const UbcSand law = sand_with_ripples();
     UbcSandState state;
     state.sigma_x = state.sigma_y = state.sigma_z = 2e3;
     begin_shaking(law, state);
