@@ -2,10 +2,10 @@
 #pragma once
 
 #include "solver/background_grid.hpp"
+#include "solver/compact_domains.hpp"
 #include "solver/cpdi2.hpp"
 #include "solver/particle_order.hpp"
 #include "solver/problem.hpp"
-#include "solver/sheared_domains.hpp"
 #include "solver/state.hpp"
 #include "solver/threads.hpp"
 
@@ -101,7 +101,7 @@ void move_particles(const Problem& problem, double dt, const Vectors& grid_veloc
     } else {
         advance_domains(dt, grid_velocity, state.particles);
     }
-    if (problem.interpolation == Interpolation::cpdi) shorten_sheared_domains(problem, state.particles);
+    if (problem.interpolation == Interpolation::cpdi) keep_domains_compact(problem, state.particles);
     if (problem.water) update_porosity(problem, state.particles);
 }
 

@@ -1,5 +1,5 @@
+#include "solver/compact_domains.hpp"
 #include "solver/cpdi2.hpp"
-#include "solver/sheared_domains.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,6 +15,7 @@ struct ShearedSoil {
         soil.law = law;
         problem.materials = {soil};
         problem.boundaries.resize(1);
+        problem.grid.cell_size = 4.0;
         resize(particles, 5, std::nullopt);
         for (std::size_t p = 0; p < 5; ++p) {
             particles.identifier[p] = static_cast<std::int32_t>(p);
@@ -30,11 +31,11 @@ struct ShearedSoil {
     Particles particles;
 };
 
-TEST(ShearedDomains, OfYieldingSoilLoseTheirShorterEdgeFromTheLonger)
+TEST(CompactDomains, OfYieldingSoilLoseTheirShorterEdgeFromTheLongerWhenSheared)
 {
     ShearedSoil soil{MohrCoulomb{}};
     const Particles before = soil.particles;
-    shorten_sheared_domains(soil.problem, soil.particles);
+    keep_domains_compact(soil.problem, soil.particles);
     const Particles& now = soil.particles;
     EXPECT_NEAR((now.half_edge_1[3] - Vector2(2.0, -0.4)).norm(), 0.0, 1e-14);
     EXPECT_NEAR((now.half_edge_2[4] - Vector2(0.8, 1.0)).norm(), 0.0, 1e-14);
@@ -47,31 +48,45 @@ TEST(ShearedDomains, OfYieldingSoilLoseTheirShorterEdgeFromTheLonger)
     EXPECT_EQ(now.half_edge_2[0], before.half_edge_2[0]);
 }
 
-TEST(ShearedDomains, AreCompactAfterOneTime)
+TEST(CompactDomains, OfYieldingSoilBecomeShorterAndWiderWhenStretched)
 {
     ShearedSoil soil{MohrCoulomb{}};
-    shorten_sheared_domains(soil.problem, soil.particles);
+    soil.particles.half_edge_1.set(1, {0.0, 3.0 * longest_half_edge * 4.0}); // turned by a right angle
+    soil.particles.half_edge_2.set(1, {-0.2, 0.0});
+    const Particles before = soil.particles;
+    keep_domains_compact(soil.problem, soil.particles);
+    EXPECT_NEAR((soil.particles.half_edge_1[1] - Vector2(0.0, longest_half_edge * 4.0)).norm(), 0.0, 1e-14);
+    EXPECT_NEAR((soil.particles.half_edge_2[1] - Vector2(-0.6, 0.0)).norm(), 0.0, 1e-14);
+    EXPECT_NEAR(domain_area(soil.particles, 1), domain_area(before, 1), 1e-13);
+    const Eigen::Matrix2d F = deformation_gradient(before, 1);
+    EXPECT_NEAR((deformation_gradient(soil.particles, 1) - F).norm(), 0.0, 1e-14 * F.norm());
+}
+
+TEST(CompactDomains, AreCompactAfterOneTime)
+{
+    ShearedSoil soil{MohrCoulomb{}};
+    keep_domains_compact(soil.problem, soil.particles);
     const Particles once = soil.particles;
-    shorten_sheared_domains(soil.problem, soil.particles);
+    keep_domains_compact(soil.problem, soil.particles);
     for (std::size_t p = 0; p < 5; ++p) {
         EXPECT_EQ(soil.particles.half_edge_1[p], once.half_edge_1[p]);
         EXPECT_EQ(soil.particles.half_edge_2[p], once.half_edge_2[p]);
     }
 }
 
-TEST(ShearedDomains, StayInElasticSoil)
+TEST(CompactDomains, StayInElasticSoil)
 {
     ShearedSoil soil{LinearElastic{}};
-    shorten_sheared_domains(soil.problem, soil.particles);
+    keep_domains_compact(soil.problem, soil.particles);
     EXPECT_EQ(soil.particles.half_edge_1[3], Vector2(2.0, -4.4));
     EXPECT_EQ(soil.particles.half_edge_2[4], Vector2(4.8, 1.0));
 }
 
-TEST(ShearedDomains, StayUnderABoundaryCurve)
+TEST(CompactDomains, StayUnderABoundaryCurve)
 {
     ShearedSoil soil{MohrCoulomb{}};
     soil.problem.boundaries[0].pieces.push_back({4, {-1.0, 1.0}, {1.0, 1.0}, 4.0});
-    shorten_sheared_domains(soil.problem, soil.particles);
+    keep_domains_compact(soil.problem, soil.particles);
     EXPECT_EQ(soil.particles.half_edge_2[4], Vector2(4.8, 1.0));
     EXPECT_NEAR(soil.particles.half_edge_1[3].y(), -0.4, 1e-14) << "of another particle";
 }
