@@ -46,8 +46,8 @@ void measure_scheme(const BenchChoice& choice, const std::string& scheme, Journa
 {
     std::vector<std::string> overrides;
     if (!scheme.empty()) overrides.push_back("analysis.scheme=\"" + scheme + '"');
-    const SceneSetup setup = set_up_body(choice, only_scene(choice), overrides, journal);
-    const State& state = setup.assembled.state;
+    SceneSetup setup = set_up_body(choice, only_scene(choice), overrides, journal);
+    State& state = setup.assembled.state;
     const std::vector<int> counts =
         choice.threads > 0 ? std::vector<int>{choice.threads} : std::vector<int>{1, 2};
     const std::size_t particles = state.particles.size();
@@ -56,7 +56,7 @@ void measure_scheme(const BenchChoice& choice, const std::string& scheme, Journa
                             grouped(static_cast<long long>(particles)), measured_runs,
                             steps_of_a_run(particles)));
     std::vector<StepCost> costs;
-    for (const int count : counts) costs.push_back(measure_step(setup.assembled.problem, state, count));
+    for (const int count : counts) costs.push_back(measure_step(setup.assembled.problem, count, state));
     journal.say(cost_table(counts, costs, static_cast<double>(particles)));
 }
 

@@ -115,7 +115,7 @@ double run_setting(const std::string& scene, const Setting& setting, const Bench
 }
 
 /// The probes of a scene against an explicit run with a fifth of the step.
-std::vector<WorkPoint> measure_scene(const std::string& scene, const BenchChoice& choice)
+std::vector<WorkPoint> measure_scene(const std::string& scene, const BenchChoice& choice, Journal& journal)
 {
     const std::string name = default_results(find_scene_file(scene)).filename().string();
     const std::filesystem::path folder = choice.directory / name;
@@ -127,8 +127,10 @@ std::vector<WorkPoint> measure_scene(const std::string& scene, const BenchChoice
         std::string directory = setting.name;
         std::replace(directory.begin(), directory.end(), ' ', '_');
         const double seconds = run_setting(scene, setting, choice, folder / directory);
-        for (const HistoryError& each : history_errors(folder / directory, folder / "reference"))
-            points.push_back({name + ", " + each.quantity, setting.name, 0, each.error, seconds});
+        for (const HistoryError& each : history_errors(folder / directory, folder / "reference")) {
+            journal.say(setting.name + ": " + text_of(each));
+            points.push_back({name + ", " + each.quantity, setting.name, 0, each.largest(), seconds});
+        }
     }
     return points;
 }
@@ -243,8 +245,8 @@ ExitCode measure_errors(const BenchChoice& choice)
     std::vector<WorkPoint> all;
     std::string advice;
     for (const std::string& problem : problems) {
-        const std::vector<WorkPoint> points =
-            is_a_run(problem) ? measure_scene(problem, choice) : measure_problem(problem, choice, journal);
+        const std::vector<WorkPoint> points = is_a_run(problem) ? measure_scene(problem, choice, journal)
+                                                                : measure_problem(problem, choice, journal);
         if (points.empty()) continue;
         for (const std::vector<WorkPoint>& part : by_problem(points)) {
             const std::string& name = part.front().problem;

@@ -78,11 +78,11 @@ ExitCode measure_scale(const BenchChoice& choice)
         if (wanted > choice.largest) break;
         const double cell_size = grid.cell_size * std::sqrt(own / wanted);
         const double before = resident_bytes();
-        const SceneSetup setup = set_up_body(choice, scene, grid_of(grid, cell_size), journal);
-        const State& state = setup.assembled.state;
+        SceneSetup setup = set_up_body(choice, scene, grid_of(grid, cell_size), journal);
+        State& state = setup.assembled.state;
         for (const int threads : thread_counts(most)) {
             ScalePoint point{state.particles.size(), threads, 0.0, 0.0, cell_size};
-            point.seconds = measure_step(setup.assembled.problem, state, threads).total;
+            point.seconds = measure_step(setup.assembled.problem, threads, state).total;
             point.bytes = std::max(0.0, resident_bytes() - before);
             points.push_back(point);
             journal.say(row_of(point));

@@ -40,23 +40,24 @@ std::vector<fs::path> scenes_of(const BenchChoice& choice)
     return scenes;
 }
 
-SkipPoint measure_body(const std::string& name, std::size_t particles, const Problem& problem,
-                       const State& state, int threads)
+SkipPoint measure_body(const std::string& name, std::size_t particles, const Problem& problem, State& state,
+                       int threads)
 {
-    return {name, particles, measure_step(problem, state, threads),
+    return {name, particles, measure_step(problem, threads, state),
             static_cast<double>(memory_bytes(state.particles))};
 }
 
 /// The scene, and the one column of it that a run computes, if there is one; all per particle of the body.
 std::vector<SkipPoint> measure(const BenchChoice& choice, const fs::path& scene, Journal& journal)
 {
-    const SceneSetup setup = set_up_body(choice, scene, {}, journal);
-    const AssembledCase& body = setup.assembled;
+    SceneSetup setup = set_up_body(choice, scene, {}, journal);
+    AssembledCase& body = setup.assembled;
     const std::size_t particles = body.state.particles.size();
     const int threads = std::max(1, choice.threads);
+    auto column = find_soil_column(body.problem, body.state).column; // before the body moves
     std::vector<SkipPoint> points{
         measure_body(body.scene.title, particles, body.problem, body.state, threads)};
-    if (const auto column = find_soil_column(body.problem, body.state).column) {
+    if (column) {
         points.push_back(measure_body(fmt::format("the same, one of {} columns", column->columns), particles,
                                       column->problem, column->state, threads));
     }

@@ -2,6 +2,8 @@
 
 #include "io/picture_table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,6 +53,7 @@ bool is_profile(const PictureTable& table)
 
 /// What two runs have of one probe.
 struct ProbePair {
+    std::string name;
     PictureTable run, reference;
 };
 
@@ -61,38 +64,53 @@ std::vector<ProbePair> read_probes(const fs::path& results, const fs::path& refe
         if (entry.path().extension() != ".csv") continue;
         PictureTable exact = read_picture_table(entry.path());
         if (is_profile(exact)) continue;
-        probes.push_back(
-            {read_picture_table(results / "probes" / entry.path().filename()), std::move(exact)});
+        probes.push_back({entry.path().stem().string(),
+                          read_picture_table(results / "probes" / entry.path().filename()),
+                          std::move(exact)});
     }
+    std::sort(probes.begin(), probes.end(),
+              [](const ProbePair& a, const ProbePair& b) { return a.name < b.name; });
     return probes;
 }
 
-/// Of the probes that have the column in both runs.
-std::vector<Difference> differences(const char* column, const std::vector<ProbePair>& probes)
+/// Errors of a column at the probes that have it in both runs and where it changes; the largest first.
+std::vector<ProbeError> probe_errors(const char* column, const std::vector<ProbePair>& probes)
 {
-    std::vector<Difference> all;
+    std::vector<std::pair<std::string, Difference>> all;
+    double range = 0.0;
     for (const ProbePair& probe : probes) {
         const std::vector<double>* run = probe.run.find(column);
         const std::vector<double>* exact = probe.reference.find(column);
-        if (run != nullptr && exact != nullptr) all.push_back(difference(*run, *exact));
+        if (run == nullptr || exact == nullptr) continue;
+        all.emplace_back(probe.name, difference(*run, *exact));
+        range = std::max(range, all.back().second.range);
     }
-    return all;
+    std::vector<ProbeError> errors;
+    for (const auto& [name, one] : all)
+        if (one.range > 0.01 * range) errors.push_back({name, one.root_mean_square / one.range});
+    std::stable_sort(errors.begin(), errors.end(),
+                     [](const ProbeError& a, const ProbeError& b) { return a.error > b.error; });
+    return errors;
 }
 
 } // namespace
+
+std::string text_of(const HistoryError& error)
+{
+    std::string text = error.quantity;
+    for (const ProbeError& each : error.probes)
+        text += fmt::format("{} {:.3g} % at {}", &each == &error.probes.front() ? "" : ",",
+                            100.0 * each.error, each.probe);
+    return text;
+}
 
 std::vector<HistoryError> history_errors(const fs::path& results, const fs::path& reference)
 {
     const std::vector<ProbePair> probes = read_probes(results, reference);
     std::vector<HistoryError> errors;
     for (const ComparedColumn& each : compared) {
-        const std::vector<Difference> all = differences(each.column, probes);
-        double range = 0.0, largest = 0.0;
-        for (const Difference& one : all) range = std::max(range, one.range);
-        for (const Difference& one : all) {
-            if (one.range > 0.01 * range) largest = std::max(largest, one.root_mean_square / one.range);
-        }
-        if (range > 0.0) errors.push_back({each.quantity, largest});
+        HistoryError error{each.quantity, probe_errors(each.column, probes)};
+        if (!error.probes.empty()) errors.push_back(std::move(error));
     }
     return errors;
 }

@@ -57,7 +57,7 @@ int steps_of_a_run(std::size_t particles)
     return static_cast<int>(std::clamp(particle_steps / static_cast<double>(particles), 3.0, 500.0));
 }
 
-StepCost measure_step(const Problem& problem, State state, int threads)
+StepCost measure_step(const Problem& problem, int threads, State& state)
 {
     set_thread_count(threads);
     const std::unique_ptr<Stepper> stepper = make_stepper(problem);

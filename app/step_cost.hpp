@@ -31,7 +31,8 @@ inline constexpr int measured_runs = 5;
 /// Steps of a measured run that take about a third of a second for a body of this size.
 int steps_of_a_run(std::size_t particles);
 
-/// Cost of a step of the body, after some steps of warming up, at its stable time step.
-StepCost measure_step(const Problem& problem, State state, int threads);
+/// Cost of a step of the body, after some steps of warming up, at its stable time step. The body goes on: a
+/// copy of its own would count as memory.
+StepCost measure_step(const Problem& problem, int threads, State& state);
 
 } // namespace quicksand
