@@ -111,13 +111,14 @@ void require_checkpoint(const ResultsFolder& folder)
 
 ResultsFolder prepare_results_folder(const fs::path& directory, const Scene& scene, FolderUse use)
 {
-    const ResultsFolder folder{directory};
+    ResultsFolder folder{directory};
     std::error_code error;
     if (fs::exists(directory) && !fs::is_directory(directory))
         throw InputError(directory.string() + " is a file, not a folder for results");
     if (fs::equivalent(folder.scene_copy(), scene.file, error))
         throw InputError(directory.string() +
                          " is the scene's own folder: choose another one for the results");
+    if (fs::exists(directory)) folder.lock = std::make_shared<const FolderLock>(directory);
     if (use == FolderUse::resume) {
         require_checkpoint(folder);
         return folder;
@@ -130,6 +131,7 @@ ResultsFolder prepare_results_folder(const fs::path& directory, const Scene& sce
     }
     fs::create_directories(directory, error);
     if (error) throw FileError(directory, "cannot create the folder", error.message(), "");
+    if (!folder.lock) folder.lock = std::make_shared<const FolderLock>(directory);
     write_atomically(folder.scene_copy(), scene.text);
     return folder;
 }

@@ -1,9 +1,11 @@
 // The folder of one run's results: where everything lies, and whose files may be removed.
 #pragma once
 
+#include "io/folder_lock.hpp"
 #include "io/scene.hpp"
 
 #include <filesystem>
+#include <memory>
 
 namespace quicksand {
 
@@ -16,6 +18,7 @@ enum class FolderUse {
 /// Paths in a results folder.
 struct ResultsFolder {
     std::filesystem::path directory;
+    std::shared_ptr<const FolderLock> lock = {}; // of a folder made ready for a run
     std::filesystem::path manifest() const { return directory / "run_manifest.json"; }
     std::filesystem::path scene_copy() const { return directory / "scene.toml"; }
     std::filesystem::path log() const { return directory / "log.txt"; }
@@ -30,8 +33,9 @@ struct ResultsFolder {
     std::filesystem::path checkpoint() const { return directory / "checkpoint" / "state.h5"; }
 };
 
-/// Make the folder ready and copy the scene into it. Throws InputError when `use` does not fit what the
-/// folder holds, and FileError.
+/// Make the folder ready, copy the scene into it and keep other runs out for as long as the result lives.
+/// Throws InputError when `use` does not fit what the folder holds or another run writes to it, and
+/// FileError.
 ResultsFolder prepare_results_folder(const std::filesystem::path& directory, const Scene& scene,
                                      FolderUse use);
 

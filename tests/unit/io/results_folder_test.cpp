@@ -56,6 +56,21 @@ TEST(ResultsFolder, RefusesAFormerRun)
     EXPECT_TRUE(std::filesystem::exists(folder / "fields/frame_000000.vtu"));
 }
 
+TEST(ResultsFolder, KeepsOtherRunsOut)
+{
+    const TemporaryFolder folder;
+    {
+        const ResultsFolder first =
+            prepare_results_folder(folder.path(), fixtures::small_scene(), FolderUse::fresh);
+        const std::string message = refusal(folder, FolderUse::overwrite);
+        EXPECT_NE(message.find("is being written by another run"), std::string::npos) << message;
+        EXPECT_NE(message.find("choose another folder"), std::string::npos) << message;
+        EXPECT_TRUE(std::filesystem::exists(first.scene_copy())) << "nothing is removed";
+    }
+    touch(folder / "run_manifest.json");
+    EXPECT_EQ(refusal(folder, FolderUse::overwrite), "") << "the first run is over";
+}
+
 TEST(ResultsFolder, OverwriteRemovesOnlyWhatQuicksandWrote)
 {
     const TemporaryFolder folder;
