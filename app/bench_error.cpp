@@ -1,3 +1,4 @@
+#include "app/bench_runs.hpp"
 #include "app/commands.hpp"
 #include "app/history_error.hpp"
 #include "app/journal.hpp"
@@ -13,18 +14,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 namespace quicksand {
 
 namespace {
-
-/// A way to run a problem: keys that replace those of its scene.
-struct Setting {
-    std::string name;
-    std::vector<std::string> overrides;
-};
 
 /// One problem on one grid with one setting.
 struct WorkPoint {
@@ -92,26 +86,6 @@ std::vector<Setting> step_settings()
             {"semi-implicit", {semi_implicit}},
             {"semi-implicit, half steps", {semi_implicit, half}},
             {"semi-implicit, quarter steps", {semi_implicit, quarter}}};
-}
-
-/// Run a scene with a setting; returns the wall time [s].
-double run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
-                   const std::filesystem::path& directory)
-{
-    RunChoice run;
-    run.scene.scene = scene;
-    run.scene.overrides = choice.overrides;
-    run.scene.overrides.insert(run.scene.overrides.end(), setting.overrides.begin(), setting.overrides.end());
-    run.scene.until = choice.until;
-    run.scene.threads = choice.threads;
-    run.directory = directory;
-    run.overwrite = true;
-    const auto start = std::chrono::steady_clock::now();
-    const ExitCode code = run_scene(run);
-    if (code != ExitCode::good)
-        throw InputError("the run with " + setting.name + " did not reach its end; see " +
-                         directory.string());
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 /// The probes of a scene against an explicit run with a fifth of the step.

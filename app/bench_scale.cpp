@@ -24,14 +24,6 @@ struct ScalePoint {
     double cell_size = 0.0;
 };
 
-/// Cells of this size over the section that the scene's own grid covers.
-std::vector<std::string> grid_of(const BackgroundGrid& grid, double cell_size)
-{
-    const auto cells = [&](int count) { return std::ceil(count * grid.cell_size / cell_size - 1e-9); };
-    return {fmt::format("grid.cell_size={}", cell_size),
-            fmt::format("grid.cells=[{},{}]", cells(grid.cells_x), cells(grid.cells_y))};
-}
-
 /// 1, 2, 4, ... up to all.
 std::vector<int> thread_counts(int most)
 {
@@ -78,7 +70,7 @@ ExitCode measure_scale(const BenchChoice& choice)
         if (wanted > choice.largest) break;
         const double cell_size = grid.cell_size * std::sqrt(own / wanted);
         const double before = resident_bytes();
-        SceneSetup setup = set_up_body(choice, scene, grid_of(grid, cell_size), journal);
+        SceneSetup setup = set_up_body(choice, scene, on_cells_of(cell_size, grid), journal);
         State& state = setup.assembled.state;
         for (const int threads : thread_counts(most)) {
             ScalePoint point{state.particles.size(), threads, 0.0, 0.0, cell_size};

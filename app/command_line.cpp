@@ -222,17 +222,20 @@ void add_bench(CLI::App& program, Commands& commands)
     using Measure = ExitCode (*)(const BenchChoice&);
     static const std::map<std::string, Measure> subjects = {{"kernel", measure_kernel},
                                                             {"error", measure_errors},
+                                                            {"grid", measure_grids},
                                                             {"scale", measure_scale},
                                                             {"skip", measure_skips}};
     CLI::App* parser = program.add_subcommand("bench", "Measure speed, memory, and run time against error");
     auto subject = std::make_shared<std::string>();
     auto choice = std::make_shared<BenchChoice>();
     parser
-        ->add_option("SUBJECT", *subject,
-                     "kernel: the phases of a step; error: run time against error; scale: over particles and "
-                     "threads; skip: what scenes save by what they leave out")
+        ->add_option(
+            "SUBJECT", *subject,
+            "kernel: the phases of a step; error: run time against error; grid: a scene's answers over cell "
+            "size and particles per cell; scale: over particles and threads; skip: what scenes save "
+            "by what they leave out")
         ->required()
-        ->check(CLI::IsMember({"kernel", "error", "scale", "skip"}));
+        ->check(CLI::IsMember({"kernel", "error", "grid", "scale", "skip"}));
     parser->add_option(
         "WORDS", choice->words,
         "Scenes, or for error problems of verify; those that come with the program when not given");
@@ -240,7 +243,7 @@ void add_bench(CLI::App& program, Commands& commands)
     parser->add_option("-o,--output", choice->directory, "Folder of tables and figures")
         ->type_name("DIR")
         ->capture_default_str();
-    parser->add_option("--until", choice->until, "End of the runs of scenes in s, for error")
+    parser->add_option("--until", choice->until, "End of the runs of scenes in s, for error and grid")
         ->type_name("T")
         ->check(CLI::PositiveNumber);
     parser->add_option("--largest", choice->largest, "Particles of the largest body of scale")

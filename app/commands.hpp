@@ -120,6 +120,7 @@ ExitCode draw_pictures(const PictureChoice& choice);
 ExitCode draw_scene_figures(const FiguresChoice& choice);
 ExitCode measure_kernel(const BenchChoice& choice);
 ExitCode measure_errors(const BenchChoice& choice);
+ExitCode measure_grids(const BenchChoice& choice);
 ExitCode measure_scale(const BenchChoice& choice);
 ExitCode measure_skips(const BenchChoice& choice);
 ExitCode run_demo(const DemoChoice& choice);

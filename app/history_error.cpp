@@ -1,11 +1,8 @@
 #include "app/history_error.hpp"
 
-#include "io/picture_table.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -15,14 +12,6 @@ namespace quicksand {
 namespace {
 
 namespace fs = std::filesystem;
-
-struct ComparedColumn {
-    const char *column, *quantity;
-};
-
-constexpr std::array<ComparedColumn, 3> compared = {{{"excess_pore_pressure_Pa", "excess pore pressure"},
-                                                     {"uy_m", "settlement"},
-                                                     {"ux_m", "sideways displacement"}}};
 
 struct Difference {
     double range = 0.0, root_mean_square = 0.0;
@@ -51,38 +40,19 @@ bool is_profile(const PictureTable& table)
     return time == nullptr || std::adjacent_find(time->begin(), time->end()) != time->end();
 }
 
-/// What two runs have of one probe.
-struct ProbePair {
-    std::string name;
-    PictureTable run, reference;
-};
-
-std::vector<ProbePair> read_probes(const fs::path& results, const fs::path& reference)
-{
-    std::vector<ProbePair> probes;
-    for (const auto& entry : fs::directory_iterator(reference / "probes")) {
-        if (entry.path().extension() != ".csv") continue;
-        PictureTable exact = read_picture_table(entry.path());
-        if (is_profile(exact)) continue;
-        probes.push_back({entry.path().stem().string(),
-                          read_picture_table(results / "probes" / entry.path().filename()),
-                          std::move(exact)});
-    }
-    std::sort(probes.begin(), probes.end(),
-              [](const ProbePair& a, const ProbePair& b) { return a.name < b.name; });
-    return probes;
-}
-
 /// Errors of a column at the probes that have it in both runs and where it changes; the largest first.
-std::vector<ProbeError> probe_errors(const char* column, const std::vector<ProbePair>& probes)
+std::vector<ProbeError> probe_errors(const char* column, const std::vector<ProbeHistory>& run,
+                                     const std::vector<ProbeHistory>& reference)
 {
     std::vector<std::pair<std::string, Difference>> all;
     double range = 0.0;
-    for (const ProbePair& probe : probes) {
-        const std::vector<double>* run = probe.run.find(column);
-        const std::vector<double>* exact = probe.reference.find(column);
-        if (run == nullptr || exact == nullptr) continue;
-        all.emplace_back(probe.name, difference(*run, *exact));
+    for (const ProbeHistory& exact : reference) {
+        const auto same = std::find_if(run.begin(), run.end(),
+                                       [&](const ProbeHistory& each) { return each.probe == exact.probe; });
+        if (same == run.end()) continue;
+        const std::vector<double>*a = same->table.find(column), *b = exact.table.find(column);
+        if (a == nullptr || b == nullptr) continue;
+        all.emplace_back(exact.probe, difference(*a, *b));
         range = std::max(range, all.back().second.range);
     }
     std::vector<ProbeError> errors;
@@ -95,6 +65,19 @@ std::vector<ProbeError> probe_errors(const char* column, const std::vector<Probe
 
 } // namespace
 
+std::vector<ProbeHistory> read_probe_histories(const fs::path& results)
+{
+    std::vector<ProbeHistory> probes;
+    for (const auto& entry : fs::directory_iterator(results / "probes")) {
+        if (entry.path().extension() != ".csv") continue;
+        PictureTable table = read_picture_table(entry.path());
+        if (!is_profile(table)) probes.push_back({entry.path().stem().string(), std::move(table)});
+    }
+    std::sort(probes.begin(), probes.end(),
+              [](const ProbeHistory& a, const ProbeHistory& b) { return a.probe < b.probe; });
+    return probes;
+}
+
 std::string text_of(const HistoryError& error)
 {
     std::string text = error.quantity;
@@ -106,10 +89,11 @@ std::string text_of(const HistoryError& error)
 
 std::vector<HistoryError> history_errors(const fs::path& results, const fs::path& reference)
 {
-    const std::vector<ProbePair> probes = read_probes(results, reference);
+    const std::vector<ProbeHistory> run = read_probe_histories(results),
+                                    exact = read_probe_histories(reference);
     std::vector<HistoryError> errors;
-    for (const ComparedColumn& each : compared) {
-        HistoryError error{each.quantity, probe_errors(each.column, probes)};
+    for (const ComparedQuantity& each : compared_quantities) {
+        HistoryError error{each.name, probe_errors(each.column, run, exact)};
         if (!error.probes.empty()) errors.push_back(std::move(error));
     }
     return errors;

@@ -1,11 +1,35 @@
 // How far the probes of one run are from those of another.
 #pragma once
 
+#include "io/picture_table.hpp"
+
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace quicksand {
+
+/// A column of the probes' files that runs are compared by.
+struct ComparedQuantity {
+    const char *column, *name;
+    const char* unit; // of figures
+    double scale;     // from SI to the unit
+};
+
+inline constexpr std::array<ComparedQuantity, 3> compared_quantities = {
+    {{"excess_pore_pressure_Pa", "excess pore pressure", "kPa", 1e-3},
+     {"uy_m", "settlement", "mm", -1e3},
+     {"ux_m", "sideways displacement", "mm", 1e3}}};
+
+/// What a probe has written.
+struct ProbeHistory {
+    std::string probe;
+    PictureTable table;
+};
+
+/// Of all probes but profiles, by name. Throws FileError.
+std::vector<ProbeHistory> read_probe_histories(const std::filesystem::path& results);
 
 /// Error of a quantity at one probe.
 struct ProbeError {

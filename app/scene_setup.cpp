@@ -4,6 +4,9 @@
 #include "solver/failure.hpp"
 #include "solver/simulation.hpp"
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <utility>
 
 namespace quicksand {
@@ -36,6 +39,15 @@ SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal)
     const Diagnostics& warnings = setup.assembled.warnings;
     if (!warnings.empty()) journal.complain(warnings.render(setup.assembled.scene.text));
     return setup;
+}
+
+std::vector<std::string> on_cells_of(double cell_size, const BackgroundGrid& grid)
+{
+    const auto cells = [&](int count) {
+        return static_cast<int>(std::ceil(count * grid.cell_size / cell_size - 1e-9));
+    };
+    return {fmt::format("grid.cell_size={:.15g}", cell_size),
+            fmt::format("grid.cells=[{},{}]", cells(grid.cells_x), cells(grid.cells_y))};
 }
 
 fs::path default_results(const fs::path& scene_file)

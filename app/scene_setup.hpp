@@ -24,6 +24,9 @@ SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal);
 /// The scene file itself, or the scene.toml of a folder. Throws InputError where there is none.
 std::filesystem::path find_scene_file(const std::filesystem::path& scene);
 
+/// --set words for cells of another size over the section that a grid covers.
+std::vector<std::string> on_cells_of(double cell_size, const BackgroundGrid& grid);
+
 /// results/<folder of the scene>; of a scene that is not called scene.toml, results/<its name>.
 std::filesystem::path default_results(const std::filesystem::path& scene_file);
 

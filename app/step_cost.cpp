@@ -43,7 +43,7 @@ SceneSetup set_up_body(const BenchChoice& choice, const std::filesystem::path& s
 std::filesystem::path only_scene(const BenchChoice& choice)
 {
     if (choice.words.size() > 1) {
-        throw InputError("error[command-line]: bench kernel and scale measure one scene, " +
+        throw InputError("error[command-line]: bench kernel, grid and scale measure one scene, " +
                          std::to_string(choice.words.size()) +
                          " are given\nexpected: a scene, or none for examples/dike" +
                          "\nhint: bench skip compares several scenes");

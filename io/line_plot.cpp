@@ -20,7 +20,7 @@ constexpr double stack_width = 1200.0, stack_panel = 170.0, stack_alone = 430.0,
 constexpr double beside_width = 600.0, beside_panel = 560.0;
 constexpr double left_margin = 112.0, right_margin = 36.0, top_margin = 120.0, bottom_margin = 76.0;
 // Right of the axes where the key stands beside them: its samples, and a letter of a name.
-constexpr double key_samples = 64.0, key_letter = 8.3, least_key = 210.0;
+constexpr double key_samples = 76.0, key_letter = 8.3, least_key = 210.0;
 
 struct Box {
     double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0; // from the upper left corner [pixel]
@@ -156,7 +156,7 @@ std::string panel_commands(const LinePlot& plot, std::size_t p, const Sheet& she
         script += tick_step("y", panel.curves, &PlotCurve::y, stacked && plot.panels.size() > 1 ? 5 : 9);
         if (!stacked) script += tick_step("x", panel.curves, &PlotCurve::x, 6);
     }
-    script += panel.key_beside ? "set key at graph 1.03, graph 1.0 left top vertical Left reverse samplen 2\n"
+    script += panel.key_beside ? "set key at graph 1.02, graph 1.0 left top vertical Left reverse samplen 2\n"
                                : "set key at graph 1.0, graph 1.01 right bottom horizontal samplen 2\n";
     std::string separator = "plot ";
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {

@@ -93,6 +93,34 @@ TEST(Dike, SettlesShakesAndDraws)
     EXPECT_TRUE(read_file(folder / "picture.png").starts_with("\x89PNG"));
 }
 
+TEST(Bench, ComparesTheAnswersOfGrids)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("bench grid " + example("column") + " --until 2e-3 --threads 1 -o " +
+                                        (folder / "bench").string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    // nine cells of 7.5 mm between tied sides are no whole number of larger ones
+    EXPECT_NE(outcome.output.find("15 mm, 3 x 3\n  left out: "), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("middle: excess pore pressure, late mean [kPa]"), std::string::npos);
+    EXPECT_NE(outcome.output.find("mean square difference from 3.75 mm, 3 x 3"), std::string::npos);
+    const std::string table = read_file(folder / "bench/column/grid.csv");
+    for (const char* setting : {"7.5 mm, 3 x 3", "3.75 mm, 3 x 3", "7.5 mm, 2 x 2", "7.5 mm, 4 x 4"})
+        EXPECT_NE(table.find(setting), std::string::npos) << setting;
+    EXPECT_TRUE(read_file(folder / "bench/column/grid_settlement.png").starts_with("\x89PNG"));
+}
+
+TEST(Bench, TellsWhenNoGridReachesItsEnd)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("bench grid " + example("dike") +
+                                        " --set grid.cell_size=0.03 --set 'grid.cells=[16,11]'"
+                                        " --set relaxation.max_steps=1 -o " +
+                                        (folder / "bench").string());
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    EXPECT_NE(outcome.output.find("none of the runs reached its end; see "), std::string::npos)
+        << outcome.output;
+}
+
 TEST(New, TheColumnRunsUnchanged)
 {
     const WorkFolder folder;

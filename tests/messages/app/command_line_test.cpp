@@ -51,11 +51,11 @@ TEST(CommandLine, AnUnknownCommandListsTheCommands)
 
 TEST(CommandLine, OneBenchTakesOneScene)
 {
-    for (const std::string subject : {"kernel", "scale"}) {
+    for (const std::string subject : {"kernel", "grid", "scale"}) {
         const Outcome outcome =
             run_program("bench " + subject + " " + example("dike") + " " + example("column"));
         EXPECT_EQ(outcome.code, 2);
-        expect_mention(outcome, "bench kernel and scale measure one scene, 2 are given");
+        expect_mention(outcome, "bench kernel, grid and scale measure one scene, 2 are given");
         expect_mention(outcome, "hint: bench skip compares several scenes");
     }
 }

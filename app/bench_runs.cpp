@@ -1,0 +1,28 @@
+#include "app/bench_runs.hpp"
+
+#include "solver/failure.hpp"
+
+#include <chrono>
+
+namespace quicksand {
+
+double run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
+                   const std::filesystem::path& directory)
+{
+    RunChoice run;
+    run.scene.scene = scene;
+    run.scene.overrides = choice.overrides;
+    run.scene.overrides.insert(run.scene.overrides.end(), setting.overrides.begin(), setting.overrides.end());
+    run.scene.until = choice.until;
+    run.scene.threads = choice.threads;
+    run.directory = directory;
+    run.overwrite = true;
+    const auto start = std::chrono::steady_clock::now();
+    const ExitCode code = run_scene(run);
+    if (code != ExitCode::good)
+        throw InputError("the run with " + setting.name + " did not reach its end; see " +
+                         directory.string());
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+} // namespace quicksand

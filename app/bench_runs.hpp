@@ -1,0 +1,23 @@
+// Runs of a scene that a benchmark compares.
+#pragma once
+
+#include "app/commands.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// A way to run a scene: keys that replace its own.
+struct Setting {
+    std::string name;
+    std::vector<std::string> overrides; // --set key=value
+};
+
+/// Run a scene with a setting in a folder, in place of what is there; returns the wall time [s]. Throws
+/// InputError, also where the run does not reach its end.
+double run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
+                   const std::filesystem::path& directory);
+
+} // namespace quicksand
