@@ -83,6 +83,21 @@ void widen(double longest, std::size_t p, const Edges& edges)
     for (Vectors* edge : {edges.shorter, edges.reference_of_shorter}) edge->set(p, (*edge)[p] * stretch);
 }
 
+/// Stretches of the reference domain beyond the largest are cut along and made up for across: the area stays.
+void limit_reference(std::size_t p, Particles& particles)
+{
+    Vectors &R1 = particles.reference_edge_1, &R2 = particles.reference_edge_2;
+    const double area = R1.x[p] * R2.y[p] - R1.y[p] * R2.x[p];
+    const Vector2 longer = R1[p].squaredNorm() < R2[p].squaredNorm() ? R2[p] : R1[p];
+    const double share = largest_recorded_stretch * std::sqrt(area) / longer.norm();
+    if (share >= 1.0) return;
+    const Vector2 along = longer.normalized(), across(-along.y(), along.x());
+    for (Vectors* edge : {&R1, &R2}) {
+        const Vector2 R = (*edge)[p];
+        edge->set(p, share * along.dot(R) * along + across.dot(R) / share * across);
+    }
+}
+
 } // namespace
 
 void keep_domains_compact(const Problem& problem, Particles& particles)
@@ -99,6 +114,7 @@ void keep_domains_compact(const Problem& problem, Particles& particles)
             if (largest_excess(r1, r2, longest, p, p + 1) <= 0.0 || !may_change(p)) continue;
             unshear(p, edges_of(p, particles));
             widen(longest, p, edges_of(p, particles));
+            limit_reference(p, particles);
         }
     });
 }

@@ -22,6 +22,10 @@ namespace quicksand {
 /// through a wall by more than the rim of cells around the grid.
 inline constexpr double longest_half_edge = 0.75;
 
+/// Soil that is mixed stretches without end. The deformation gradient is recorded up to this stretch and
+/// keeps its determinant beyond, which would be lost in rounding [-].
+inline constexpr double largest_recorded_stretch = 1e4;
+
 /// In every domain of a material that yields: where it is sheared by more than its own width, |r_1 . r_2| >
 /// min(|r_1|^2, |r_2|^2), take the shorter half edge off the longer one, as often as it fits to the nearest;
 /// where the longer is still beyond the longest half edge, scale it to that and the other by the inverse.

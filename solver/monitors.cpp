@@ -56,9 +56,10 @@ std::vector<std::int32_t> crest_particles(const Particles& particles)
     for (std::size_t p = 0; p < particles.size(); ++p) top = std::max(top, particles.position.y[p]);
     std::vector<std::int32_t> crest;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double half_height =
-            std::abs(particles.half_edge_1.y[p]) + std::abs(particles.half_edge_2.y[p]);
-        if (particles.position.y[p] > top - half_height) crest.push_back(particles.identifier[p]);
+        // by its area, which stays the same when domains are kept compact: a resumed run finds the same crest
+        const Vector2 r1 = particles.half_edge_1[p], r2 = particles.half_edge_2[p];
+        const double quarter = 0.5 * std::sqrt(r1.x() * r2.y() - r1.y() * r2.x());
+        if (particles.position.y[p] > top - quarter) crest.push_back(particles.identifier[p]);
     }
     std::sort(crest.begin(), crest.end());
     return crest;

@@ -1,7 +1,10 @@
 #include "solver/compact_domains.hpp"
 #include "solver/cpdi2.hpp"
+#include "solver/monitors.hpp"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/LU>
 
 namespace quicksand {
 namespace {
@@ -60,6 +63,44 @@ TEST(CompactDomains, OfYieldingSoilBecomeShorterAndWiderWhenStretched)
     EXPECT_NEAR(domain_area(soil.particles, 1), domain_area(before, 1), 1e-13);
     const Eigen::Matrix2d F = deformation_gradient(before, 1);
     EXPECT_NEAR((deformation_gradient(soil.particles, 1) - F).norm(), 0.0, 1e-14 * F.norm());
+}
+
+TEST(CompactDomains, RecordTheDeformationOfMixedSoilUpToALimit)
+{
+    ShearedSoil soil{MohrCoulomb{}};
+    Vectors &r1 = soil.particles.half_edge_1, &r2 = soil.particles.half_edge_2;
+    Eigen::Matrix2d mixing; // stretches by 2.6 each time, area unchanged
+    mixing << 2.0, 1.0, 1.0, 1.0;
+    for (int time = 1; time <= 60; ++time) {
+        r1.set(0, mixing * r1[0]);
+        r2.set(0, mixing * r2[0]);
+        keep_domains_compact(soil.problem, soil.particles);
+        const Eigen::Matrix2d F = deformation_gradient(soil.particles, 0);
+        EXPECT_NEAR(F.determinant(), 1.0, 1e-6) << "after " << time;
+        EXPECT_LT(F.norm(), 30.0 * largest_recorded_stretch);
+        if (time == 9) {
+            EXPECT_NEAR(F(0, 0), 4181.0, 1e-6) << "a Fibonacci number";
+        }
+    }
+}
+
+TEST(CompactDomains, LeaveTheCrestWhereItWas)
+{
+    ShearedSoil soil{MohrCoulomb{}};
+    Particles& particles = soil.particles;
+    for (std::size_t p = 0; p < 5; ++p) particles.position.set(p, {4.0 * double(p), p < 2 ? 3.0 : 1.0});
+    reset_reference(particles);
+    const auto crest_at_start = [&] {
+        Particles at_start = particles;
+        return_to_reference(at_start);
+        return crest_particles(at_start);
+    };
+    const std::vector<std::int32_t> before = crest_at_start();
+    EXPECT_EQ(before, (std::vector<std::int32_t>{0, 1}));
+    for (std::size_t p = 0; p < 5; ++p) particles.half_edge_1.set(p, {2.0, 9.0});
+    keep_domains_compact(soil.problem, particles);
+    EXPECT_NE(particles.reference_edge_1[3].y(), -4.4) << "the shape of the reference has changed";
+    EXPECT_EQ(crest_at_start(), before);
 }
 
 TEST(CompactDomains, AreCompactAfterOneTime)
