@@ -19,9 +19,10 @@
 namespace quicksand {
 
 /// A value of a scene key, in SI units.
-using SceneValue = std::variant<double, std::int64_t, std::string, Vector2, std::pair<int, int>,
-                                std::map<std::string, double>, std::vector<std::string>, std::vector<double>,
-                                std::vector<int>, std::vector<Vector2>, std::map<std::string, std::vector<double>>>;
+using SceneValue =
+    std::variant<double, std::int64_t, std::string, Vector2, std::pair<int, int>,
+                 std::map<std::string, double>, std::vector<std::string>, std::vector<double>,
+                 std::vector<int>, std::vector<Vector2>, std::map<std::string, std::vector<double>>>;
 
 enum class ValueType {
     table,        // [grid]

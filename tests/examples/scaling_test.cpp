@@ -1,5 +1,5 @@
-// The shake table at the scale of its model and in full scale is the same problem: lengths and times 120 times
-// as large, accelerations a 120th, velocities, stresses and pressures as they are.
+// The shake table at the scale of its model and in full scale is the same problem: lengths and times 120
+// times as large, accelerations a 120th, velocities, stresses and pressures as they are.
 #include "io/picture_table.hpp"
 #include "tests/examples/program.hpp"
 
@@ -45,10 +45,10 @@ void run_shortened(const std::string& scene, double length, const std::filesyste
 {
     const auto metres = [&](double value) { return std::to_string(length * value); };
     const Outcome run = run_program(
-        "run " + example("shake_table") + "/" + scene + " --threads 1 --set grid.cell_size=" + metres(0.0225) +
-        " --set 'grid.origin=[" + metres(-0.0675) + ",0.0]' --set 'grid.cells=[9,16]'" +
-        " --set 'geometry.parameters={ width = " + metres(0.0675) + ", height = " + metres(0.315) +
-        " }' --until " + metres(0.056) + " -o " + results.string());
+        "run " + example("shake_table") + "/" + scene +
+        " --threads 1 --set grid.cell_size=" + metres(0.0225) + " --set 'grid.origin=[" + metres(-0.0675) +
+        ",0.0]' --set 'grid.cells=[9,16]'" + " --set 'geometry.parameters={ width = " + metres(0.0675) +
+        ", height = " + metres(0.315) + " }' --until " + metres(0.056) + " -o " + results.string());
     ASSERT_EQ(run.code, 0) << run.output;
 }
 

@@ -26,7 +26,8 @@ TEST(Stability, FindsAFactorAndShowsHowTheSlopeFails)
 TEST(Stability, RefusesASceneWithoutStrength)
 {
     const WorkFolder folder;
-    const Outcome outcome = run_program("stability " + example("verification/terzaghi") + " -o " + folder.string() + "/out");
+    const Outcome outcome =
+        run_program("stability " + example("verification/terzaghi") + " -o " + folder.string() + "/out");
     EXPECT_EQ(outcome.code, 2);
     EXPECT_NE(outcome.output.find("no soil of this scene has a strength to reduce\nexpected: a material with "
                                   "model = \"mohr_coulomb\""),
