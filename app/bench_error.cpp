@@ -96,12 +96,13 @@ std::vector<WorkPoint> measure_scene(const std::string& scene, const BenchChoice
     const Setting fine = {"explicit, a fifth of the step",
                           {"analysis.scheme=\"explicit\"", "analysis.step_share=0.2"}};
     run_setting(scene, fine, choice, folder / "reference");
+    const std::vector<ProbeHistory> reference = read_probe_histories(folder / "reference");
     std::vector<WorkPoint> points;
     for (const Setting& setting : step_settings()) {
         std::string directory = setting.name;
         std::replace(directory.begin(), directory.end(), ' ', '_');
         const double seconds = run_setting(scene, setting, choice, folder / directory);
-        for (const HistoryError& each : history_errors(folder / directory, folder / "reference")) {
+        for (const HistoryError& each : history_errors(read_probe_histories(folder / directory), reference)) {
             journal.say(setting.name + ": " + text_of(each));
             points.push_back({name + ", " + each.quantity, setting.name, 0, each.largest(), seconds});
         }
@@ -189,13 +190,6 @@ std::vector<std::vector<WorkPoint>> by_problem(const std::vector<WorkPoint>& poi
     return parts;
 }
 
-std::string picture_name(std::string problem)
-{
-    std::erase(problem, ',');
-    std::replace(problem.begin(), problem.end(), ' ', '_');
-    return "error_" + problem + ".png";
-}
-
 std::string csv_of(const std::vector<WorkPoint>& points)
 {
     std::string text = "# " + machine_text() + "\nproblem,setting,cells,largest_error,seconds\n";
@@ -224,7 +218,8 @@ ExitCode measure_errors(const BenchChoice& choice)
         if (points.empty()) continue;
         for (const std::vector<WorkPoint>& part : by_problem(points)) {
             const std::string& name = part.front().problem;
-            draw_line_plot(work_plot(name, part), choice.directory / picture_name(name));
+            draw_line_plot(work_plot(name, part),
+                           choice.directory / ("error_" + file_name_of(name) + ".png"));
             advice += '\n' + name;
             for (const double wanted : {0.05, 0.01, 0.001}) advice += '\n' + recommendation(part, wanted);
         }

@@ -25,9 +25,9 @@ namespace fs = std::filesystem;
 /// A run on one grid.
 struct GridRun {
     Setting setting;
-    double cell_size = 0.0;        // [m]
-    double particles_per_cell = 0; // along each axis; 0 where the drawing's mesh gives them [-]
-    double seconds = 0.0;          // wall time
+    double cell_size = 0.0;     // [m]
+    int particles_per_cell = 0; // along each axis; 0 where the drawing's mesh gives them [-]
+    double seconds = 0.0;       // wall time
     fs::path results;
     std::vector<ProbeHistory> probes = {};
 };
@@ -44,8 +44,7 @@ std::vector<GridRun> planned_runs(const Scene& scene, const BackgroundGrid& grid
     const auto* lattice = std::get_if<LatticeSampling>(&scene.sampling);
     const int own = lattice != nullptr ? lattice->per_cell_x : 0;
     const auto run_on = [&](double cell_size, int count) {
-        GridRun run{
-            {length_text(cell_size), on_cells_of(cell_size, grid)}, cell_size, double(count), 0.0, {}};
+        GridRun run{{length_text(cell_size), on_cells_of(cell_size, grid)}, cell_size, count, 0.0, {}};
         if (count > 0) run.setting.name += fmt::format(", {} x {}", count, count);
         if (count != own)
             run.setting.overrides.push_back(fmt::format("sampling.particles_per_cell=[{},{}]", count, count));
@@ -63,10 +62,7 @@ std::vector<GridRun> planned_runs(const Scene& scene, const BackgroundGrid& grid
 bool execute(const std::string& scene, const BenchChoice& choice, const fs::path& folder, Journal& journal,
              GridRun& run)
 {
-    std::string name = run.setting.name;
-    std::erase(name, ',');
-    std::replace(name.begin(), name.end(), ' ', '_');
-    run.results = folder / name;
+    run.results = folder / file_name_of(run.setting.name);
     journal.say('\n' + run.setting.name);
     try {
         run.seconds = run_setting(scene, run.setting, choice, run.results);
@@ -173,17 +169,15 @@ LinePlot histories_of(const ComparedQuantity& quantity, const std::string& title
         panel.y_label = fmt::format("{}: {} [{}]", probe.probe, quantity.name, quantity.unit);
         panel.key_beside = true;
         for (std::size_t k = 0; k < runs.size(); ++k) {
-            const auto same =
-                std::find_if(runs[k].probes.begin(), runs[k].probes.end(),
-                             [&](const ProbeHistory& each) { return each.probe == probe.probe; });
-            if (same == runs[k].probes.end()) continue;
-            const std::vector<double>* values = same->table.find(quantity.column);
+            const PictureTable* same = find_probe(runs[k].probes, probe.probe);
+            if (same == nullptr) continue;
+            const std::vector<double>* values = same->find(quantity.column);
             if (values == nullptr) continue;
             PlotCurve curve;
             if (plot.panels.empty())
                 curve.name = runs[k].setting.name + ": " + duration_text(runs[k].seconds);
             curve.colour = curve_colour(k, runs.size());
-            curve.x = *same->table.find("time_s");
+            curve.x = *same->find("time_s");
             for (const double value : *values) curve.y.push_back(quantity.scale * value);
             panel.curves.push_back(std::move(curve));
         }
@@ -202,15 +196,14 @@ void report(const std::string& title, const std::vector<GridRun>& runs, const fs
     journal.say("\nRoot of the mean square difference from " + finest->setting.name + ", over its range");
     for (const GridRun& run : runs) {
         if (&run == &*finest) continue;
-        for (const HistoryError& error : history_errors(run.results, finest->results))
+        for (const HistoryError& error : history_errors(run.probes, finest->probes))
             journal.say(run.setting.name + ": " + text_of(error));
     }
     write_atomically(folder / "grid.csv", csv_of(runs));
     for (const ComparedQuantity& quantity : compared_quantities) {
         const LinePlot plot = histories_of(quantity, title, runs);
-        std::string file = "grid_" + std::string(quantity.name) + ".png";
-        std::replace(file.begin(), file.end(), ' ', '_');
-        if (!plot.panels.empty()) draw_line_plot(plot, folder / file);
+        if (!plot.panels.empty())
+            draw_line_plot(plot, folder / ("grid_" + file_name_of(quantity.name) + ".png"));
     }
     journal.say("\nTable and figures: " + folder.string());
 }

@@ -2,9 +2,17 @@
 
 #include "solver/failure.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace quicksand {
+
+std::string file_name_of(std::string name)
+{
+    std::erase(name, ',');
+    std::replace(name.begin(), name.end(), ' ', '_');
+    return name;
+}
 
 double run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
                    const std::filesystem::path& directory)

@@ -15,6 +15,9 @@ struct Setting {
     std::vector<std::string> overrides; // --set key=value
 };
 
+/// A name without commas and spaces.
+std::string file_name_of(std::string name);
+
 /// Run a scene with a setting in a folder, in place of what is there; returns the wall time [s]. Throws
 /// InputError, also where the run does not reach its end.
 double run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,

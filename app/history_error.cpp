@@ -47,10 +47,9 @@ std::vector<ProbeError> probe_errors(const char* column, const std::vector<Probe
     std::vector<std::pair<std::string, Difference>> all;
     double range = 0.0;
     for (const ProbeHistory& exact : reference) {
-        const auto same = std::find_if(run.begin(), run.end(),
-                                       [&](const ProbeHistory& each) { return each.probe == exact.probe; });
-        if (same == run.end()) continue;
-        const std::vector<double>*a = same->table.find(column), *b = exact.table.find(column);
+        const PictureTable* same = find_probe(run, exact.probe);
+        if (same == nullptr) continue;
+        const std::vector<double>*a = same->find(column), *b = exact.table.find(column);
         if (a == nullptr || b == nullptr) continue;
         all.emplace_back(exact.probe, difference(*a, *b));
         range = std::max(range, all.back().second.range);
@@ -78,6 +77,13 @@ std::vector<ProbeHistory> read_probe_histories(const fs::path& results)
     return probes;
 }
 
+const PictureTable* find_probe(const std::vector<ProbeHistory>& histories, const std::string& probe)
+{
+    const auto same = std::find_if(histories.begin(), histories.end(),
+                                   [&](const ProbeHistory& each) { return each.probe == probe; });
+    return same == histories.end() ? nullptr : &same->table;
+}
+
 std::string text_of(const HistoryError& error)
 {
     std::string text = error.quantity;
@@ -87,13 +93,12 @@ std::string text_of(const HistoryError& error)
     return text;
 }
 
-std::vector<HistoryError> history_errors(const fs::path& results, const fs::path& reference)
+std::vector<HistoryError> history_errors(const std::vector<ProbeHistory>& run,
+                                         const std::vector<ProbeHistory>& reference)
 {
-    const std::vector<ProbeHistory> run = read_probe_histories(results),
-                                    exact = read_probe_histories(reference);
     std::vector<HistoryError> errors;
     for (const ComparedQuantity& each : compared_quantities) {
-        HistoryError error{each.name, probe_errors(each.column, run, exact)};
+        HistoryError error{each.name, probe_errors(each.column, run, reference)};
         if (!error.probes.empty()) errors.push_back(std::move(error));
     }
     return errors;

@@ -31,6 +31,9 @@ struct ProbeHistory {
 /// Of all probes but profiles, by name. Throws FileError.
 std::vector<ProbeHistory> read_probe_histories(const std::filesystem::path& results);
 
+/// What the probe of that name has written, null where there is none.
+const PictureTable* find_probe(const std::vector<ProbeHistory>& histories, const std::string& probe);
+
 /// Error of a quantity at one probe.
 struct ProbeError {
     std::string probe;
@@ -48,10 +51,10 @@ struct HistoryError {
 /// "excess pore pressure 4.02 % at A, 1.63 % at B".
 std::string text_of(const HistoryError& error);
 
-/// Of the probes' excess pore pressure, settlement and sideways displacement, as far as they have them. Both
-/// are results folders of the same scene with the same probe times. Profiles are left out, and probes where a
-/// quantity hardly changes: by less than 1 % of what it does where it changes most. Throws FileError.
-std::vector<HistoryError> history_errors(const std::filesystem::path& results,
-                                         const std::filesystem::path& reference);
+/// Of the probes' excess pore pressure, settlement and sideways displacement, as far as they have them,
+/// between runs of the same scene with the same probe times. Probes are left out where a quantity hardly
+/// changes: by less than 1 % of what it does where it changes most.
+std::vector<HistoryError> history_errors(const std::vector<ProbeHistory>& run,
+                                         const std::vector<ProbeHistory>& reference);
 
 } // namespace quicksand

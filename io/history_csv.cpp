@@ -134,9 +134,7 @@ std::vector<std::int32_t> reference_crest(const Particles& particles)
 {
     // A resumed run has moved already, and must find the crest it began with.
     Particles at_start = particles;
-    at_start.position = particles.reference_position;
-    at_start.half_edge_1 = particles.reference_edge_1;
-    at_start.half_edge_2 = particles.reference_edge_2;
+    return_to_reference(at_start);
     return crest_particles(at_start);
 }
 

@@ -1,5 +1,7 @@
 #include "solver/monitors.hpp"
 
+#include "solver/cpdi2.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,8 +59,7 @@ std::vector<std::int32_t> crest_particles(const Particles& particles)
     std::vector<std::int32_t> crest;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         // by its area, which stays the same when domains are kept compact: a resumed run finds the same crest
-        const Vector2 r1 = particles.half_edge_1[p], r2 = particles.half_edge_2[p];
-        const double quarter = 0.5 * std::sqrt(r1.x() * r2.y() - r1.y() * r2.x());
+        const double quarter = 0.25 * std::sqrt(domain_area(particles, p));
         if (particles.position.y[p] > top - quarter) crest.push_back(particles.identifier[p]);
     }
     std::sort(crest.begin(), crest.end());

@@ -1,3 +1,4 @@
+#include "io/file_error.hpp"
 #include "io/results_folder.hpp"
 #include "solver/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
@@ -69,6 +70,18 @@ TEST(ResultsFolder, KeepsOtherRunsOut)
     }
     touch(folder / "run_manifest.json");
     EXPECT_EQ(refusal(folder, FolderUse::overwrite), "") << "the first run is over";
+}
+
+TEST(ResultsFolder, CannotBeHeldWhereThereIsNone)
+{
+    const TemporaryFolder folder;
+    try {
+        const FolderLock lock(folder / "nowhere");
+        FAIL() << "there is no such folder";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("cannot open the folder"), std::string::npos)
+            << error.what();
+    }
 }
 
 TEST(ResultsFolder, OverwriteRemovesOnlyWhatQuicksandWrote)
