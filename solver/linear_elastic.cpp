@@ -19,9 +19,9 @@ double shear_modulus(const LinearElastic& law)
     return law.shear_modulus;
 }
 
-double stiffest_modulus(const LinearElastic& law, std::size_t, std::size_t, const Particles&)
+ParticleModuli particle_moduli(const LinearElastic& law, std::size_t, std::size_t, const Particles&)
 {
-    return constrained_modulus(law);
+    return {constrained_modulus(law), constrained_modulus(law)};
 }
 
 VECTOR_KERNEL

@@ -2,6 +2,7 @@
 // in the strain rate.
 #pragma once
 
+#include "solver/particle_moduli.hpp"
 #include "solver/particles.hpp"
 
 #include <cstddef>
@@ -22,10 +23,9 @@ double constrained_modulus(const LinearElastic& law);
 /// G [Pa]
 double shear_modulus(const LinearElastic& law);
 
-/// Stiffest modulus of a P wave in any direction and any of the particles [first, last), per present volume
-/// [Pa].
-double stiffest_modulus(const LinearElastic& law, std::size_t first, std::size_t last,
-                        const Particles& particles);
+/// Of the particles [first, last): all the same.
+ParticleModuli particle_moduli(const LinearElastic& law, std::size_t first, std::size_t last,
+                               const Particles& particles);
 
 /// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
 void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,

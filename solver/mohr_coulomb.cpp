@@ -74,9 +74,9 @@ double shear_modulus(const MohrCoulomb& law)
     return law.shear_modulus;
 }
 
-double stiffest_modulus(const MohrCoulomb& law, std::size_t, std::size_t, const Particles&)
+ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t, std::size_t, const Particles&)
 {
-    return constrained_modulus(law);
+    return {constrained_modulus(law), constrained_modulus(law)};
 }
 
 Vector3d return_to_surface(const MohrCoulomb& law, const Vector3d& trial)

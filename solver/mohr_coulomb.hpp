@@ -9,6 +9,7 @@
 // every plane, edge and corner (surface and its edges: de Souza Neto, Peric and Owen 2008, chapter 8).
 #pragma once
 
+#include "solver/particle_moduli.hpp"
 #include "solver/particles.hpp"
 
 #include <Eigen/Core>
@@ -38,9 +39,9 @@ double lame_modulus(const MohrCoulomb& law);        // lambda [Pa]
 double constrained_modulus(const MohrCoulomb& law); // lambda + 2 G, elastic [Pa]
 double shear_modulus(const MohrCoulomb& law);       // G [Pa]
 
-/// The elastic modulus: plastic flow only softens. Per present volume [Pa].
-double stiffest_modulus(const MohrCoulomb& law, std::size_t first, std::size_t last,
-                        const Particles& particles);
+/// Of the particles [first, last): the elastic modulus, for plastic flow only softens.
+ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t first, std::size_t last,
+                               const Particles& particles);
 
 /// The principal stresses to which an elastic trial returns, both largest tension first [Pa].
 Eigen::Vector3d return_to_surface(const MohrCoulomb& law, const Eigen::Vector3d& trial);

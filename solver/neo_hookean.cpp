@@ -21,19 +21,22 @@ double shear_modulus(const NeoHookean& law)
     return law.shear_modulus;
 }
 
-double stiffest_modulus(const NeoHookean& law, std::size_t first, std::size_t last,
-                        const Particles& particles)
+ParticleModuli particle_moduli(const NeoHookean& law, std::size_t first, std::size_t last,
+                               const Particles& particles)
 {
     // acoustic tensor along n: {[lambda (1 - ln J) + mu] n (x) n + mu (n.B n) I} / J
     const double lambda = lame_modulus(law), mu = law.shear_modulus;
-    double stiffest = 0.0;
+    double stiffest = 0.0, sum = 0.0, volume = 0.0;
     for (std::size_t p = first; p < last; ++p) {
         const Eigen::Matrix2d F = deformation_gradient(particles, p);
         const double J = F.determinant(), trace = F.squaredNorm(); // tr B
         const double largest = 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4.0 * J * J)));
-        stiffest = std::max(stiffest, (lambda * (1.0 - std::log(J)) + mu + mu * largest) / J);
+        const double M = (lambda * (1.0 - std::log(J)) + mu + mu * largest) / J;
+        stiffest = std::max(stiffest, M);
+        sum += particles.volume[p] * M;
+        volume += particles.volume[p];
     }
-    return stiffest;
+    return {sum / volume, stiffest};
 }
 
 void update_stress(const NeoHookean& law, double, std::size_t first, std::size_t last, Particles& particles)

@@ -3,6 +3,7 @@
 // in plane strain (F_zz = 1). The stress follows from the deformation since the reference, not from rates.
 #pragma once
 
+#include "solver/particle_moduli.hpp"
 #include "solver/particles.hpp"
 
 #include <cstddef>
@@ -18,10 +19,9 @@ double lame_modulus(const NeoHookean& law);        // lambda [Pa]
 double constrained_modulus(const NeoHookean& law); // lambda + 2 mu, at small strain [Pa]
 double shear_modulus(const NeoHookean& law);       // mu [Pa]
 
-/// Stiffest modulus of a P wave in any direction and any of the particles [first, last), per present volume
-/// [Pa].
-double stiffest_modulus(const NeoHookean& law, std::size_t first, std::size_t last,
-                        const Particles& particles);
+/// Of the particles [first, last) at their present stretches.
+ParticleModuli particle_moduli(const NeoHookean& law, std::size_t first, std::size_t last,
+                               const Particles& particles);
 
 /// Set the stress of the particles [first, last) from their deformation gradients.
 void update_stress(const NeoHookean& law, double dt, std::size_t first, std::size_t last,

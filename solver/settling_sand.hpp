@@ -9,6 +9,7 @@
 //            that the cells make of a slope hang by their corners and would creep for ever.
 #pragma once
 
+#include "solver/particle_moduli.hpp"
 #include "solver/particles.hpp"
 #include "solver/ubcsand.hpp"
 
@@ -30,9 +31,9 @@ double constrained_modulus(const SettlingSand& law);
 /// G at a mean stress of one atmosphere [Pa].
 double shear_modulus(const SettlingSand& law);
 
-/// Largest M at the particles' present stress [Pa].
-double stiffest_modulus(const SettlingSand& law, std::size_t first, std::size_t last,
-                        const Particles& particles);
+/// Of the particles [first, last) at their present stress.
+ParticleModuli particle_moduli(const SettlingSand& law, std::size_t first, std::size_t last,
+                               const Particles& particles);
 
 /// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
 void update_stress(const SettlingSand& law, double dt, std::size_t first, std::size_t last,

@@ -1,8 +1,8 @@
 // The constitutive laws of the grain skeleton behind one small interface.
 //
-// A law is a plain struct of parameters with four functions: `update_stress`, `stiffest_modulus` of
-// particles, and `constrained_modulus` and `shear_modulus` where no particle is at hand (at one atmosphere
-// when they follow the stress). Laws are visited once per run of particles, never per particle.
+// A law is a plain struct of parameters with four functions: `update_stress`, `particle_moduli`, and
+// `constrained_modulus` and `shear_modulus` where no particle is at hand (at one atmosphere when they follow
+// the stress). Laws are visited once per run of particles, never per particle.
 #pragma once
 
 #include "solver/linear_elastic.hpp"

@@ -1,8 +1,7 @@
 #include "solver/time_step_control.hpp"
 
+#include "solver/cell_extremes.hpp"
 #include "solver/failure.hpp"
-#include "solver/lanes.hpp"
-#include "solver/threads.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,127 +23,9 @@ constexpr double semi_implicit_safety = 0.72;
 constexpr double shear_safety = 0.85; // shear waves on a bilinear grid [-]
 constexpr double motion_safety = 0.2; // of a cell per step [-]
 
-/// What of the particles' state decides the step.
-struct MaterialExtremes {
-    double min_porosity = 1.0, max_porosity = 0.0; // [-]
-    double stiffest_modulus = 0.0;                 // of a P wave of the skeleton [Pa]
-};
-
-struct Extremes {
-    double speed_squared = 0.0;              // the largest [m2/s2]
-    std::vector<MaterialExtremes> materials; // as Problem::materials
-
-    double max_speed() const { return std::sqrt(speed_squared); }
-};
-
-/// The larger, lane by lane; the first where the second is not a number.
-inline Lanes larger(const Lanes& a, const Lanes& b)
-{
-    return b > a ? b : a;
-}
-
-inline Lanes smaller(const Lanes& a, const Lanes& b)
-{
-    return b < a ? b : a;
-}
-
-VECTOR_KERNEL
-double largest_speed_squared(const Particles& particles, std::size_t first, std::size_t last)
-{
-    const double *x = particles.velocity_solid.x.data(), *y = particles.velocity_solid.y.data();
-    Lanes most = all_lanes(0.0);
-    std::size_t p = first;
-    for (; p + 4 <= last; p += 4) {
-        const Lanes vx = load_lanes(x + p), vy = load_lanes(y + p);
-        most = larger(most, vx * vx + vy * vy);
-    }
-    double result = std::max({most[0], most[1], most[2], most[3]});
-    for (; p < last; ++p) result = std::max(result, x[p] * x[p] + y[p] * y[p]);
-    return result;
-}
-
-/// The least and the largest share of the grains in the volume of particles of one material [-].
-struct GrainShares {
-    double least = 1.0, most = 0.0;
-};
-
-VECTOR_KERNEL
-GrainShares grain_shares(double grain_density, const Particles& particles, std::size_t first,
-                         std::size_t last)
-{
-    const double *mass = particles.mass_solid.data(), *volume = particles.volume.data();
-    Lanes least = all_lanes(1.0), most = all_lanes(0.0);
-    std::size_t p = first;
-    for (; p + 4 <= last; p += 4) {
-        const Lanes share = load_lanes(mass + p) / (grain_density * load_lanes(volume + p));
-        least = smaller(least, share);
-        most = larger(most, share);
-    }
-    GrainShares result{std::min({least[0], least[1], least[2], least[3]}),
-                       std::max({most[0], most[1], most[2], most[3]})};
-    for (; p < last; ++p) {
-        const double share = mass[p] / (grain_density * volume[p]);
-        result.least = std::min(result.least, share);
-        result.most = std::max(result.most, share);
-    }
-    return result;
-}
-
-void include(const MaterialExtremes& other, MaterialExtremes& extreme)
-{
-    extreme.min_porosity = std::min(extreme.min_porosity, other.min_porosity);
-    extreme.max_porosity = std::max(extreme.max_porosity, other.max_porosity);
-    extreme.stiffest_modulus = std::max(extreme.stiffest_modulus, other.stiffest_modulus);
-}
-
-/// Particles [first, last) are of one material.
-MaterialExtremes extremes_of_run(const Material& material, const Particles& particles, std::size_t first,
-                                 std::size_t last)
-{
-    const GrainShares shares = grain_shares(material.grain_density, particles, first, last);
-    const double modulus = std::visit(
-        [&](const auto& law) { return stiffest_modulus(law, first, last, particles); }, material.law);
-    return {1.0 - shares.most, 1.0 - shares.least, modulus};
-}
-
-void include_chunk(const Problem& problem, const Particles& particles, std::size_t begin, std::size_t end,
-                   Extremes& extremes)
-{
-    extremes.speed_squared = std::max(extremes.speed_squared, largest_speed_squared(particles, begin, end));
-    for (std::size_t first = begin, last = begin; first < end; first = last) {
-        const std::int32_t material = particles.material[first];
-        while (last < end && particles.material[last] == material) ++last;
-        const auto m = static_cast<std::size_t>(material);
-        include(extremes_of_run(problem.materials[m], particles, first, last), extremes.materials[m]);
-    }
-}
-
-/// Extremes do not depend on the order in which they are found, nor on the threads.
-Extremes find_extremes(const Problem& problem, const Particles& particles)
-{
-    const std::vector<MaterialExtremes> none(problem.materials.size());
-    Extremes extremes{0.0, none};
-    const auto count = static_cast<std::int64_t>(particles.size());
-#pragma omp parallel if (particles.size() > least_parallel_work)
-    {
-        Extremes own{0.0, none};
-#pragma omp for schedule(static) nowait
-        for (std::int64_t first = 0; first < count; first += chunk) {
-            include_chunk(problem, particles, static_cast<std::size_t>(first),
-                          static_cast<std::size_t>(std::min(count, first + chunk)), own);
-        }
-#pragma omp critical(extremes)
-        {
-            extremes.speed_squared = std::max(extremes.speed_squared, own.speed_squared);
-            for (std::size_t m = 0; m < none.size(); ++m) include(own.materials[m], extremes.materials[m]);
-        }
-    }
-    return extremes;
-}
-
-/// The least of limit(material, P-wave modulus, porosity) over all materials and their extreme porosities.
+/// The least of limit(material, P-wave modulus, porosity) over all materials and their extreme cells.
 template <class Limit>
-TimeStep least_limit(const Problem& problem, const Extremes& extremes, Limit&& limit_of)
+TimeStep least_limit(const Problem& problem, const CellExtremes& extremes, Limit&& limit_of)
 {
     TimeStep limit;
     limit.dt = std::numeric_limits<double>::infinity();
@@ -162,7 +43,7 @@ TimeStep least_limit(const Problem& problem, const Extremes& extremes, Limit&& l
 
 /// The fastest of a wave decides.
 template <class Speed>
-TimeStep wave_limit(const Problem& problem, const Extremes& extremes, double safety, Speed&& speed)
+TimeStep wave_limit(const Problem& problem, const CellExtremes& extremes, double safety, Speed&& speed)
 {
     return least_limit(problem, extremes, [&](const Material& material, double modulus, double porosity) {
         return safety * problem.grid.cell_size /
@@ -190,15 +71,15 @@ double dragged_shear_limit(double G, double drag, double r_s, double r_w, double
     return low;
 }
 
-TimeStep limit_motion(const Problem& problem, const Extremes& extremes, TimeStep limit)
+TimeStep limit_motion(const Problem& problem, const CellExtremes& extremes, TimeStep limit)
 {
     if (problem.strain == StrainForm::small) return limit; // no particle moves through the grid
-    const double dt = motion_safety * problem.grid.cell_size / extremes.max_speed();
+    const double dt = motion_safety * problem.grid.cell_size / extremes.max_speed;
     return dt < limit.dt ? TimeStep{dt, TimeStepLimiter::motion, ""} : limit;
 }
 
 /// The slow P wave and the shear wave of every material.
-TimeStep semi_implicit_limit(const Problem& problem, const Extremes& extremes)
+TimeStep semi_implicit_limit(const Problem& problem, const CellExtremes& extremes)
 {
     const double h = problem.grid.cell_size;
     return least_limit(problem, extremes, [&](const Material& material, double modulus, double n) {
@@ -253,7 +134,7 @@ WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const 
 
 std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles)
 {
-    const Extremes extremes = find_extremes(problem, particles);
+    const CellExtremes extremes = find_extremes(problem, particles);
     std::vector<WaveSpeeds> waves;
     for (std::size_t m = 0; m < problem.materials.size(); ++m) {
         const Material& material = problem.materials[m];
@@ -279,7 +160,7 @@ double fastest_speed(const Problem& problem, const WaveSpeeds& speeds)
 
 TimeStep stable_time_step(const Problem& problem, const Particles& particles)
 {
-    const Extremes extremes = find_extremes(problem, particles);
+    const CellExtremes extremes = find_extremes(problem, particles);
     const bool implicit_pressure =
         water_flow(problem) == WaterFlow::coupled && problem.scheme == TimeScheme::semi_implicit;
     const TimeStep wave = implicit_pressure
@@ -294,7 +175,7 @@ TimeStep stable_time_step(const Problem& problem, const Particles& particles)
 
 TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles)
 {
-    const Extremes extremes = find_extremes(problem, particles);
+    const CellExtremes extremes = find_extremes(problem, particles);
     const TimeStep wave = wave_limit(problem, extremes, relaxation_safety,
                                      [](const WaveSpeeds& speeds) { return speeds.skeleton; });
     return limit_motion(problem, extremes, wave);

@@ -25,8 +25,8 @@ WaveSpeeds wave_speeds(const Material& material, const std::optional<Water>& wat
 WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const std::optional<Water>& water,
                        double porosity);
 
-/// The speeds of every material where the present stress makes it stiffest, at its initial porosity; as
-/// without particles where there are none of it.
+/// The speeds of every material in the cell where the present stress makes it stiffest, at its initial
+/// porosity; as without particles where there are none of it.
 std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles);
 
 /// The fastest wave in the form of the equations that the problem asks for [m/s].

@@ -13,6 +13,7 @@
 //            and the locus stays at the last true reversal; those of unloading contract the sand a little.
 #pragma once
 
+#include "solver/particle_moduli.hpp"
 #include "solver/ubcsand_parameters.hpp"
 
 #include <cstddef>
@@ -149,8 +150,8 @@ enum class Turn { stress_and_memory, nothing };
 void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
             const UbcSandArrays& points);
 
-/// Largest constrained modulus of the points [first, last) by their stresses, for the time step [Pa].
-double stiffest_modulus(const UbcSand& law, std::size_t first, std::size_t last, const double* stress_xx,
-                        const double* stress_yy);
+/// Constrained moduli of the points [first, last) by their stresses [Pa] and volumes [m2].
+ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
+                               const double* stress_xx, const double* stress_yy, const double* volume);
 
 } // namespace quicksand

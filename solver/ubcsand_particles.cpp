@@ -75,9 +75,11 @@ double shear_modulus(const UbcSand& law)
     return shear_modulus(law, at_one_atmosphere());
 }
 
-double stiffest_modulus(const UbcSand& law, std::size_t first, std::size_t last, const Particles& particles)
+ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
+                               const Particles& particles)
 {
-    return stiffest_modulus(law, first, last, particles.stress.xx.data(), particles.stress.yy.data());
+    return particle_moduli(law, first, last, particles.stress.xx.data(), particles.stress.yy.data(),
+                           particles.volume.data());
 }
 
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles)

@@ -1,6 +1,7 @@
 // UBCSAND as a law of particles: its stress is theirs, its memory their CycleMemory, without copies.
 #pragma once
 
+#include "solver/particle_moduli.hpp"
 #include "solver/particles.hpp"
 #include "solver/ubcsand.hpp"
 
@@ -12,8 +13,9 @@ namespace quicksand {
 double constrained_modulus(const UbcSand& law);
 double shear_modulus(const UbcSand& law);
 
-/// Largest modulus of unloading at the particles' present stress [Pa].
-double stiffest_modulus(const UbcSand& law, std::size_t first, std::size_t last, const Particles& particles);
+/// Of the particles [first, last) at their present stress.
+ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
+                               const Particles& particles);
 
 /// Add the stress of the strain L dt to the particles [first, last) and advance their memory, rotated stress
 /// and memory given. Pre: start_memory.

@@ -42,6 +42,22 @@ TEST(SemiImplicitStep, RandomMotionDecaysForEveryPermeability)
         EXPECT_LT(energy_growth(semi_implicit_patch(conductivity), 1.0), 1e-2) << conductivity;
 }
 
+TEST(SemiImplicitStep, AStiffParticleCountsByItsShareOfTheCell)
+{
+    for (const double ratio : {9.0, 36.0}) {
+        Problem problem = semi_implicit_patch(1e-4), as_stiff = problem;
+        State state = restless(problem);
+        std::get<LinearElastic>(as_stiff.materials[0].law).shear_modulus *=
+            stiffen_points(ratio, problem, state);
+        const double dt = stable_time_step(as_stiff, restless(as_stiff).particles).dt;
+        EXPECT_GT(dt, 1.1 * stable_time_step(problem, state.particles).dt) << "two materials do not mix";
+        const double before = monitor(problem, state, {}).kinetic_energy;
+        SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
+        for (int k = 0; k < 1500; ++k) advance_semi_implicit_step(problem, dt, state, work);
+        EXPECT_LT(monitor(problem, state, {}).kinetic_energy, 0.01 * before) << ratio;
+    }
+}
+
 TEST(SemiImplicitStep, RandomMotionGrowsFarBeyondTheStep)
 {
     EXPECT_GT(energy_growth(semi_implicit_patch(1e-4), 1.6), 1.0);

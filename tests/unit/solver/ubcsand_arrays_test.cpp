@@ -183,16 +183,25 @@ TEST(UbcSandArrays, TouchOnlyTheirRange)
     EXPECT_FALSE(same_bits(before[13], after[13]));
 }
 
-TEST(UbcSandArrays, TheStiffestPointHasTheLargestMeanStress)
+TEST(UbcSandArrays, ModuliFollowTheMeanStress)
 {
     const UbcSand law = make_ubcsand(nevada_sand_55());
     RandomPoints points(law, 40, 7);
-    double stiffest = 0.0;
+    std::vector<double> volumes;
+    double stiffest = 0.0, sum = 0.0, whole = 0.0;
     for (const UbcSandState& state : states(points, 40)) {
-        stiffest = std::max(stiffest, constrained_modulus(law, state));
+        volumes.push_back(1.0 + 0.1 * static_cast<double>(volumes.size()));
+        const double modulus = constrained_modulus(law, state);
+        stiffest = std::max(stiffest, modulus);
+        sum += volumes.back() * modulus;
+        whole += volumes.back();
     }
     const UbcSandArrays arrays = points.points();
-    EXPECT_DOUBLE_EQ(stiffest_modulus(law, 0, 40, arrays.stress_xx, arrays.stress_yy), stiffest);
+    const ParticleModuli moduli =
+        particle_moduli(law, 0, 40, arrays.stress_xx, arrays.stress_yy, volumes.data());
+    EXPECT_DOUBLE_EQ(moduli.stiffest, stiffest);
+    EXPECT_NEAR(moduli.mean, sum / whole, 1e-12 * stiffest);
+    EXPECT_LT(moduli.mean, 0.9 * stiffest) << "the points differ";
 }
 
 } // namespace
