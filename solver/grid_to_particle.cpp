@@ -9,38 +9,31 @@ namespace quicksand {
 
 namespace {
 
-/// The grid's motion at a particle as it is summed up.
+/// The grid's motion at a particle of a body that moves as one: lanes v and its change, as SinglePhaseMotion.
 struct LocalMotion {
-    double x = 0.0, y = 0.0;                       // sum phi v_i [m/s]
-    double change_x = 0.0, change_y = 0.0;         // sum phi (change of v_i) [m/s]
-    double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0; // L [1/s]
-
-    void add(const NodeWeight& w, double v_x, double v_y, double dv_x, double dv_y)
-    {
-        x += w.value * v_x;
-        y += w.value * v_y;
-        change_x += w.value * dv_x;
-        change_y += w.value * dv_y;
-        xx += w.gradient_x * v_x;
-        xy += w.gradient_y * v_x;
-        yx += w.gradient_x * v_y;
-        yy += w.gradient_y * v_y;
-    }
+    Lanes motion = all_lanes(0.0);                            // [m/s]
+    Lanes slope_x = all_lanes(0.0), slope_y = all_lanes(0.0); // d/dx and d/dy of the motion [1/s]
 };
 
-void store_gradient(const LocalMotion& local, std::size_t p, Gradients& gradient)
+inline LocalMotion motion_at(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
+                             const SinglePhaseMotion* motion)
 {
-    gradient.xx[p] = local.xx;
-    gradient.xy[p] = local.xy;
-    gradient.yx[p] = local.yx;
-    gradient.yy[p] = local.yy;
-}
-
-/// The particle's own velocity with the grid's change, its noise less the share.
-Vector2 updated_velocity(const Vector2& own, const LocalMotion& local, double share)
-{
-    const Vector2 carried = own + Vector2(local.change_x, local.change_y);
-    return carried + share * (Vector2(local.x, local.y) - carried);
+    LocalMotion local;
+    const auto first = static_cast<std::size_t>(patch.first);
+    const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
+                 *grad_y = store.gradient_y.data() + first;
+    const std::int32_t width = patch.width, height = patch.height;
+    const SinglePhaseMotion* row = motion + patch.base;
+    for (std::int32_t b = 0; b < height; ++b, row += nodes_x) {
+        for (const SinglePhaseMotion* node = row; node != row + width; ++node) {
+            const Lanes at_node = load_lanes(&node->x);
+            local.motion += *phi * at_node;
+            local.slope_x += *grad_x * at_node;
+            local.slope_y += *grad_y * at_node;
+            ++phi, ++grad_x, ++grad_y;
+        }
+    }
+    return local;
 }
 
 /// The motion of both phases at a particle: lanes v_s and v_w, as TwoPhaseMotion.
@@ -150,25 +143,26 @@ void gather_two_phase(const Problem& problem, double dt, double share, const Cel
     }
 }
 
+VECTOR_KERNEL
 void gather_single_phase(const Problem& problem, double share, const CellLists& lists, const Tile& tile,
                          const PatchStore& store, const std::vector<SinglePhaseMotion>& motion,
                          Particles& particles, Vectors& grid_velocity)
 {
+    const std::int32_t nodes_x = problem.grid.nodes_x();
+    Gradients& L = particles.velocity_gradient_solid;
+    Vectors& velocity = particles.velocity_solid;
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
-        LocalMotion solid;
-        auto weight = static_cast<std::size_t>(patch->first);
-        for (std::int32_t b = 0; b < patch->height; ++b) {
-            const SinglePhaseMotion* node = motion.data() + patch->base + b * problem.grid.nodes_x();
-            for (std::int32_t a = 0; a < patch->width; ++a, ++weight, ++node) {
-                solid.add({store.value[weight], store.gradient_x[weight], store.gradient_y[weight]}, node->x,
-                          node->y, node->change_x, node->change_y);
-            }
-        }
-        grid_velocity.set(p, {solid.x, solid.y});
-        particles.velocity_solid.set(p, updated_velocity(particles.velocity_solid[p], solid, share));
-        store_gradient(solid, p, particles.velocity_gradient_solid);
+        const LocalMotion local = motion_at(*patch, store, nodes_x, motion.data());
+        grid_velocity.x[p] = local.motion[0];
+        grid_velocity.y[p] = local.motion[1];
+        // the particle's own velocity with the grid's change, its noise less the share
+        const double x = velocity.x[p] + local.motion[2], y = velocity.y[p] + local.motion[3];
+        velocity.x[p] = x + share * (local.motion[0] - x);
+        velocity.y[p] = y + share * (local.motion[1] - y);
+        L.xx[p] = local.slope_x[0], L.xy[p] = local.slope_y[0];
+        L.yx[p] = local.slope_x[1], L.yy[p] = local.slope_y[1];
     }
 }
 

@@ -37,17 +37,17 @@ struct OuterForce {
     double risen_weight;     // of water above its level, downward, within the force of the pressure [N/m]
 };
 
-/// Sums scattered from the particles of a body that moves as one phase.
+/// Sums scattered from the particles of a body that moves as one phase; the first four are added to as one.
 struct alignas(64) SinglePhaseSums {
     double mass;                           // inertia [kg/m]
-    double momentum_x, momentum_y;         // [N s/m]
     double weight;                         // mass the gravity acts on [kg/m]
+    double momentum_x, momentum_y;         // [N s/m]
     double stress_force_x, stress_force_y; // - sum V sigma' grad phi [N/m]
 
     bool active() const { return mass > 0.0; }
 };
 
-/// Velocities at the end of the step and their change in it.
+/// Velocities at the end of the step and their change in it, read as one.
 struct SinglePhaseMotion {
     double x, y;               // v [m/s]
     double change_x, change_y; // v - momentum / mass [m/s]

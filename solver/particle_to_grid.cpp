@@ -14,23 +14,6 @@ namespace quicksand {
 
 namespace {
 
-/// Call add(node, weights, dx, dy) for every node of a patch; dx, dy = x_i - x_p.
-template <class Add>
-void for_each_node_with_offset(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
-                               double cell_size, Add&& add)
-{
-    auto k = static_cast<std::size_t>(patch.first);
-    for (std::int32_t b = 0; b < patch.height; ++b) {
-        const double dy = patch.offset_y + b * cell_size;
-        const auto row = static_cast<std::size_t>(patch.base + b * nodes_x);
-        for (std::int32_t a = 0; a < patch.width; ++a, ++k) {
-            add(row + static_cast<std::size_t>(a),
-                NodeWeight{store.value[k], store.gradient_x[k], store.gradient_y[k]},
-                patch.offset_x + a * cell_size, dy);
-        }
-    }
-}
-
 /// What a particle gives to its nodes: with weight phi and offset d from the particle, node sums grow by
 ///   phi amounts,  phi (momentum + slope_x d_x + slope_y d_y),  grad_x flow_x + grad_y flow_y
 /// for the masses, momenta and forces in the order of TwoPhaseSums.
@@ -82,31 +65,60 @@ std::int64_t evaluate_tile(const BackgroundGrid& grid, const Particles& particle
     return limited;
 }
 
-/// `pressure(p)` acts besides the effective stress [Pa].
-template <class Pressure>
-void scatter_one_velocity(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
-                          const CellLists& lists, const Tile& tile, const PatchStore& store,
-                          std::vector<SinglePhaseSums>& sums, Pressure&& pressure)
+/// What a particle of a body that moves as one gives to its nodes, as TwoPhaseShare: lanes mass, weight and
+/// momentum, and the force's flows -V sigma.
+struct SinglePhaseShare {
+    Lanes carried, slope_x, slope_y;
+    double flow_xx, flow_yy, flow_xy; // [N m/m]
+};
+
+/// `pressure` acts besides the effective stress [Pa].
+inline SinglePhaseShare share_of(const Particles& particles, const CarriedMasses& masses, std::size_t p,
+                                 double pressure)
 {
     const Gradients& L = particles.velocity_gradient_solid;
+    const double V = particles.volume[p], m = masses.inertia[p];
+    SinglePhaseShare share;
+    share.carried =
+        Lanes{m, masses.weight[p], m * particles.velocity_solid.x[p], m * particles.velocity_solid.y[p]};
+    share.slope_x = Lanes{0.0, 0.0, m * L.xx[p], m * L.yx[p]};
+    share.slope_y = Lanes{0.0, 0.0, m * L.xy[p], m * L.yy[p]};
+    share.flow_xx = -V * (particles.stress.xx[p] - pressure);
+    share.flow_yy = -V * (particles.stress.yy[p] - pressure);
+    share.flow_xy = -V * particles.stress.xy[p];
+    return share;
+}
+
+/// `pressure(p)` acts besides the effective stress [Pa].
+template <class Pressure>
+inline void scatter_one_velocity(const BackgroundGrid& grid, const Particles& particles,
+                                 const CarriedMasses& masses, const CellLists& lists, const Tile& tile,
+                                 const PatchStore& store, std::vector<SinglePhaseSums>& sums,
+                                 Pressure&& pressure)
+{
+    const double h = grid.cell_size;
+    const std::int32_t nodes_x = grid.nodes_x();
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
-        const double V = particles.volume[p], m = masses.inertia[p], weight = masses.weight[p];
-        const double sxx = V * (particles.stress.xx[p] - pressure(p)),
-                     syy = V * (particles.stress.yy[p] - pressure(p)), sxy = V * particles.stress.xy[p];
-        const Vector2 v = particles.velocity_solid[p];
-
-        for_each_node_with_offset(*patch, store, grid.nodes_x(), grid.cell_size,
-                                  [&](std::size_t i, const NodeWeight& w, double dx, double dy) {
-                                      SinglePhaseSums& node = sums[i];
-                                      node.mass += w.value * m;
-                                      node.weight += w.value * weight;
-                                      node.momentum_x += w.value * m * (v.x() + L.xx[p] * dx + L.xy[p] * dy);
-                                      node.momentum_y += w.value * m * (v.y() + L.yx[p] * dx + L.yy[p] * dy);
-                                      node.stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
-                                      node.stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
-                                  });
+        const SinglePhaseShare share = share_of(particles, masses, p, pressure(p));
+        const Lanes node_step = h * share.slope_x; // of the momentum from a node to the next
+        const auto first = static_cast<std::size_t>(patch->first);
+        const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
+                     *grad_y = store.gradient_y.data() + first;
+        const std::int32_t width = patch->width, height = patch->height;
+        SinglePhaseSums* row = sums.data() + patch->base;
+        double dy = patch->offset_y;
+        for (std::int32_t b = 0; b < height; ++b, row += nodes_x, dy += h) {
+            Lanes carried = share.carried + dy * share.slope_y + patch->offset_x * share.slope_x;
+            for (SinglePhaseSums* node = row; node != row + width; ++node) {
+                add_to(&node->mass, *phi * carried);
+                node->stress_force_x += share.flow_xx * *grad_x + share.flow_xy * *grad_y;
+                node->stress_force_y += share.flow_xy * *grad_x + share.flow_yy * *grad_y;
+                carried += node_step;
+                ++phi, ++grad_x, ++grad_y;
+            }
+        }
     }
 }
 
@@ -120,14 +132,16 @@ void compute_carried_masses(const Problem& problem, const State& state, CarriedM
     if (!problem.water) return;
     const Vectors& place = place_in_equations(problem, particles);
     const bool kept = state.stage == Stage::shaking && problem.water->flow == WaterFlow::undrained;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
-        const double V = particles.volume[p];
-        const double water = kept ? particles.water_volume[p] : particles.porosity[p] * V;
-        masses.inertia[p] += problem.water->density * water;
-        masses.weight[p] = masses.inertia[p];
-        if (place.y[p] < problem.water->level) masses.weight[p] -= problem.water->density * V;
-    }
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t p = first; p < last; ++p) {
+            if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+            const double V = particles.volume[p];
+            const double water = kept ? particles.water_volume[p] : particles.porosity[p] * V;
+            masses.inertia[p] += problem.water->density * water;
+            masses.weight[p] = masses.inertia[p];
+            if (place.y[p] < problem.water->level) masses.weight[p] -= problem.water->density * V;
+        }
+    });
 }
 
 std::int64_t evaluate_weights(const Problem& problem, const Particles& particles, const CellLists& lists,
@@ -178,6 +192,7 @@ void scatter_two_phase(const Problem& problem, const Particles& particles, const
     }
 }
 
+VECTOR_KERNEL
 void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
                           const CellLists& lists, const Tile& tile, const PatchStore& store,
                           std::vector<SinglePhaseSums>& sums)
@@ -185,6 +200,7 @@ void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles
     scatter_one_velocity(grid, particles, masses, lists, tile, store, sums, [](std::size_t) { return 0.0; });
 }
 
+VECTOR_KERNEL
 void scatter_total_stress(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
                           const CellLists& lists, const Tile& tile, const PatchStore& store,
                           std::vector<SinglePhaseSums>& sums)
