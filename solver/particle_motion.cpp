@@ -42,47 +42,55 @@ void advance_chunk(double dt, const Vectors& grid_velocity, std::size_t first, s
     }
 }
 
+/// Cosine and sine of twice the angle by which a particle turns: deviators turn so.
+struct Turns {
+    double cosine, sine; // [-]
+};
+
+inline Turns turn_of(double dt, const Gradients& L, std::size_t p)
+{
+    const double t = 0.25 * dt * (L.yx[p] - L.xy[p]); // tangent of half the angle
+    const double scale = 1.0 / (1.0 + t * t);
+    const double c = (1.0 - t * t) * scale, s = 2.0 * t * scale; // its cosine and sine
+    return {c * c - s * s, 2.0 * s * c};
+}
+
 VECTOR_KERNEL
 void turn_stress(double dt, std::size_t first, std::size_t last, Particles& particles)
 {
-    const Gradients& L = particles.velocity_gradient_solid;
     SymmetricTensors& stress = particles.stress;
 #pragma GCC ivdep
     for (std::size_t p = first; p < last; ++p) {
-        const double t = 0.25 * dt * (L.yx[p] - L.xy[p]); // tangent of half the angle
-        const double scale = 1.0 / (1.0 + t * t);
-        const double c = (1.0 - t * t) * scale, s = 2.0 * t * scale; // its cosine and sine
-        // mean and deviator: the deviator turns by twice the angle
-        const double cos2 = c * c - s * s, sin2 = 2.0 * s * c;
+        const Turns turn = turn_of(dt, particles.velocity_gradient_solid, p);
         const double mean = 0.5 * (stress.xx[p] + stress.yy[p]),
                      deviator = 0.5 * (stress.xx[p] - stress.yy[p]);
         const double shear = stress.xy[p];
-        const double turned = cos2 * deviator - sin2 * shear;
+        const double turned = turn.cosine * deviator - turn.sine * shear;
         stress.xx[p] = mean + turned;
         stress.yy[p] = mean - turned;
-        stress.xy[p] = sin2 * deviator + cos2 * shear;
+        stress.xy[p] = turn.sine * deviator + turn.cosine * shear;
     }
 }
 
+inline void turn_vector(const Turns& turn, std::size_t p, Vectors& vectors)
+{
+    const double x = vectors.x[p], y = vectors.y[p];
+    vectors.x[p] = turn.cosine * x - turn.sine * y;
+    vectors.y[p] = turn.sine * x + turn.cosine * y;
+}
+
 /// The remembered stress ratios and strains of UBCSAND turn with the stress.
+VECTOR_KERNEL
 void turn_memory(double dt, std::size_t first, std::size_t last, Particles& particles)
 {
-    const Gradients& L = particles.velocity_gradient_solid;
-    const auto turn = [](double cos2, double sin2, double& x, double& y) {
-        const double turned = cos2 * x - sin2 * y;
-        y = sin2 * x + cos2 * y;
-        x = turned;
-    };
     CycleMemory& cycles = particles.cycles;
+#pragma GCC ivdep
     for (std::size_t p = first; p < last; ++p) {
-        const double t = 0.25 * dt * (L.yx[p] - L.xy[p]); // as above
-        const double scale = 1.0 / (1.0 + t * t);
-        const double c = (1.0 - t * t) * scale, s = 2.0 * t * scale;
-        const double cos2 = c * c - s * s, sin2 = 2.0 * s * c;
-        turn(cos2, sin2, cycles.peak.x[p], cycles.peak.y[p]);
-        turn(cos2, sin2, cycles.origin.x[p], cycles.origin.y[p]);
-        turn(cos2, sin2, cycles.leg.x[p], cycles.leg.y[p]);
-        turn(cos2, sin2, cycles.back.x[p], cycles.back.y[p]);
+        const Turns turn = turn_of(dt, particles.velocity_gradient_solid, p);
+        turn_vector(turn, p, cycles.peak);
+        turn_vector(turn, p, cycles.origin);
+        turn_vector(turn, p, cycles.leg);
+        turn_vector(turn, p, cycles.back);
     }
 }
 
@@ -136,7 +144,7 @@ void update_porosity(const Problem& problem, Particles& particles)
 
 void update_effective_stress(const Problem& problem, double dt, Particles& particles)
 {
-    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+    for_each_uneven_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         if (problem.strain == StrainForm::large) turn_stress(dt, first, last, particles);
         if (problem.strain == StrainForm::large && particles.has_cycles()) {
             turn_memory(dt, first, last, particles);

@@ -14,6 +14,28 @@ inline constexpr std::size_t least_parallel_work = 2000;
 /// Particles or nodes that a thread takes at a time [-].
 inline constexpr std::int64_t chunk = 512;
 
+/// Call work(i) for i < count. Threads take turns of 64: soil fills some rows of nodes and not others, and
+/// what one thread has written it finds in its own cache in the next loop.
+template <class Work>
+void for_each_index(std::size_t count, Work&& work)
+{
+    const auto total = static_cast<std::int64_t>(count);
+#pragma omp parallel for schedule(static, 64) if (count > least_parallel_work)
+    for (std::int64_t i = 0; i < total; ++i) work(static_cast<std::size_t>(i));
+}
+
+/// Call work(first, last) for chunks of `count` particles that differ in their work: a thread that is done
+/// takes the next.
+template <class Work>
+void for_each_uneven_chunk(std::size_t count, Work&& work)
+{
+    const auto total = static_cast<std::int64_t>(count);
+#pragma omp parallel for schedule(dynamic, 1) if (count > least_parallel_work)
+    for (std::int64_t first = 0; first < total; first += chunk / 2) {
+        work(static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(total, first + chunk / 2)));
+    }
+}
+
 /// Call work(first, last) for chunks of `count` particles, on all threads.
 template <class Work>
 void for_each_chunk(std::size_t count, Work&& work)
