@@ -80,16 +80,13 @@ void respond(const NodeConditions& conditions, PressureSolve& solve)
     gather_tied_forces(conditions, solve);
     const std::vector<WallImpulse> impulses = wall_impulses(solve);
     const NodeCompliances& W = solve.compliance;
-    const auto count = static_cast<std::int64_t>(solve.force_x.size());
-#pragma omp parallel for schedule(static) if (solve.force_x.size() > least_parallel_work)
-    for (std::int64_t k = 0; k < count; ++k) {
-        const auto i = static_cast<std::size_t>(k);
+    for_each_index(solve.force_x.size(), [&](std::size_t i) {
         const double x = solve.force_x[i], y = solve.force_y[i];
         solve.flux_x[i] = W.xx[i] * x + W.xy[i] * y;
         solve.flux_y[i] = W.xy[i] * x + W.yy[i] * y;
         solve.force_x[i] = 0.0;
         solve.force_y[i] = 0.0;
-    }
+    });
     add_flux_of_walls(impulses, solve);
     for (const TiedNodes& tie : conditions.tied) {
         solve.flux_x[tie.node] = solve.flux_x[tie.master];
@@ -210,7 +207,9 @@ bool iterate(const BackgroundGrid& grid, const CellLists& lists, const NodeCondi
 {
     multiply(grid, lists, conditions, dt, solve.increment, solve);
     double error = set_residual(lists, solve, [&](std::size_t c) {
-        solve.residual[c] = is_held(solve, c) ? 0.0 : solve.right_hand_side[c] - solve.product[c];
+        const double lacking = solve.right_hand_side[c] - solve.product[c];
+        solve.residual[c] = is_held(solve, c) ? 0.0 : lacking;
+        if (is_held(solve, c)) solve.cavity.lacking[c] = lacking;
     });
     double weight = 0.0; // residual . M^-1 residual
     for (bool first = true; error > target; first = false, ++solve.iterations) {
@@ -219,7 +218,10 @@ bool iterate(const BackgroundGrid& grid, const CellLists& lists, const NodeCondi
         turn_direction(lists, first ? 0.0 : weight / last, solve);
         const double alpha = weight / multiply(grid, lists, conditions, dt, solve.direction, solve);
         error = set_residual(lists, solve, [&](std::size_t c) {
-            if (is_held(solve, c)) return;
+            if (is_held(solve, c)) {
+                solve.cavity.lacking[c] -= alpha * solve.product[c];
+                return;
+            }
             solve.increment[c] += alpha * solve.direction[c];
             solve.residual[c] -= alpha * solve.product[c];
         });
@@ -241,17 +243,15 @@ void begin_cavities(const CellLists& lists, PressureSolve& solve)
     });
 }
 
-/// What the water's volume asks for, with the product of the increments at hand, and the cells with cavities
-/// that follow from it; returns whether they are others than before.
+/// What the water's volume asks for, and the cells with cavities that follow from it; returns whether they
+/// are others than before.
 bool revise_cavities(const CellLists& lists, PressureSolve& solve)
 {
     CavitySolve& cavity = solve.cavity;
     const double changes = sum_over_tiles(lists, solve, [&](const Tile& tile) {
         double changed = 0.0;
         for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
-            const double beyond = is_held(solve, c)
-                                      ? (solve.right_hand_side[c] - solve.product[c]) / solve.storage[c]
-                                      : 0.0; // the solve's own error
+            const double beyond = is_held(solve, c) ? cavity.lacking[c] / solve.storage[c] : 0.0;
             cavity.water_increment[c] = solve.increment[c] + beyond - cavity.deficit[c];
             const bool held = solve.increment[c] + beyond < cavity.lowest_increment[c];
             if (held == is_held(solve, c)) return;
@@ -282,7 +282,8 @@ PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::siz
 void add_cavities(PressureSolve& solve)
 {
     CavitySolve& cavity = solve.cavity;
-    for (Scalars* by_cell : {&cavity.deficit, &cavity.lowest_increment, &cavity.water_increment})
+    for (Scalars* by_cell :
+         {&cavity.deficit, &cavity.lowest_increment, &cavity.water_increment, &cavity.lacking})
         by_cell->assign(solve.storage.size(), 0.0);
     cavity.cavities.assign(solve.storage.size(), 0);
 }
@@ -302,7 +303,6 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
     begin_cavities(lists, solve);
     for (int k = 0; k < most_sets; ++k) {
         if (!converge()) return false;
-        multiply(grid, lists, conditions, dt, solve.increment, solve);
         if (!revise_cavities(lists, solve)) break;
     }
     return true;
