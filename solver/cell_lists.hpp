@@ -60,9 +60,10 @@ double disorder(const CellLists& lists);
 template <class Work>
 void for_each_tile_by_colour(const CellLists& lists, Work&& work)
 {
+#pragma omp parallel if (lists.order.size() > least_parallel_work)
     for (const std::vector<Tile>& tiles : lists.tiles_of_colour) {
         const auto count = static_cast<std::int64_t>(tiles.size());
-#pragma omp parallel for schedule(dynamic, 1) if (lists.order.size() > least_parallel_work)
+#pragma omp for schedule(dynamic, 1)
         for (std::int64_t t = 0; t < count; ++t) work(tiles[static_cast<std::size_t>(t)]);
     }
 }

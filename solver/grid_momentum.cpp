@@ -182,11 +182,9 @@ void gather_tied_sums(const NodeConditions& conditions, std::vector<OuterForce>&
 
 void centre_drag(double dt, std::vector<TwoPhaseSums>& sums)
 {
-    const auto count = static_cast<std::int64_t>(sums.size());
-#pragma omp parallel for schedule(static) if (sums.size() > least_parallel_work)
-    for (std::int64_t k = 0; k < count; ++k) {
-        TwoPhaseSums& node = sums[static_cast<std::size_t>(k)];
-        if (!node.active() || !(node.drag > 0.0)) continue;
+    for_each_index(sums.size(), [&](std::size_t i) {
+        TwoPhaseSums& node = sums[i];
+        if (!node.active() || !(node.drag > 0.0)) return;
         const double rate = dt * node.drag * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
         const double known = std::min(0.5, 1.0 / rate) * node.drag;
         node.drag -= known;
@@ -194,7 +192,7 @@ void centre_drag(double dt, std::vector<TwoPhaseSums>& sums)
             known * (node.momentum_fluid_x / node.mass_fluid - node.momentum_solid_x / node.mass_solid);
         node.drag_force_y =
             known * (node.momentum_fluid_y / node.mass_fluid - node.momentum_solid_y / node.mass_solid);
-    }
+    });
 }
 
 PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,
@@ -213,18 +211,15 @@ void solve_two_phase_momentum(const Problem& problem, const NodeConditions& cond
                               double acceleration, const std::vector<TwoPhaseSums>& sums,
                               std::vector<TwoPhaseMotion>& motion)
 {
-    const auto count = static_cast<std::int64_t>(sums.size());
-#pragma omp parallel for schedule(static) if (sums.size() > least_parallel_work)
-    for (std::int64_t k = 0; k < count; ++k) {
-        const auto i = static_cast<std::size_t>(k);
+    for_each_index(sums.size(), [&](std::size_t i) {
         if (!sums[i].active()) {
             motion[i] = {};
-            continue;
+            return;
         }
         const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, sums[i]);
         motion[i] = solve_aligned(sums[i], impulses, dt, conditions.of_node[i]);
         set_flux_and_change(problem, sums[i], motion[i]);
-    }
+    });
     for (const SlantedNode& wall : conditions.slanted) {
         const TwoPhaseSums& node = sums[wall.node];
         if (!node.active() || conditions.of_node[wall.node] != 0) continue;
@@ -237,21 +232,17 @@ void solve_two_phase_momentum(const Problem& problem, const NodeConditions& cond
 void set_pressure_compliances(const Problem& problem, const NodeConditions& conditions, double dt,
                               const std::vector<TwoPhaseSums>& sums, NodeCompliances& compliances)
 {
-    compliances.xx.assign(sums.size(), 0.0);
-    compliances.xy.assign(sums.size(), 0.0);
-    compliances.yy.assign(sums.size(), 0.0);
-    const auto count = static_cast<std::int64_t>(sums.size());
-#pragma omp parallel for schedule(static) if (sums.size() > least_parallel_work)
-    for (std::int64_t k = 0; k < count; ++k) {
-        const auto i = static_cast<std::size_t>(k);
-        if (!sums[i].active()) continue;
+    for (Scalars* part : {&compliances.xx, &compliances.xy, &compliances.yy}) part->resize(sums.size());
+    for_each_index(sums.size(), [&](std::size_t i) {
+        compliances.xx[i] = compliances.xy[i] = compliances.yy[i] = 0.0;
+        if (!sums[i].active()) return;
         // x and y do not mix without a slanted wall, so that one force in both directions tells both
         const double n = node_porosity(problem, sums[i]);
         const Vector2 flux = flux_of(n, solve_aligned(sums[i], unit_pressure_impulses(n, Vector2(1.0, 1.0)),
                                                       dt, conditions.of_node[i]));
         compliances.xx[i] = flux.x();
         compliances.yy[i] = flux.y();
-    }
+    });
     for (const SlantedNode& wall : conditions.slanted) {
         const TwoPhaseSums& node = sums[wall.node];
         if (!node.active() || conditions.of_node[wall.node] != 0) continue;
@@ -274,14 +265,11 @@ void solve_single_phase_momentum(const Problem& problem, const NodeConditions& c
     const auto damped = [&](double force, double momentum) {
         return momentum == 0.0 ? force : force - std::copysign(damping * std::abs(force), momentum);
     };
-    const auto count = static_cast<std::int64_t>(sums.size());
-#pragma omp parallel for schedule(static) if (sums.size() > least_parallel_work)
-    for (std::int64_t k = 0; k < count; ++k) {
-        const auto i = static_cast<std::size_t>(k);
+    for_each_index(sums.size(), [&](std::size_t i) {
         const SinglePhaseSums& node = sums[i];
         if (!node.active()) {
             motion[i] = {};
-            continue;
+            return;
         }
         const double force_x = damped(node.stress_force_x - node.mass * acceleration, node.momentum_x);
         const double force_y = damped(node.stress_force_y - node.weight * problem.gravity, node.momentum_y);
@@ -289,7 +277,7 @@ void solve_single_phase_momentum(const Problem& problem, const NodeConditions& c
         motion[i].x = held & solid_x_fixed ? 0.0 : (node.momentum_x + dt * force_x) / node.mass;
         motion[i].y = held & solid_y_fixed ? 0.0 : (node.momentum_y + dt * force_y) / node.mass;
         set_change(node, motion[i]);
-    }
+    });
     for (const SlantedNode& wall : conditions.slanted) {
         if (!sums[wall.node].active() || conditions.of_node[wall.node] != 0) continue;
         Vector2 velocity(motion[wall.node].x, motion[wall.node].y);

@@ -22,7 +22,7 @@ Sum ordered_sum(std::size_t count, const Sum& zero, Add&& add)
 {
     const auto chunks = static_cast<std::int64_t>((count + chunk - 1) / chunk);
     std::vector<Sum> partial(static_cast<std::size_t>(chunks), zero);
-#pragma omp parallel for schedule(static) if (count > least_parallel_work)
+#pragma omp parallel for schedule(static, 1) if (count > least_parallel_work)
     for (std::int64_t c = 0; c < chunks; ++c) {
         const std::size_t first = static_cast<std::size_t>(c) * chunk, last = std::min(count, first + chunk);
         Sum sum = zero;

@@ -23,7 +23,7 @@ namespace {
 void scatter(const Problem& problem, double dt, double time, const State& state, TwoPhaseWorkspace& work)
 {
     const Particles& particles = state.particles;
-    work.sums.assign(work.sums.size(), TwoPhaseSums{});
+    for_each_index(work.sums.size(), [&](std::size_t i) { work.sums[i] = {}; });
     work.outer.assign(work.outer.size(), OuterForce{});
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
         scatter_two_phase(problem, particles, work.lists, tile, work.patches_of(tile), work.sums);
@@ -130,18 +130,18 @@ void solve_pressure(const Problem& problem, double dt, double kick, const State&
     set_up_pressure(problem, dt, kick, state.particles, work);
     // the flux gains over the kick and fills cells over the step: dt kick in the place of the equations' dt^2
     const double step = std::sqrt(dt * kick);
-    for (std::size_t i = 0; i < work.motion.size(); ++i) {
+    for_each_index(work.motion.size(), [&](std::size_t i) {
         pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
         pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
-    }
+    });
     if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
         fail_to_solve(pressure, dt, state);
     set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
-    for (std::size_t i = 0; i < work.sums.size(); ++i) {
+    for_each_index(work.sums.size(), [&](std::size_t i) {
         work.sums[i].pressure_force_x += pressure.force_x[i];
         work.sums[i].pressure_force_y += pressure.force_y[i];
         pressure.force_x[i] = pressure.force_y[i] = 0.0;
-    }
+    });
 }
 
 void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
