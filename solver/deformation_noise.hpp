@@ -12,8 +12,8 @@ namespace quicksand {
 /// v <- v + theta (v_grid - v), theta = 4 dt |D| / (1 + 4 dt |D|), |D| the norm of the rate of strain: a
 /// quarter of a shear by the cell's size fades the noise by a factor e. `grid_velocity` is that with which
 /// the particles move, sum phi v_i. Where theta varies the changes of neighbours do not cancel, and momentum
-/// is kept to the noise that fades (8e-10 of it on a sliding block); giving it back by the nodes would put
-/// the noise back where soil is thin.
+/// is kept to the noise that fades (8e-10 of it on a sliding block, 1e-3 in dry sand that flows for seconds);
+/// giving it back by the nodes would put the noise back where soil is thin.
 void fade_noise_of_deformation(double dt, const Vectors& grid_velocity, Particles& particles);
 
 } // namespace quicksand
