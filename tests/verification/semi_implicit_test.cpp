@@ -45,11 +45,7 @@ TEST(SemiImplicitStep, RandomMotionDecaysForEveryPermeability)
 TEST(SemiImplicitStep, AStiffParticleCountsByItsShareOfTheCell)
 {
     for (const double ratio : {9.0, 36.0}) {
-        Problem problem = semi_implicit_patch(1e-4), as_stiff = problem;
-        State state = restless(problem);
-        std::get<LinearElastic>(as_stiff.materials[0].law).shear_modulus *=
-            stiffen_points(ratio, problem, state);
-        const double dt = stable_time_step(as_stiff, restless(as_stiff).particles).dt;
+        auto [problem, state, dt] = with_stiff_points(ratio, semi_implicit_patch(1e-4));
         EXPECT_GT(dt, 1.1 * stable_time_step(problem, state.particles).dt) << "two materials do not mix";
         const double before = monitor(problem, state, {}).kinetic_energy;
         SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);

@@ -49,11 +49,7 @@ TEST(StableTimeStep, RandomMotionDecaysWithTheCellsVolume)
 TEST(StableTimeStep, AStiffParticleCountsByItsShareOfTheCell)
 {
     for (const double ratio : {9.0, 36.0}) {
-        Problem problem = patch(1.0, false), as_stiff = problem;
-        State state = restless(problem);
-        std::get<LinearElastic>(as_stiff.materials[0].law).shear_modulus *=
-            stiffen_points(ratio, problem, state);
-        const double dt = stable_time_step(as_stiff, restless(as_stiff).particles).dt;
+        auto [problem, state, dt] = with_stiff_points(ratio, patch(1.0, false));
         EXPECT_GT(dt, 1.1 * stable_time_step(problem, state.particles).dt) << "two materials do not mix";
         const double before = monitor(problem, state, {}).kinetic_energy;
         SinglePhaseWorkspace work = make_single_phase_workspace(problem);
