@@ -99,8 +99,7 @@ std::vector<WorkPoint> measure_scene(const std::string& scene, const BenchChoice
     const std::vector<ProbeHistory> reference = read_probe_histories(folder / "reference");
     std::vector<WorkPoint> points;
     for (const Setting& setting : step_settings()) {
-        std::string directory = setting.name;
-        std::replace(directory.begin(), directory.end(), ' ', '_');
+        const std::string directory = file_name_of(setting.name);
         const double seconds = run_setting(scene, setting, choice, folder / directory);
         for (const HistoryError& each : history_errors(read_probe_histories(folder / directory), reference)) {
             journal.say(setting.name + ": " + text_of(each));

@@ -2,6 +2,7 @@
 
 #include "solver/lanes.hpp"
 #include "solver/threads.hpp"
+#include "solver/ubcsand_memory.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -42,17 +43,10 @@ void advance_chunk(double dt, const Vectors& grid_velocity, std::size_t first, s
     }
 }
 
-/// Cosine and sine of twice the angle by which a particle turns: deviators turn so.
-struct Turns {
-    double cosine, sine; // [-]
-};
-
-inline Turns turn_of(double dt, const Gradients& L, std::size_t p)
+/// The rotation of a particle in the step.
+inline ubcsand::Rotation turn_of(double dt, const Gradients& L, std::size_t p)
 {
-    const double t = 0.25 * dt * (L.yx[p] - L.xy[p]); // tangent of half the angle
-    const double scale = 1.0 / (1.0 + t * t);
-    const double c = (1.0 - t * t) * scale, s = 2.0 * t * scale; // its cosine and sine
-    return {c * c - s * s, 2.0 * s * c};
+    return ubcsand::rotation_of(0.5 * dt * (L.yx[p] - L.xy[p]));
 }
 
 VECTOR_KERNEL
@@ -61,7 +55,7 @@ void turn_stress(double dt, std::size_t first, std::size_t last, Particles& part
     SymmetricTensors& stress = particles.stress;
 #pragma GCC ivdep
     for (std::size_t p = first; p < last; ++p) {
-        const Turns turn = turn_of(dt, particles.velocity_gradient_solid, p);
+        const ubcsand::Rotation turn = turn_of(dt, particles.velocity_gradient_solid, p);
         const double mean = 0.5 * (stress.xx[p] + stress.yy[p]),
                      deviator = 0.5 * (stress.xx[p] - stress.yy[p]);
         const double shear = stress.xy[p];
@@ -72,13 +66,6 @@ void turn_stress(double dt, std::size_t first, std::size_t last, Particles& part
     }
 }
 
-inline void turn_vector(const Turns& turn, std::size_t p, Vectors& vectors)
-{
-    const double x = vectors.x[p], y = vectors.y[p];
-    vectors.x[p] = turn.cosine * x - turn.sine * y;
-    vectors.y[p] = turn.sine * x + turn.cosine * y;
-}
-
 /// The remembered stress ratios and strains of UBCSAND turn with the stress.
 VECTOR_KERNEL
 void turn_memory(double dt, std::size_t first, std::size_t last, Particles& particles)
@@ -86,11 +73,9 @@ void turn_memory(double dt, std::size_t first, std::size_t last, Particles& part
     CycleMemory& cycles = particles.cycles;
 #pragma GCC ivdep
     for (std::size_t p = first; p < last; ++p) {
-        const Turns turn = turn_of(dt, particles.velocity_gradient_solid, p);
-        turn_vector(turn, p, cycles.peak);
-        turn_vector(turn, p, cycles.origin);
-        turn_vector(turn, p, cycles.leg);
-        turn_vector(turn, p, cycles.back);
+        const ubcsand::Rotation turn = turn_of(dt, particles.velocity_gradient_solid, p);
+        for (Vectors* vectors : {&cycles.peak, &cycles.origin, &cycles.leg, &cycles.back})
+            ubcsand::turn_vector(turn, vectors->x[p], vectors->y[p]);
     }
 }
 
