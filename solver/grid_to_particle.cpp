@@ -9,6 +9,21 @@ namespace quicksand {
 
 namespace {
 
+/// Call add(node, phi, d phi/dx, d phi/dy) for the nodes of a patch.
+template <class Node, class Add>
+inline void for_each_weighted_node(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
+                                   const Node* nodes, Add&& add)
+{
+    const auto first = static_cast<std::size_t>(patch.first);
+    const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
+                 *grad_y = store.gradient_y.data() + first;
+    const std::int32_t width = patch.width, height = patch.height;
+    const Node* row = nodes + patch.base;
+    for (std::int32_t b = 0; b < height; ++b, row += nodes_x) {
+        for (const Node* node = row; node != row + width; ++node) add(*node, *phi++, *grad_x++, *grad_y++);
+    }
+}
+
 /// The grid's motion at a particle of a body that moves as one: lanes v and its change, as SinglePhaseMotion.
 struct LocalMotion {
     Lanes motion = all_lanes(0.0);                            // [m/s]
@@ -19,20 +34,13 @@ inline LocalMotion motion_at(const StoredPatch& patch, const PatchStore& store, 
                              const SinglePhaseMotion* motion)
 {
     LocalMotion local;
-    const auto first = static_cast<std::size_t>(patch.first);
-    const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
-                 *grad_y = store.gradient_y.data() + first;
-    const std::int32_t width = patch.width, height = patch.height;
-    const SinglePhaseMotion* row = motion + patch.base;
-    for (std::int32_t b = 0; b < height; ++b, row += nodes_x) {
-        for (const SinglePhaseMotion* node = row; node != row + width; ++node) {
-            const Lanes at_node = load_lanes(&node->x);
-            local.motion += *phi * at_node;
-            local.slope_x += *grad_x * at_node;
-            local.slope_y += *grad_y * at_node;
-            ++phi, ++grad_x, ++grad_y;
-        }
-    }
+    for_each_weighted_node(patch, store, nodes_x, motion,
+                           [&](const SinglePhaseMotion& node, double phi, double grad_x, double grad_y) {
+                               const Lanes at_node = load_lanes(&node.x);
+                               local.motion += phi * at_node;
+                               local.slope_x += grad_x * at_node;
+                               local.slope_y += grad_y * at_node;
+                           });
     return local;
 }
 
@@ -47,22 +55,15 @@ inline LocalTwoPhaseMotion motion_at(const StoredPatch& patch, const PatchStore&
                                      const TwoPhaseMotion* motion)
 {
     LocalTwoPhaseMotion local;
-    const auto first = static_cast<std::size_t>(patch.first);
-    const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
-                 *grad_y = store.gradient_y.data() + first;
-    const std::int32_t width = patch.width, height = patch.height;
-    const TwoPhaseMotion* row = motion + patch.base;
-    for (std::int32_t b = 0; b < height; ++b, row += nodes_x) {
-        for (const TwoPhaseMotion* node = row; node != row + width; ++node) {
-            const Lanes velocity = load_lanes(&node->solid_x);
-            local.velocity += *phi * velocity;
-            local.change += *phi * load_lanes(&node->solid_change_x);
-            local.slope_x += *grad_x * velocity;
-            local.slope_y += *grad_y * velocity;
-            local.divergence += *grad_x * node->flux_x + *grad_y * node->flux_y;
-            ++phi, ++grad_x, ++grad_y;
-        }
-    }
+    for_each_weighted_node(patch, store, nodes_x, motion,
+                           [&](const TwoPhaseMotion& node, double phi, double grad_x, double grad_y) {
+                               const Lanes velocity = load_lanes(&node.solid_x);
+                               local.velocity += phi * velocity;
+                               local.change += phi * load_lanes(&node.solid_change_x);
+                               local.slope_x += grad_x * velocity;
+                               local.slope_y += grad_y * velocity;
+                               local.divergence += grad_x * node.flux_x + grad_y * node.flux_y;
+                           });
     return local;
 }
 
