@@ -37,9 +37,9 @@ struct Frame {
     std::vector<FrameText> texts;
 };
 
-/// Write an XML .vtu file (appended raw, zlib level 1) by way of a temporary file. Points are Float64: a
-/// Float32 of a 100 m section resolves only 8e-6 m. The units go to the text `units`, a line "name: unit" for
-/// every array. Throws FileError.
+/// Write an XML .vtu file (arrays in place, zlib level 1) by way of a temporary file, on the disk itself when
+/// it returns. Points are Float64: a Float32 of a 100 m section resolves only 8e-6 m. The units go to the
+/// text `units`, a line "name: unit" for every array. Throws FileError.
 void write_frame(const std::filesystem::path& path, const Frame& frame);
 
 /// Read such a file. Throws FileError.

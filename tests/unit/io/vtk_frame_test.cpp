@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace quicksand {
 
 using fixtures::TemporaryFolder;
@@ -44,6 +46,16 @@ TEST(VtkFrame, ReadsBackWhatWasWritten)
     ASSERT_EQ(read.texts.size(), 1u);
     EXPECT_EQ(read.texts[0].lines, written.texts[0].lines);
     EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
+}
+
+TEST(VtkFrame, IsXmlThroughout)
+{
+    const TemporaryFolder folder;
+    write_frame(folder / "a.vtu", two_quads());
+    const std::string text = fixtures::text_of(folder / "a.vtu");
+    EXPECT_EQ(text.find("AppendedData"), std::string::npos);
+    EXPECT_TRUE(std::all_of(text.begin(), text.end(),
+                            [](char letter) { return letter == '\n' || (letter >= ' ' && letter <= '~'); }));
 }
 
 TEST(VtkFrame, AFullDiskLeavesNothingBehind)
