@@ -188,6 +188,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
         divide_materials(assembled.scene, assembled.sampling, of_region, assembled.problem);
     Particles& particles = assembled.state.particles;
     particles = make_particles(assembled.problem, assembled.sampling, of_domain);
+    assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not
     set_initial_state(assembled.scene, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;

@@ -16,7 +16,7 @@ struct AssembledCase {
     Problem problem;
     State state;
     Section section;
-    Sampling sampling;
+    Sampling sampling;    // its domains have become the particles
     Diagnostics warnings; // of the scene and of the assembly
 };
 

@@ -117,10 +117,8 @@ void add_stencil(const CellParticles& cell, std::int32_t slot, Block block, Tile
 {
     const std::size_t first = divergence.used, count = static_cast<std::size_t>(block.nodes * block.nodes);
     const std::size_t with_row_end = count + 4;
-    if (divergence.x.size() < first + with_row_end) {
-        divergence.x.resize(2 * (first + with_row_end));
-        divergence.y.resize(2 * (first + with_row_end));
-    }
+    make_room(divergence.x, first + with_row_end);
+    make_room(divergence.y, first + with_row_end);
     double *x = divergence.x.data() + first, *y = divergence.y.data() + first;
     std::fill(x, x + with_row_end, 0.0);
     std::fill(y, y + with_row_end, 0.0);

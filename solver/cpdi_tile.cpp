@@ -67,7 +67,7 @@ std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& p
     const int columns = grid.nodes_x();
     const Lanes nodes = {0.0, 1.0, 2.0, 3.0};
     std::int64_t limited = 0;
-    store.clear();
+    store.clear_for(lists.last_entry(tile) - lists.first_entry(tile));
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const double r1_x = particles.half_edge_1.x[p], r1_y = particles.half_edge_1.y[p];
@@ -91,7 +91,7 @@ std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& p
         for (int c = 0; c < 4; ++c) domain.along_x[c] = hats(corners_x[c] - nodes);
 
         const int count = along.nodes * up.nodes;
-        store.make_room(static_cast<std::size_t>(count));
+        store.extend(static_cast<std::size_t>(count));
         store.patches.push_back({up.first * columns + along.first, static_cast<std::int16_t>(along.nodes),
                                  static_cast<std::int16_t>(up.nodes), static_cast<std::int32_t>(store.used),
                                  rim.x() + along.first * h - x, rim.y() + up.first * h - y});

@@ -39,6 +39,14 @@ struct StoredPatch {
     double offset_x, offset_y;
 };
 
+/// Lengthen work space to `needed` numbers and an eighth to spare; left to itself a vector doubles.
+inline void make_room(std::vector<double>& values, std::size_t needed)
+{
+    if (needed <= values.size()) return;
+    values.reserve(needed + needed / 8);
+    values.resize(values.capacity());
+}
+
 /// The patches of one tile's particles, in the order of the cell lists. The three parts of the weights stand
 /// in arrays of their own, so that rows of a patch are written four nodes at a time.
 struct PatchStore {
@@ -48,27 +56,26 @@ struct PatchStore {
     std::vector<double> value, gradient_x, gradient_y; // as NodeWeight; longer than what is in use
     std::size_t used = 0;                              // weights of the patches so far
 
-    void clear()
+    /// Empty the store for the patches of so many particles.
+    void clear_for(std::size_t particles)
     {
         patches.clear();
+        patches.reserve(particles);
         used = 0;
     }
 
     /// Make room for a patch of `count` nodes.
-    void make_room(std::size_t count)
+    void extend(std::size_t count)
     {
         const std::size_t needed = used + count + lanes;
         if (needed <= value.size()) return;
-        const std::size_t size = needed + needed / 2;
-        value.resize(size);
-        gradient_x.resize(size);
-        gradient_y.resize(size);
+        for (std::vector<double>* part : {&value, &gradient_x, &gradient_y}) make_room(*part, needed);
     }
 
     void push_back(const NodePatch& patch)
     {
         const int count = patch.width * patch.height;
-        make_room(static_cast<std::size_t>(count));
+        extend(static_cast<std::size_t>(count));
         patches.push_back({patch.base, static_cast<std::int16_t>(patch.width),
                            static_cast<std::int16_t>(patch.height), static_cast<std::int32_t>(used),
                            patch.offset_x, patch.offset_y});

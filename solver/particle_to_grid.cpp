@@ -55,7 +55,7 @@ template <NodeInterpolation Member>
 std::int64_t evaluate_tile(const BackgroundGrid& grid, const Particles& particles, const CellLists& lists,
                            const Tile& tile, PatchStore& store)
 {
-    store.clear();
+    store.clear_for(lists.last_entry(tile) - lists.first_entry(tile));
     std::int64_t limited = 0;
     NodePatch patch;
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k) {
