@@ -1,6 +1,6 @@
 // The program quicksand: one command a call, failures sorted into exit codes.
 #include "app/command_line.hpp"
-#include "app/thread_patience.hpp"
+#include "app/process_settings.hpp"
 #include "io/file_error.hpp"
 #include "solver/failure.hpp"
 
@@ -51,6 +51,6 @@ ExitCode execute(int argument_count, char** arguments)
 
 int main(int argument_count, char** arguments)
 {
-    quicksand::wait_patiently(arguments);
+    quicksand::apply_process_settings(arguments);
     return static_cast<int>(execute(argument_count, arguments));
 }

@@ -1,0 +1,32 @@
+#include "app/process_settings.hpp"
+
+#include <unistd.h>
+
+#include <cstdlib>
+
+namespace quicksand {
+
+namespace {
+
+constexpr const char* spins = "1000"; // some microseconds, what a loop of balanced threads takes to end
+constexpr const char* huge_pages = "glibc.malloc.hugetlb=1";
+
+bool is_set(const char* name)
+{
+    return std::getenv(name) != nullptr;
+}
+
+} // namespace
+
+void apply_process_settings(char** arguments)
+{
+    const bool waits_as_chosen = is_set("GOMP_SPINCOUNT") || is_set("OMP_WAIT_POLICY");
+    const bool memory_as_chosen = is_set("GLIBC_TUNABLES");
+    if (waits_as_chosen && memory_as_chosen) return;
+    if (!waits_as_chosen && setenv("GOMP_SPINCOUNT", spins, 0) != 0) return;
+    if (!memory_as_chosen && setenv("GLIBC_TUNABLES", huge_pages, 0) != 0) return;
+    // Comes back only when it fails; then the run goes on as it is.
+    execv("/proc/self/exe", arguments);
+}
+
+} // namespace quicksand

@@ -1,0 +1,15 @@
+// What libraries read from the environment once, when they are loaded.
+#pragma once
+
+namespace quicksand {
+
+/// Start the program again with settings for OpenMP's and C's libraries, but for those the user has chosen;
+/// does nothing where they are made.
+///
+/// Waiting threads sleep soon instead of spinning: a step has many short loops, and on a machine with other
+/// work a spinning thread keeps the very one that it waits for from running, for a factor of ten in run time.
+/// Memory comes in pages of 2 MB where the system has them: looking up small ones takes a sixth of a step of
+/// 300,000 particles and more.
+void apply_process_settings(char** arguments);
+
+} // namespace quicksand
