@@ -26,17 +26,12 @@ ParticleModuli particle_moduli(const NeoHookean& law, std::size_t first, std::si
 {
     // acoustic tensor along n: {[lambda (1 - ln J) + mu] n (x) n + mu (n.B n) I} / J
     const double lambda = lame_modulus(law), mu = law.shear_modulus;
-    double stiffest = 0.0, sum = 0.0, volume = 0.0;
-    for (std::size_t p = first; p < last; ++p) {
+    return collect_moduli(first, last, particles.volume.data(), [&](std::size_t p) {
         const Eigen::Matrix2d F = deformation_gradient(particles, p);
         const double J = F.determinant(), trace = F.squaredNorm(); // tr B
         const double largest = 0.5 * (trace + std::sqrt(std::max(0.0, trace * trace - 4.0 * J * J)));
-        const double M = (lambda * (1.0 - std::log(J)) + mu + mu * largest) / J;
-        stiffest = std::max(stiffest, M);
-        sum += particles.volume[p] * M;
-        volume += particles.volume[p];
-    }
-    return {sum / volume, stiffest};
+        return (lambda * (1.0 - std::log(J)) + mu + mu * largest) / J;
+    });
 }
 
 void update_stress(const NeoHookean& law, double, std::size_t first, std::size_t last, Particles& particles)

@@ -42,16 +42,10 @@ double shear_modulus(const SettlingSand& law)
 ParticleModuli particle_moduli(const SettlingSand& law, std::size_t first, std::size_t last,
                                const Particles& particles)
 {
-    double stiffest = 0.0, sum = 0.0, volume = 0.0;
-    for (std::size_t p = first; p < last; ++p) {
+    return collect_moduli(first, last, particles.volume.data(), [&](std::size_t p) {
         const double s = -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]);
-        const double M =
-            shear_modulus_at(law.sand, std::max(s, law.sand.s_min)) * constrained_over_shear(law.sand);
-        stiffest = std::max(stiffest, M);
-        sum += particles.volume[p] * M;
-        volume += particles.volume[p];
-    }
-    return {sum / volume, stiffest};
+        return shear_modulus_at(law.sand, std::max(s, law.sand.s_min)) * constrained_over_shear(law.sand);
+    });
 }
 
 void update_stress(const SettlingSand& law, double dt, std::size_t first, std::size_t last,

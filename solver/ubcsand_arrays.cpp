@@ -299,16 +299,10 @@ void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, 
 ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
                                const double* stress_xx, const double* stress_yy, const double* volume)
 {
-    double stiffest = 0.0, sum = 0.0, whole = 0.0;
-    for (std::size_t p = first; p < last; ++p) {
+    return collect_moduli(first, last, volume, [&](std::size_t p) {
         const double s = larger(law.s_min, -0.5 * (stress_xx[p] + stress_yy[p]));
-        const double M =
-            law.square_roots ? elastic_moduli<true>(law, s).E1 : elastic_moduli<false>(law, s).E1;
-        stiffest = larger(stiffest, M);
-        sum += volume[p] * M;
-        whole += volume[p];
-    }
-    return {sum / whole, stiffest};
+        return law.square_roots ? elastic_moduli<true>(law, s).E1 : elastic_moduli<false>(law, s).E1;
+    });
 }
 
 } // namespace quicksand
