@@ -157,10 +157,6 @@ NodeConditions node_conditions(const Problem& problem, Stage stage, double time)
             const std::uint8_t conditions = conditions_of(soil, boundary.water);
             const bool is_wall = soil == SoilCondition::fixed || soil == SoilCondition::roller ||
                                  soil == SoilCondition::viscous;
-            if (soil == SoilCondition::viscous) {
-                for_each_node_held(problem, segment, segment,
-                                   [&](std::size_t node) { result.viscous.push_back(node); });
-            }
             if (conditions != 0 || is_wall)
                 add_segment(problem, segment, conditions, is_wall, result, masters);
         }

@@ -55,7 +55,6 @@ struct NodeConditions {
     std::vector<TiedNodes> tied;
     std::vector<std::size_t> master;     // of each node: the node that carries its sums, itself mostly
     std::vector<WallNode> walls;         // of moving walls, see moving_walls.hpp
-    std::vector<std::size_t> viscous;    // nodes of viscous curves
     std::vector<std::int64_t> wall_rows; // for which rows the walls' nodes were found
 };
 

@@ -9,11 +9,13 @@
 
 namespace quicksand {
 
-/// v <- v + theta (v_grid - v), theta = 4 dt |D| / (1 + 4 dt |D|), |D| the norm of the rate of strain: a
+/// v <- v + theta (v_grid - v - c), theta = 4 dt |D| / (1 + 4 dt |D|), |D| the norm of the rate of strain: a
 /// quarter of a shear by the cell's size fades the noise by a factor e. `grid_velocity` is that with which
-/// the particles move, sum phi v_i. Where theta varies the changes of neighbours do not cancel, and momentum
-/// is kept to the noise that fades (8e-10 of it on a sliding block, 1e-3 in dry sand that flows for seconds);
-/// giving it back by the nodes would put the noise back where soil is thin.
-void fade_noise_of_deformation(double dt, const Vectors& grid_velocity, Particles& particles);
+/// the particles move, sum phi v_i, `mass` that with which they were scattered [kg/m]. Where theta varies
+/// the changes of neighbours do not cancel: c, the mean of what fades over all that deforms, sum m theta
+/// (v_grid - v) / sum m theta, keeps the momentum. Given back nearer by, to nodes or cells, it would put the
+/// noise back. `share` is work space.
+void fade_noise_of_deformation(double dt, const Scalars& mass, const Vectors& grid_velocity, Scalars& share,
+                               Particles& particles);
 
 } // namespace quicksand

@@ -6,6 +6,7 @@
 #include "solver/threads.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace quicksand {
@@ -14,31 +15,11 @@ namespace {
 
 enum NodeKind : std::uint8_t { stands_for_nobody, free_node, wall_node };
 
-constexpr std::size_t chunk = 1024; // entries of one partial sum: the sum's order is that of the chunks [-]
-
-/// Sum from `zero` by add(k, sum) over 0 <= k < count, the same bits for any number of threads.
-template <class Sum, class Add>
-Sum ordered_sum(std::size_t count, const Sum& zero, Add&& add)
-{
-    const auto chunks = static_cast<std::int64_t>((count + chunk - 1) / chunk);
-    std::vector<Sum> partial(static_cast<std::size_t>(chunks), zero);
-#pragma omp parallel for schedule(static, 1) if (count > least_parallel_work)
-    for (std::int64_t c = 0; c < chunks; ++c) {
-        const std::size_t first = static_cast<std::size_t>(c) * chunk, last = std::min(count, first + chunk);
-        Sum sum = zero;
-        for (std::size_t k = first; k < last; ++k) add(k, sum);
-        partial[static_cast<std::size_t>(c)] = sum;
-    }
-    Sum total = zero;
-    for (const Sum& part : partial) total += part;
-    return total;
-}
-
 /// The entries of one step, nodes summed up.
 struct StepEntries {
     double kinetic = 0.0, skeleton = 0.0, late_pressure = 0.0; // [J/m]
     double drag = 0.0, gravity = 0.0, base = 0.0, boundary = 0.0, wall_loss = 0.0;
-    Vector2 impulse = Vector2::Zero(), before = Vector2::Zero(), after = Vector2::Zero(); // [N s/m]
+    Vector2 impulse = Vector2::Zero(); // [N s/m]
 
     StepEntries& operator+=(const StepEntries& other)
     {
@@ -51,8 +32,6 @@ struct StepEntries {
         boundary += other.boundary;
         wall_loss += other.wall_loss;
         impulse += other.impulse;
-        before += other.before;
-        after += other.after;
         return *this;
     }
 };
@@ -60,18 +39,13 @@ struct StepEntries {
 /// One phase's motion at a node over the step.
 struct PhaseStep {
     Vector2 end, mean, impulse; // v_1, (v_0 + v_1) / 2 [m/s] and m (v_1 - v_0) [N s/m]
+    double kinetic() const { return impulse.dot(mean); } // what its energy gains [J/m]
 };
 
 PhaseStep phase_step(double mass, double x, double y, double change_x, double change_y)
 {
     const Vector2 end(x, y), change(change_x, change_y);
     return {end, end - 0.5 * change, mass * change};
-}
-
-void enter_phase(double mass, const PhaseStep& phase, StepEntries& entries)
-{
-    entries.kinetic += phase.impulse.dot(phase.mean);
-    entries.after += mass * phase.end;
 }
 
 /// The wall's reaction works with the wall's velocity; that it stops nodes is a loss.
@@ -91,10 +65,6 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
                                        motion.solid_change_y);
     const PhaseStep fluid = phase_step(node.mass_fluid, motion.fluid_x, motion.fluid_y, motion.fluid_change_x,
                                        motion.fluid_change_y);
-    enter_phase(node.mass_solid, solid, entries);
-    enter_phase(node.mass_fluid, fluid, entries);
-    entries.before +=
-        Vector2(node.momentum_solid_x + node.momentum_fluid_x, node.momentum_solid_y + node.momentum_fluid_y);
 
     const double density = problem.water->density;
     const double porosity = node_porosity(problem, node);
@@ -111,6 +81,7 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     const Vector2 drag =
         dt * (node.drag * (fluid.end - solid.end) + Vector2(node.drag_force_x, node.drag_force_y));
 
+    entries.kinetic += solid.kinetic() + fluid.kinetic();
     entries.skeleton -= (stress - load).dot(solid.mean);
     entries.boundary += load.dot(solid.mean) + water.dot(mean_flux);
     entries.late_pressure -=
@@ -131,11 +102,10 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
                 StepEntries& entries)
 {
     const PhaseStep body = phase_step(node.mass, motion.x, motion.y, motion.change_x, motion.change_y);
-    enter_phase(node.mass, body, entries);
-    entries.before += Vector2(node.momentum_x, node.momentum_y);
     const Vector2 stress = dt * Vector2(node.stress_force_x, node.stress_force_y);
     const Vector2 base(-dt * node.mass * acceleration, 0.0), weight(0.0, -dt * node.weight * problem.gravity);
     const Vector2 load(dt * (outer.load_x + outer.water_x), dt * (outer.load_y + outer.water_y));
+    entries.kinetic += body.kinetic();
     entries.skeleton -= (stress - load).dot(body.mean);
     entries.boundary += load.dot(body.mean);
     entries.gravity += weight.dot(body.mean);
@@ -145,7 +115,7 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
 }
 
 /// Add a step's sums to the books.
-void enter_step(const Problem& problem, const StepEntries& step, Ledger& ledger)
+void enter_step(const StepEntries& step, Ledger& ledger)
 {
     ledger.kinetic_change += step.kinetic;
     ledger.skeleton_work += step.skeleton;
@@ -157,13 +127,6 @@ void enter_step(const Problem& problem, const StepEntries& step, Ledger& ledger)
     ledger.wall_loss += step.wall_loss;
     ledger.impulse_x += step.impulse.x();
     ledger.impulse_y += step.impulse.y();
-    if (problem.water) {
-        // the water of a particle changes with its pores: what it then has at the velocity of the particle
-        ledger.exchange_x += step.before.x() - ledger.momentum_x;
-        ledger.exchange_y += step.before.y() - ledger.momentum_y;
-    }
-    ledger.momentum_x = step.after.x();
-    ledger.momentum_y = step.after.y();
 }
 
 template <class Sums, class Motion>
@@ -171,28 +134,29 @@ void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& no
                      double acceleration, const std::vector<Sums>& sums, const std::vector<OuterForce>& outer,
                      const std::vector<Motion>& motion, Ledger& ledger)
 {
-    const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t i, StepEntries& entries) {
-        if (nodes[i] == stands_for_nobody || !sums[i].active()) return;
-        enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i],
-                   outer.empty() ? OuterForce{} : outer[i], motion[i], entries);
+    const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t first, std::size_t last) {
+        StepEntries entries;
+        for (std::size_t i = first; i < last; ++i) {
+            if (nodes[i] == stands_for_nobody || !sums[i].active()) continue;
+            enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i],
+                       outer.empty() ? OuterForce{} : outer[i], motion[i], entries);
+        }
+        return entries;
     });
-    enter_step(problem, step, ledger);
+    enter_step(step, ledger);
 }
 
-/// Momentum that the water gained since the last step's balance, by the change of the pores in it [N s/m].
-Vector2 latest_exchange(const Problem& problem, double dt, const Particles& particles)
+/// sum value(p) over the particles, four sums side by side: one alone would wait for each addition.
+template <class Sum, class Value>
+Sum sum_particles(std::size_t count, const Sum& zero, Value&& value)
 {
-    Vector2 sum = Vector2::Zero();
-    if (problem.strain == StrainForm::small || water_flow(problem) == WaterFlow::undrained) return sum;
-    const Gradients& L = particles.velocity_gradient_solid;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
-        const double growth =
-            (1.0 + dt * L.xx[p]) * (1.0 + dt * L.yy[p]) - dt * dt * L.xy[p] * L.yx[p]; // V / V of before
-        const double mass = problem.water->density * particles.volume[p] * (1.0 - 1.0 / growth);
-        sum += mass * velocity_of_water(particles, p);
-    }
-    return sum;
+    return ordered_sum(count, zero, [&](std::size_t first, std::size_t last) {
+        std::array<Sum, 4> lanes{zero, zero, zero, zero};
+        for (; first + 4 <= last; first += 4)
+            for (std::size_t k = 0; k < 4; ++k) lanes[k] += value(first + k);
+        for (; first < last; ++first) lanes[0] += value(first);
+        return Sum((lanes[0] + lanes[1]) + (lanes[2] + lanes[3]));
+    });
 }
 
 } // namespace
@@ -205,9 +169,13 @@ std::vector<std::uint8_t> ledger_nodes(const NodeConditions& conditions)
     }
     for (const SlantedNode& wall : conditions.slanted) kinds[wall.node] = wall_node;
     for (const WallNode& wall : conditions.walls) kinds[wall.inner] = kinds[wall.outer] = wall_node;
-    for (const std::size_t node : conditions.viscous) kinds[node] = wall_node; // dashpots as reactions
     for (const TiedNodes& tie : conditions.tied) kinds[tie.node] = stands_for_nobody;
     return kinds;
+}
+
+void count_reaction(std::size_t node, std::vector<std::uint8_t>& kinds)
+{
+    kinds[node] = wall_node;
 }
 
 void open_ledger(const Problem& problem, State& state)
@@ -215,8 +183,8 @@ void open_ledger(const Problem& problem, State& state)
     const Monitors sums = monitor(problem, state, {});
     Ledger ledger;
     ledger.opening_kinetic_energy = sums.kinetic_energy;
-    ledger.opening_momentum_x = ledger.momentum_x = sums.momentum_x;
-    ledger.opening_momentum_y = ledger.momentum_y = sums.momentum_y;
+    ledger.opening_momentum_x = sums.momentum_x;
+    ledger.opening_momentum_y = sums.momentum_y;
     if (problem.water) {
         ledger.opening_storage_energy = storage_energy(problem, state.particles);
         ledger.opening_water_content = water_content(problem, state.particles);
@@ -250,17 +218,24 @@ void enter_outflow(const Problem& problem, double dt, const Particles& particles
             return 0.0;
         return particles.volume[p] * (flux_divergence[p] - (L.xx[p] + L.yy[p]));
     };
-    // four sums side by side: one alone would wait for each addition
-    constexpr std::size_t lanes = 4;
-    const std::size_t rows = particles.size() / lanes;
-    const auto sums =
-        ordered_sum<Eigen::Vector4d>(rows, Eigen::Vector4d::Zero(), [&](std::size_t k, auto& sum) {
-            for (std::size_t lane = 0; lane < lanes; ++lane)
-                sum[static_cast<Eigen::Index>(lane)] += outflow(k * lanes + lane);
-        });
-    double rest = 0.0;
-    for (std::size_t p = rows * lanes; p < particles.size(); ++p) rest += outflow(p);
-    ledger.outflow += dt * (sums.sum() + rest);
+    ledger.outflow += dt * sum_particles(particles.size(), 0.0, outflow);
+}
+
+void enter_exchange(const Problem& problem, double dt, const Particles& particles, Ledger& ledger)
+{
+    const bool pores_are_constant = problem.strain == StrainForm::small;
+    if (!problem.water || pores_are_constant || water_flow(problem) == WaterFlow::undrained) return;
+    const Gradients& L = particles.velocity_gradient_solid;
+    const bool all_wet = !has_unsaturated_soil(problem);
+    const auto exchange = [&](std::size_t p) -> Vector2 {
+        if (!all_wet && !problem.materials[static_cast<std::size_t>(particles.material[p])].saturated)
+            return Vector2::Zero();
+        const double growth = dt * (L.xx[p] + L.yy[p]) + dt * dt * (L.xx[p] * L.yy[p] - L.xy[p] * L.yx[p]);
+        return problem.water->density * particles.volume[p] * growth * velocity_of_water(particles, p);
+    };
+    const Vector2 sum = sum_particles<Vector2>(particles.size(), Vector2::Zero(), exchange);
+    ledger.exchange_x += sum.x();
+    ledger.exchange_y += sum.y();
 }
 
 LedgerBalance balance(const Problem& problem, const State& state)
@@ -273,13 +248,11 @@ LedgerBalance balance(const Problem& problem, const State& state)
     result.numerical_loss = ledger.kinetic_change - kinetic + ledger.wall_loss;
     const double outside = ledger.gravity_work + ledger.base_work + ledger.boundary_work;
     double stored = 0.0, storage = 0.0;
-    Vector2 exchange(ledger.exchange_x, ledger.exchange_y);
     if (problem.water) {
         storage = storage_energy(problem, state.particles);
         // undrained, the skeleton's work is that of the total stress: the water's share is in it
         if (water_flow(problem) == WaterFlow::coupled)
             stored = storage - ledger.late_pressure_work - ledger.opening_storage_energy;
-        exchange += latest_exchange(problem, state.last_step, state.particles);
         const double content = water_content(problem, state.particles);
         if (water_flow(problem) != WaterFlow::drained) // where water comes and goes uncounted
             result.water_error =
@@ -292,8 +265,10 @@ LedgerBalance balance(const Problem& problem, const State& state)
                             std::abs(ledger.drag_dissipation) + std::abs(ledger.gravity_work) +
                             std::abs(ledger.base_work) + std::abs(ledger.boundary_work);
     result.energy_error = turnover > 0.0 ? error / turnover : 0.0;
-    result.momentum_error_x = sums.momentum_x - ledger.opening_momentum_x - ledger.impulse_x - exchange.x();
-    result.momentum_error_y = sums.momentum_y - ledger.opening_momentum_y - ledger.impulse_y - exchange.y();
+    result.momentum_error_x =
+        sums.momentum_x - ledger.opening_momentum_x - ledger.impulse_x - ledger.exchange_x;
+    result.momentum_error_y =
+        sums.momentum_y - ledger.opening_momentum_y - ledger.impulse_y - ledger.exchange_y;
     return result;
 }
 

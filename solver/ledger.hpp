@@ -26,6 +26,9 @@ void open_ledger(const Problem& problem, State& state);
 /// a wall, whose reaction is what the known forces leave of the change of momentum.
 std::vector<std::uint8_t> ledger_nodes(const NodeConditions& conditions);
 
+/// Count what the known forces leave at a node as a reaction from now on: dashpots move with the soil.
+void count_reaction(std::size_t node, std::vector<std::uint8_t>& kinds);
+
 /// Enter the works of one step's forces on the nodes; `acceleration` is that of the base [m/s2], `outer` what
 /// of the forces comes from outside, or nothing.
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
@@ -41,6 +44,10 @@ void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes,
 /// particles move.
 void enter_outflow(const Problem& problem, double dt, const Particles& particles,
                    const Scalars& flux_divergence, Ledger& ledger);
+
+/// Enter the momentum of the water that comes with the growth of its particle's pores in a step, at the
+/// particle's velocity. Before the particles move.
+void enter_exchange(const Problem& problem, double dt, const Particles& particles, Ledger& ledger);
 
 /// Balances at the present state.
 struct LedgerBalance {

@@ -106,7 +106,8 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
         // undrained waves are far faster than any deformation
         if (problem.strain == StrainForm::large && !is_undrained(problem, state))
-            fade_noise_of_deformation(dt, work.grid_velocity, particles);
+            fade_noise_of_deformation(dt, work.masses.inertia, work.grid_velocity, work.fading, particles);
+        if (state.ledger) enter_exchange(problem, dt, particles, *state.ledger);
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress, [&] {

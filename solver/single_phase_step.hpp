@@ -14,6 +14,7 @@ struct SinglePhaseWorkspace : StepWorkspace {
     std::vector<OuterForce> outer; // none where there are none
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
+    Scalars fading;             // shares of the noise of deformation that go in the step [-]
     CellMeans cell_means;       // of the pore pressure, undrained only
     Scalars pressure_increment; // of the cells, undrained only [Pa]
 };

@@ -29,8 +29,6 @@ struct Ledger {
     double impulse_y = 0.0;
     double exchange_x = 0.0; // momentum that came with changes of the particles' water content [N s/m]
     double exchange_y = 0.0;
-    double momentum_x = 0.0; // of the nodes after the last step's balance [N s/m]
-    double momentum_y = 0.0;
     double outflow = 0.0; // water that left the soil [m3/m]
 
     double opening_kinetic_energy = 0.0;
@@ -56,8 +54,6 @@ void for_each_number(AnyLedger& ledger, Visitor&& visit)
     visit("ledger_impulse_y", ledger.impulse_y);
     visit("ledger_exchange_x", ledger.exchange_x);
     visit("ledger_exchange_y", ledger.exchange_y);
-    visit("ledger_momentum_x", ledger.momentum_x);
-    visit("ledger_momentum_y", ledger.momentum_y);
     visit("ledger_outflow", ledger.outflow);
     visit("ledger_opening_kinetic_energy", ledger.opening_kinetic_energy);
     visit("ledger_opening_storage_energy", ledger.opening_storage_energy);

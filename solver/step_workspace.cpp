@@ -63,6 +63,7 @@ void place_boundaries(const Problem& problem, double dt, const State& state, Ste
     work.dashpots.clear();
     if (state.stage == Stage::shaking)
         gather_dashpots(problem, state.particles, work.conditions, work.places, work.dashpots);
+    for (const Dashpot& dashpot : work.dashpots) count_reaction(dashpot.node, work.ledger_nodes);
 }
 
 void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work)

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace quicksand {
 
@@ -45,6 +46,24 @@ void for_each_chunk(std::size_t count, Work&& work)
     for (std::int64_t first = 0; first < total; first += chunk) {
         work(static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(total, first + chunk)));
     }
+}
+
+/// zero + the sums of part(first, last) over chunks of 1024, added in their order: the same bits for any
+/// number of threads.
+template <class Sum, class Part>
+Sum ordered_sum(std::size_t count, const Sum& zero, Part&& part)
+{
+    constexpr std::size_t length = 1024;
+    const auto parts = static_cast<std::int64_t>((count + length - 1) / length);
+    std::vector<Sum> sums(static_cast<std::size_t>(parts), zero);
+#pragma omp parallel for schedule(static, 1) if (count > least_parallel_work)
+    for (std::int64_t k = 0; k < parts; ++k) {
+        const std::size_t first = static_cast<std::size_t>(k) * length;
+        sums[static_cast<std::size_t>(k)] = part(first, std::min(count, first + length));
+    }
+    Sum total = zero;
+    for (const Sum& sum : sums) total += sum;
+    return total;
 }
 
 } // namespace quicksand

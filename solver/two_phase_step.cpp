@@ -67,7 +67,9 @@ void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& 
                          work.grid_velocity, work.flux_divergence);
     });
     if (work.partly_saturated) carry_moisture(problem, particles);
-    if (state.ledger) enter_outflow(problem, dt, particles, work.flux_divergence, *state.ledger);
+    if (!state.ledger) return;
+    enter_outflow(problem, dt, particles, work.flux_divergence, *state.ledger);
+    enter_exchange(problem, dt, particles, *state.ledger);
 }
 
 [[noreturn]] void fail_to_solve(const PressureSolve& pressure, double dt, const State& state)
