@@ -303,6 +303,7 @@ Commands add_commands(CLI::App& program)
     add_verify(program, commands);
     add_bench(program, commands);
     commands.push_back({program.add_subcommand("version", "Print the version"), print_version});
+    program.set_version_flag("--version", version_text(), "Print the version");
     return commands;
 }
 

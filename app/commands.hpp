@@ -127,4 +127,7 @@ ExitCode run_demo(const DemoChoice& choice);
 ExitCode verify_problems(const VerifyChoice& choice);
 ExitCode print_version();
 
+/// Name and version of the program.
+std::string version_text();
+
 } // namespace quicksand

@@ -5,9 +5,14 @@
 
 namespace quicksand {
 
+std::string version_text()
+{
+    return "Quicksand " + program_version();
+}
+
 ExitCode print_version()
 {
-    std::cout << "Quicksand " << program_version() << '\n';
+    std::cout << version_text() << '\n';
     return ExitCode::good;
 }
 

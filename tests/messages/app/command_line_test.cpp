@@ -121,6 +121,7 @@ TEST(CommandLine, APlaceNeedsTwoNumbers)
 TEST(CommandLine, TheVersionIsPrinted)
 {
     const Outcome outcome = run_program("version");
+    EXPECT_EQ(run_program("--version").output, outcome.output);
     EXPECT_EQ(outcome.code, 0);
     EXPECT_TRUE(outcome.output.starts_with("Quicksand ")) << outcome.output;
 }
