@@ -214,10 +214,10 @@ void set_up_blocks(const BackgroundGrid& grid, const CellLists& lists, const Nod
     }
 }
 
-void precondition(const CellLists& lists, const Scalars& residual, PressureBlocks& blocks, Scalars& answer)
+void precondition(const Scalars& residual, PressureBlocks& blocks, Scalars& answer)
 {
     const auto count = static_cast<std::int64_t>(blocks.blocks.size());
-#pragma omp parallel for schedule(dynamic, 1) if (lists.order.size() > least_parallel_work)
+#pragma omp parallel for schedule(dynamic, 1) if (count > 1)
     for (std::int64_t b = 0; b < count; ++b)
         solve_block(residual, blocks.blocks[static_cast<std::size_t>(b)]);
     std::fill(answer.begin(), answer.end(), 0.0);

@@ -43,6 +43,6 @@ void set_up_blocks(const BackgroundGrid& grid, const CellLists& lists, const Nod
 
 /// answer = M^-1 residual, both by slot, for the cells of all blocks; the residual must be zero where there
 /// is no soil any more.
-void precondition(const CellLists& lists, const Scalars& residual, PressureBlocks& blocks, Scalars& answer);
+void precondition(const Scalars& residual, PressureBlocks& blocks, Scalars& answer);
 
 } // namespace quicksand

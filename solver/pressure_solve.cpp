@@ -162,7 +162,7 @@ double set_residual(const CellLists& lists, PressureSolve& solve, Set&& set)
 /// are divided by their diagonal.
 double answer_residual(const CellLists& lists, PressureSolve& solve)
 {
-    precondition(lists, solve.residual, solve.blocks, solve.answer);
+    precondition(solve.residual, solve.blocks, solve.answer);
     return sum_over_tiles(lists, solve, [&](const Tile& tile) {
         double sum = 0.0;
         for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
