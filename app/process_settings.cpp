@@ -9,7 +9,7 @@ namespace quicksand {
 namespace {
 
 constexpr const char* spins = "1000"; // some microseconds, what a loop of balanced threads takes to end
-constexpr const char* huge_pages = "glibc.malloc.hugetlb=1";
+constexpr const char* memory = "glibc.malloc.hugetlb=1:glibc.malloc.arena_max=1";
 
 bool is_set(const char* name)
 {
@@ -24,7 +24,7 @@ void apply_process_settings(char** arguments)
     const bool memory_as_chosen = is_set("GLIBC_TUNABLES");
     if (waits_as_chosen && memory_as_chosen) return;
     if (!waits_as_chosen && setenv("GOMP_SPINCOUNT", spins, 0) != 0) return;
-    if (!memory_as_chosen && setenv("GLIBC_TUNABLES", huge_pages, 0) != 0) return;
+    if (!memory_as_chosen && setenv("GLIBC_TUNABLES", memory, 0) != 0) return;
     // Comes back only when it fails; then the run goes on as it is.
     execv("/proc/self/exe", arguments);
 }
