@@ -5,7 +5,6 @@
 #include "solver/monitors.hpp"
 #include "solver/threads.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -159,6 +158,15 @@ Sum sum_particles(std::size_t count, const Sum& zero, Value&& value)
     });
 }
 
+/// Whether a particle is saturated, a function of its number; materials are looked up only where there is
+/// soil of both kinds.
+auto wetness(const Problem& problem, const Particles& particles)
+{
+    return [&, all_wet = !has_unsaturated_soil(problem)](std::size_t p) {
+        return all_wet || problem.materials[static_cast<std::size_t>(particles.material[p])].saturated;
+    };
+}
+
 } // namespace
 
 std::vector<std::uint8_t> ledger_nodes(const NodeConditions& conditions)
@@ -212,10 +220,9 @@ void enter_outflow(const Problem& problem, double dt, const Particles& particles
                    const Scalars& flux_divergence, Ledger& ledger)
 {
     const Gradients& L = particles.velocity_gradient_solid;
-    const bool all_wet = !has_unsaturated_soil(problem);
+    const auto is_wet = wetness(problem, particles);
     const auto outflow = [&](std::size_t p) {
-        if (!all_wet && !problem.materials[static_cast<std::size_t>(particles.material[p])].saturated)
-            return 0.0;
+        if (!is_wet(p)) return 0.0;
         return particles.volume[p] * (flux_divergence[p] - (L.xx[p] + L.yy[p]));
     };
     ledger.outflow += dt * sum_particles(particles.size(), 0.0, outflow);
@@ -226,10 +233,9 @@ void enter_exchange(const Problem& problem, double dt, const Particles& particle
     const bool pores_are_constant = problem.strain == StrainForm::small;
     if (!problem.water || pores_are_constant || water_flow(problem) == WaterFlow::undrained) return;
     const Gradients& L = particles.velocity_gradient_solid;
-    const bool all_wet = !has_unsaturated_soil(problem);
+    const auto is_wet = wetness(problem, particles);
     const auto exchange = [&](std::size_t p) -> Vector2 {
-        if (!all_wet && !problem.materials[static_cast<std::size_t>(particles.material[p])].saturated)
-            return Vector2::Zero();
+        if (!is_wet(p)) return Vector2::Zero();
         const double growth = dt * (L.xx[p] + L.yy[p]) + dt * dt * (L.xx[p] * L.yy[p] - L.xy[p] * L.yx[p]);
         return problem.water->density * particles.volume[p] * growth * velocity_of_water(particles, p);
     };
@@ -285,10 +291,11 @@ double storage_energy(const Problem& problem, const Particles& particles)
 double water_content(const Problem& problem, const Particles& particles)
 {
     const bool fixed = problem.strain == StrainForm::small;
+    const auto is_wet = wetness(problem, particles);
     const Scalars& heights = fixed ? particles.reference_position.y : particles.position.y;
     double sum = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+        if (!is_wet(p)) continue;
         // cavities hold the volume that the missing tension stands for
         const double cavities = particles.tension_deficit.empty() ? 0.0 : particles.tension_deficit[p];
         const double pressure =

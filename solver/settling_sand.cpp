@@ -44,7 +44,7 @@ ParticleModuli particle_moduli(const SettlingSand& law, std::size_t first, std::
 {
     return collect_moduli(first, last, particles.volume.data(), [&](std::size_t p) {
         const double s = -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]);
-        return shear_modulus_at(law.sand, std::max(s, law.sand.s_min)) * constrained_over_shear(law.sand);
+        return shear_modulus_at(law.sand, s) * constrained_over_shear(law.sand);
     });
 }
 
