@@ -19,13 +19,19 @@ std::string processor_name()
     return "unknown processor";
 }
 
+/// Of those that kernels are compiled for, see solver/lanes.hpp.
+const char* widest_vectors()
+{
+    if (__builtin_cpu_supports("avx512vl")) return "8 doubles (AVX-512)";
+    return __builtin_cpu_supports("avx2") ? "4 doubles (AVX2)" : "2 doubles (SSE2)";
+}
+
 } // namespace
 
 std::string machine_text()
 {
     return fmt::format("{}, {} threads, vectors of {}; gcc {}", processor_name(),
-                       std::thread::hardware_concurrency(),
-                       __builtin_cpu_supports("avx2") ? "4 doubles (AVX2)" : "2 doubles (SSE2)", __VERSION__);
+                       std::thread::hardware_concurrency(), widest_vectors(), __VERSION__);
 }
 
 double resident_bytes()

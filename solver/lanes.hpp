@@ -1,7 +1,7 @@
-// Four doubles worked on together, and kernels that exist in two versions of the same bits.
+// Four doubles worked on together, and kernels that exist in two or three versions of the same bits.
 //
 // The arithmetic of lanes is element by element, and fused multiply-adds are off, so that a kernel gives the
-// same bits whether the machine takes four doubles at once (AVX2) or two (baseline x86-64).
+// same bits whether the machine takes eight doubles at once (AVX-512), four (AVX2) or two (baseline x86-64).
 #pragma once
 
 #include <cstdint>
@@ -13,6 +13,13 @@
 #define VECTOR_KERNEL [[gnu::flatten, gnu::target_clones("avx2", "default")]]
 #else
 #define VECTOR_KERNEL
+#endif
+
+/// The same, and for AVX-512: for loops over eight points at once. Kernels of four lanes gain nothing by it.
+#if defined(__GNUC__) && !defined(__clang__)
+#define WIDE_VECTOR_KERNEL [[gnu::flatten, gnu::target_clones("arch=x86-64-v4", "avx2", "default")]]
+#else
+#define WIDE_VECTOR_KERNEL
 #endif
 
 namespace quicksand {

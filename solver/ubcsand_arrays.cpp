@@ -253,7 +253,7 @@ inline void advance_points(const UbcSand& law, double dt, std::size_t first, std
     }
 }
 
-VECTOR_KERNEL
+WIDE_VECTOR_KERNEL
 void advance_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
                          const UbcSandArrays& points)
 {
@@ -261,21 +261,21 @@ void advance_first_order(const UbcSand& law, double dt, std::size_t first, std::
 }
 
 /// With the exponents of the generic set.
-VECTOR_KERNEL
+WIDE_VECTOR_KERNEL
 void advance_generic_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                                  Turn turned, const UbcSandArrays& points)
 {
     advance_points<true, Integration::first_order>(law, dt, first, last, turned, points);
 }
 
-VECTOR_KERNEL
+WIDE_VECTOR_KERNEL
 void advance_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
                           const UbcSandArrays& points)
 {
     advance_points<false, Integration::second_order>(law, dt, first, last, turned, points);
 }
 
-VECTOR_KERNEL
+WIDE_VECTOR_KERNEL
 void advance_generic_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                                   Turn turned, const UbcSandArrays& points)
 {
