@@ -19,6 +19,11 @@ Singles load(const float* from)
     return singles;
 }
 
+void store(const Singles& singles, float* to)
+{
+    std::memcpy(to, &singles, sizeof singles);
+}
+
 float sum_of(const Singles& s)
 {
     return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
@@ -42,35 +47,83 @@ float dot(const float* a, const float* b, std::size_t count)
     return sum;
 }
 
-VECTOR_KERNEL
-void factorise_band(std::size_t rows, std::size_t band, float least_pivot, float* lower, float* diagonal)
+/// The sum of each of eight vectors.
+Singles sums_of(const Singles (&s)[8])
 {
+    const auto add_pairs = [](const Singles& a, const Singles& b) {
+        return __builtin_shufflevector(a, b, 0, 2, 8, 10, 4, 6, 12, 14) +
+               __builtin_shufflevector(a, b, 1, 3, 9, 11, 5, 7, 13, 15);
+    };
+    const Singles low = add_pairs(add_pairs(s[0], s[1]), add_pairs(s[2], s[3]));
+    const Singles high = add_pairs(add_pairs(s[4], s[5]), add_pairs(s[6], s[7]));
+    return __builtin_shufflevector(low, high, 0, 1, 2, 3, 8, 9, 10, 11) +
+           __builtin_shufflevector(low, high, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+
+/// Row by row, each from its first column on; the rows are those of BandedCholesky, with 1/L(r, r) on the
+/// diagonal.
+VECTOR_KERNEL
+void factorise_rows(std::size_t rows, std::size_t band, float least_pivot, float* lower)
+{
+    constexpr std::size_t lanes = BandedCholesky::lanes;
+    const std::size_t stride = band + lanes;
     for (std::size_t r = 0; r < rows; ++r) {
-        float* row = lower + r * band;
-        const std::size_t first = r < band ? band - r : 0; // numbers before the first column are zero
-        for (std::size_t k = first; k < band; ++k) {
-            const std::size_t column = r + k - band;
-            row[k] = (row[k] - dot(row, lower + column * band + band - k, k)) * diagonal[column];
+        const std::size_t block = r / lanes * lanes;
+        float* row = lower + r * stride; // column c is number c + band - block
+        for (std::size_t c = r < band ? 0 : r - band; c < r; ++c) {
+            const std::size_t before = c + band - block; // columns left of c
+            const std::size_t block_of_c = c / lanes * lanes;
+            const float* row_of_c = lower + c * stride + block - block_of_c;
+            row[before] = (row[before] - dot(row, row_of_c, before)) * row_of_c[before];
         }
-        const float pivot = std::max(least_pivot, diagonal[r] - dot(row, row, band));
-        diagonal[r] = 1.0f / std::sqrt(pivot);
+        const std::size_t before = r + band - block;
+        const float pivot = std::max(least_pivot, row[before] - dot(row, row, before));
+        row[before] = 1.0f / std::sqrt(pivot);
+    }
+}
+
+/// Replace the triangle T of a block, its diagonal inverted already, by T^-1:
+///   T^-1(i, j) = - T^-1(i, i) sum_k T(i, k) T^-1(k, j), k from j to i - 1.
+void invert_triangle(std::size_t stride, float* triangle)
+{
+    for (std::size_t i = 0; i < BandedCholesky::lanes; ++i) {
+        float* row = triangle + i * stride;
+        for (std::size_t j = 0; j < i; ++j) {
+            float sum = 0.0f;
+            for (std::size_t k = j; k < i; ++k) sum += row[k] * triangle[k * stride + j];
+            row[j] = -row[i] * sum;
+        }
     }
 }
 
 VECTOR_KERNEL
-void solve_band(std::size_t rows, std::size_t band, const float* lower, const float* diagonal, float* vector)
+void solve_blocks(std::size_t rows, std::size_t band, const float* lower, float* vector)
 {
-    for (std::size_t r = 0; r < rows; ++r) {
-        float& x = vector[band + r];
-        x = (x - dot(lower + r * band, vector + r, band)) * diagonal[r];
+    constexpr std::size_t lanes = BandedCholesky::lanes;
+    const std::size_t stride = band + lanes;
+    for (std::size_t r = 0; r < rows; r += lanes) { // L y = b
+        const float* block = lower + r * stride;
+        float* own = vector + band + r;
+        Singles sums[lanes] = {};
+        for (std::size_t k = 0; k < band; k += lanes) {
+            const Singles x = load(vector + r + k);
+            for (std::size_t i = 0; i < lanes; ++i) sums[i] += load(block + i * stride + k) * x;
+        }
+        const Singles rest = load(own) - sums_of(sums);
+        for (std::size_t i = 0; i < lanes; ++i) sums[i] = load(block + i * stride + band) * rest;
+        store(sums_of(sums), own);
     }
-    for (std::size_t r = rows; r-- > 0;) {
-        const float x = vector[band + r] * diagonal[r];
-        vector[band + r] = x;
-        const float* row = lower + r * band;
-        for (std::size_t k = 0; k < band; k += BandedCholesky::lanes) {
-            const Singles rest = load(vector + r + k) - x * load(row + k);
-            std::memcpy(vector + r + k, &rest, sizeof rest);
+    for (std::size_t r = rows; r > 0;) { // L^T x = y
+        r -= lanes;
+        const float* block = lower + r * stride;
+        float* own = vector + band + r;
+        Singles x = {};
+        for (std::size_t i = 0; i < lanes; ++i) x += own[i] * load(block + i * stride + band);
+        store(x, own);
+        for (std::size_t k = 0; k < band; k += lanes) {
+            Singles rest = load(vector + r + k);
+            for (std::size_t i = 0; i < lanes; ++i) rest -= x[i] * load(block + i * stride + k);
+            store(rest, vector + r + k);
         }
     }
 }
@@ -81,18 +134,20 @@ void BandedCholesky::reset(std::size_t rows, std::size_t band)
 {
     rows_ = rows;
     band_ = (band + lanes - 1) / lanes * lanes;
-    lower_.assign(rows_ * band_, 0.0f);
-    diagonal_.assign(rows_, 0.0f);
+    lower_.assign(padded_rows() * (band_ + lanes), 0.0f);
+    for (std::size_t row = rows_; row < padded_rows(); ++row) add(row, row, 1.0);
 }
 
 void BandedCholesky::factorise(float least_pivot)
 {
-    factorise_band(rows_, band_, least_pivot, lower_.data(), diagonal_.data());
+    factorise_rows(padded_rows(), band_, least_pivot, lower_.data());
+    const std::size_t stride = band_ + lanes;
+    for (std::size_t r = 0; r < rows_; r += lanes) invert_triangle(stride, &lower_[r * stride + band_]);
 }
 
 void BandedCholesky::solve(float* vector) const
 {
-    solve_band(rows_, band_, lower_.data(), diagonal_.data(), vector);
+    solve_blocks(padded_rows(), band_, lower_.data(), vector);
 }
 
 } // namespace quicksand

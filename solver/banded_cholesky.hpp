@@ -7,10 +7,11 @@
 
 namespace quicksand {
 
-/// L of A = L L^T, row by row.
+/// L of A = L L^T in blocks of eight rows, which are solved together: their triangle on the diagonal is kept
+/// as its inverse.
 class BandedCholesky {
 public:
-    static constexpr std::size_t lanes = 8;
+    static constexpr std::size_t lanes = 8; // rows of a block
 
     /// A zero matrix of `rows` rows with at most `band` numbers left of the diagonal.
     void reset(std::size_t rows, std::size_t band);
@@ -21,23 +22,24 @@ public:
     /// Add to A(row, column), column <= row, row - column <= band. Before factorise() only.
     void add(std::size_t row, std::size_t column, double value)
     {
-        if (row == column) {
-            diagonal_[row] += static_cast<float>(value);
-        } else {
-            lower_[row * band_ + band_ + column - row] += static_cast<float>(value);
-        }
+        const std::size_t first = row / lanes * lanes; // of the block
+        lower_[row * (band_ + lanes) + band_ + column - first] += static_cast<float>(value);
     }
 
     /// Pivots that rounding or left-out numbers have brought below `least_pivot` are set to it.
     void factorise(float least_pivot);
 
-    /// Solve A x = b in place. The vector has band() zeros before its rows() numbers.
+    /// Of the vectors of solve(): band() zeros, rows() numbers, and zeros to whole blocks.
+    std::size_t vector_length() const { return band_ + padded_rows(); }
+
+    /// Solve A x = b in place.
     void solve(float* vector) const;
 
 private:
+    std::size_t padded_rows() const { return (rows_ + lanes - 1) / lanes * lanes; }
+
     std::size_t rows_ = 0, band_ = 0;
-    std::vector<float> lower_;    // band_ numbers of a row, the last is that next to the diagonal
-    std::vector<float> diagonal_; // of A, then 1 / L(r, r)
+    std::vector<float> lower_; // of a row the columns from band_ before its block to the block's last
 };
 
 } // namespace quicksand

@@ -148,18 +148,16 @@ std::size_t band_of(const NodeTouches& touches)
     return std::min(band, largest_band);
 }
 
-void factorise(double dt, const PressureEquations& equations, const NodeTouches& touches,
-               const std::vector<std::uint8_t>& blocks_of_slot, CellBlock& block)
+void factorise(double dt, const PressureEquations& equations, const NodeTouches& touches, CellBlock& block)
 {
     const std::size_t rows = block.slots.size(), band = band_of(touches);
     block.factor.reset(rows, band);
-    block.solution.assign(rows + block.factor.band(), 0.0f);
+    block.solution.assign(block.factor.vector_length(), 0.0f);
     block.scale.resize(rows);
     std::vector<double> scale(rows);
     for (std::size_t row = 0; row < rows; ++row) {
         const auto slot = static_cast<std::size_t>(block.slots[row]);
         scale[row] = 1.0 / std::sqrt(equations.diagonal[slot]);
-        block.scale[row] = static_cast<float>(scale[row] / std::sqrt(blocks_of_slot[slot]));
         block.factor.add(row, row, equations.storage[slot] / equations.diagonal[slot]);
     }
     const NodeCompliances& W = equations.compliance;
@@ -210,7 +208,18 @@ void set_up_blocks(const BackgroundGrid& grid, const CellLists& lists, const Nod
     NodeTouches touches(grid, conditions);
     for (CellBlock& block : blocks.blocks) {
         find_touches(grid, block, stencil_of_slot, touches);
-        factorise(dt, equations, touches, blocks.blocks_of_slot, block);
+        factorise(dt, equations, touches, block);
+    }
+}
+
+void scale_blocks(const Scalars& diagonal, PressureBlocks& blocks)
+{
+    for (CellBlock& block : blocks.blocks) {
+        for (std::size_t row = 0; row < block.slots.size(); ++row) {
+            const auto slot = static_cast<std::size_t>(block.slots[row]);
+            block.scale[row] =
+                static_cast<float>(1.0 / std::sqrt(diagonal[slot] * blocks.blocks_of_slot[slot]));
+        }
     }
 }
 

@@ -2,7 +2,8 @@
 //
 // In a time step the water's pressure is felt as far as its sound travels, some c dt = 3 to 10 cells, so that
 // blocks of 64 x 64 cells that overlap a little hardly need each other (additive Schwarz; the overlap is
-// weighted to keep it symmetric). The equations change slowly: the factor of one step serves many.
+// weighted to keep it symmetric). The equations change slowly but for their scale: the factor of one step
+// serves many.
 #pragma once
 
 #include "solver/background_grid.hpp"
@@ -40,6 +41,11 @@ struct PressureBlocks {
 /// Divide the cells with soil in blocks and factorise their equations.
 void set_up_blocks(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                    double dt, const PressureEquations& equations, PressureBlocks& blocks);
+
+/// Give the factors the scale of the present diagonal [m2/Pa per metre]. A particle that has entered a cell
+/// since the set-up makes all of its D larger, which the scale follows: right after a set-up that is most of
+/// what changes from step to step. Before precondition(), once in a step.
+void scale_blocks(const Scalars& diagonal, PressureBlocks& blocks);
 
 /// answer = M^-1 residual, both by slot, for the cells of all blocks; the residual must be zero where there
 /// is no soil any more.

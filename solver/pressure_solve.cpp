@@ -294,6 +294,7 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
     set_diagonal(grid, lists, dt, solve);
     if (solve.blocks_are_due) set_up_blocks(grid, lists, conditions, dt, solve, solve.blocks);
     solve.blocks_are_due = false;
+    scale_blocks(solve.diagonal, solve.blocks);
     const double scale = set_right_hand_side(grid, lists, dt, solve);
     const double target = controls.tolerance * controls.tolerance * scale;
     const auto converge = [&] { return iterate(grid, lists, conditions, dt, target, controls, solve); };

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <random>
 
 namespace quicksand {
@@ -34,8 +35,9 @@ double largest_error(Eigen::Index rows, Eigen::Index band)
     }
     factor.factorise(1e-4f);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(rows, -1.0, 2.0);
-    std::vector<float> vector(factor.band(), 0.0f);
-    for (const double value : b) vector.push_back(static_cast<float>(value));
+    std::vector<float> vector(factor.vector_length(), 0.0f);
+    std::transform(b.begin(), b.end(), vector.begin() + static_cast<std::ptrdiff_t>(factor.band()),
+                   [](double value) { return static_cast<float>(value); });
     factor.solve(vector.data());
     const Eigen::VectorXd x = A.llt().solve(b);
     double error = 0.0;
@@ -65,7 +67,7 @@ TEST(BandedCholesky, KeepsPivotsPositive)
     factor.add(1, 0, 2.0); // not positive definite
     factor.add(1, 1, 1.0);
     factor.factorise(0.25f);
-    std::vector<float> vector(factor.band() + 2, 0.0f);
+    std::vector<float> vector(factor.vector_length(), 0.0f);
     vector[factor.band()] = 1.0f;
     factor.solve(vector.data());
     EXPECT_FLOAT_EQ(vector[factor.band()], 17.0f); // of L = [1 0; 2 0.5]
