@@ -46,17 +46,19 @@ void measure_scheme(const BenchChoice& choice, const std::string& scheme, Journa
 {
     std::vector<std::string> overrides;
     if (!scheme.empty()) overrides.push_back("analysis.scheme=\"" + scheme + '"');
-    SceneSetup setup = set_up_body(choice, only_scene(choice), overrides, journal);
-    State& state = setup.assembled.state;
+    const SceneSetup setup = set_up_body(choice, only_scene(choice), overrides, journal);
     const std::vector<int> counts =
         choice.threads > 0 ? std::vector<int>{choice.threads} : std::vector<int>{1, 2};
-    const std::size_t particles = state.particles.size();
+    const std::size_t particles = setup.assembled.state.particles.size();
     journal.say(fmt::format("{}{}, {} particles: median of {} runs of {} steps", setup.assembled.scene.title,
                             scheme.empty() ? "" : ", " + scheme + " steps",
                             grouped(static_cast<long long>(particles)), measured_runs,
                             steps_of_a_run(particles)));
     std::vector<StepCost> costs;
-    for (const int count : counts) costs.push_back(measure_step(setup.assembled.problem, count, state));
+    for (const int count : counts) {
+        State state = setup.assembled.state; // every count sees the same motion
+        costs.push_back(measure_step(setup.assembled.problem, count, state));
+    }
     journal.say(cost_table(counts, costs, static_cast<double>(particles)));
 }
 
