@@ -6,6 +6,7 @@
 #include "solver/monitors.hpp"
 #include "solver/motion_measures.hpp"
 #include "solver/simulation.hpp"
+#include "solver/threads.hpp"
 
 #include <fmt/format.h>
 

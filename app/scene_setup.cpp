@@ -2,7 +2,7 @@
 
 #include "io/run_manifest.hpp"
 #include "solver/failure.hpp"
-#include "solver/simulation.hpp"
+#include "solver/threads.hpp"
 
 #include <fmt/format.h>
 

@@ -12,6 +12,7 @@
 #include "solver/failure.hpp"
 #include "solver/ledger.hpp"
 #include "solver/soil_column.hpp"
+#include "solver/threads.hpp"
 
 #include <fmt/format.h>
 

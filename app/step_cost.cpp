@@ -4,6 +4,7 @@
 #include "solver/failure.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stepper.hpp"
+#include "solver/threads.hpp"
 
 #include <algorithm>
 #include <array>

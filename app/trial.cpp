@@ -6,6 +6,7 @@
 #include "solver/ledger.hpp"
 #include "solver/simulation.hpp"
 #include "solver/soil_column.hpp"
+#include "solver/threads.hpp"
 
 #include <sys/resource.h>
 

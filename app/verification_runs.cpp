@@ -6,6 +6,7 @@
 #include "io/scene_verification.hpp"
 #include "solver/failure.hpp"
 #include "solver/simulation.hpp"
+#include "solver/threads.hpp"
 
 #include <fmt/format.h>
 

@@ -6,6 +6,7 @@
 #include "io/verification_figure.hpp"
 #include "solver/failure.hpp"
 #include "solver/simulation.hpp"
+#include "solver/threads.hpp"
 
 #include <fmt/format.h>
 

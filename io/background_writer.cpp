@@ -1,6 +1,7 @@
 #include "io/background_writer.hpp"
 
 #include "solver/simulation.hpp"
+#include "solver/threads.hpp"
 
 #include <chrono>
 #include <utility>

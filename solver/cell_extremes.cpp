@@ -85,13 +85,14 @@ CellExtremes find_extremes(const Problem& problem, const Particles& particles)
     const CellExtremes none{0.0, std::vector<MaterialExtremes>(problem.materials.size())};
     CellExtremes extremes = none;
     const auto count = static_cast<std::int64_t>(particles.size());
+    constexpr auto length = static_cast<std::int64_t>(chunk);
 #pragma omp parallel if (particles.size() > least_parallel_work)
     {
         CellExtremes own = none;
 #pragma omp for schedule(static) nowait
-        for (std::int64_t first = 0; first < count; first += chunk) {
+        for (std::int64_t first = 0; first < count; first += length) {
             include_chunk(problem, particles, static_cast<std::size_t>(first),
-                          static_cast<std::size_t>(std::min(count, first + chunk)), own);
+                          static_cast<std::size_t>(std::min(count, first + length)), own);
         }
 #pragma omp critical(extremes)
         {

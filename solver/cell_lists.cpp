@@ -39,8 +39,9 @@ CellLists make_cell_lists(const BackgroundGrid& grid)
                 }
             }
             const auto colour = static_cast<std::size_t>(2 * (tile_j % 2) + tile_i % 2);
-            lists.tiles_of_colour[colour].push_back(
-                {static_cast<std::int32_t>(lists.tile_count++), first, slot});
+            const Tile tile = {static_cast<std::int32_t>(lists.tiles.size()), first, slot};
+            lists.tiles.push_back(tile);
+            lists.tiles_of_colour[colour].push_back(tile);
         }
     }
     lists.cell_of_slot.resize(grid.cell_count());

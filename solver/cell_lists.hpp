@@ -31,9 +31,9 @@ struct CellLists {
     std::vector<std::int32_t> cell_of_particle; // slot of the cell of the particle's centre [-]
     std::vector<std::int32_t> cell_start;       // slot -> first entry of `order`; one more than slots [-]
     std::vector<std::int32_t> order;            // particles, cell by cell [-]
+    std::vector<Tile> tiles;                    // by number
     std::array<std::vector<Tile>, 4> tiles_of_colour;
     std::vector<std::int32_t> scratch; // buffer of the counting sort
-    std::size_t tile_count = 0;
 
     /// Entries of `order` that belong to a tile: [first_entry, last_entry).
     std::size_t first_entry(const Tile& tile) const
@@ -56,15 +56,33 @@ std::int64_t update_cell_lists(const BackgroundGrid& grid, const Particles& part
 /// Fraction of particles whose neighbour in memory is not their neighbour in the lists [-].
 double disorder(const CellLists& lists);
 
+/// Shares of tiles with as many particles each: those that the thread has in loops over particles, too.
+inline WorkShares shares_of(const CellLists& lists, const std::vector<Tile>& tiles, int threads)
+{
+    return WorkShares(threads, [&](int k, int shares) {
+        const std::size_t first =
+            lists.order.size() * static_cast<std::size_t>(k) / static_cast<std::size_t>(shares);
+        const auto starts_before = [&](const Tile& tile) { return lists.first_entry(tile) < first; };
+        const auto begin = std::partition_point(tiles.begin(), tiles.end(), starts_before);
+        return static_cast<std::uint32_t>(k == shares ? tiles.size() : begin - tiles.begin());
+    });
+}
+
 /// Call work(tile) for every tile, tiles of one colour at the same time, one colour after another.
 template <class Work>
 void for_each_tile_by_colour(const CellLists& lists, Work&& work)
 {
-#pragma omp parallel if (lists.order.size() > least_parallel_work)
-    for (const std::vector<Tile>& tiles : lists.tiles_of_colour) {
-        const auto count = static_cast<std::int64_t>(tiles.size());
-#pragma omp for schedule(dynamic, 1)
-        for (std::int64_t t = 0; t < count; ++t) work(tiles[static_cast<std::size_t>(t)]);
+    const int threads = threads_for(lists.order.size());
+    const auto shares_of_colour = [&](std::size_t colour) {
+        return shares_of(lists, lists.tiles_of_colour[colour], threads);
+    };
+    std::array<WorkShares, 4> shares = {shares_of_colour(0), shares_of_colour(1), shares_of_colour(2),
+                                        shares_of_colour(3)};
+#pragma omp parallel num_threads(threads)
+    for (std::size_t colour = 0; colour < 4; ++colour) {
+        const std::vector<Tile>& tiles = lists.tiles_of_colour[colour];
+        while (const auto t = shares[colour].take(thread_number())) work(tiles[*t]);
+#pragma omp barrier
     }
 }
 
@@ -72,12 +90,10 @@ void for_each_tile_by_colour(const CellLists& lists, Work&& work)
 template <class Work>
 void for_each_tile(const CellLists& lists, Work&& work)
 {
-#pragma omp parallel if (lists.order.size() > least_parallel_work)
-    for (const std::vector<Tile>& tiles : lists.tiles_of_colour) {
-        const auto count = static_cast<std::int64_t>(tiles.size());
-#pragma omp for schedule(dynamic, 1) nowait
-        for (std::int64_t t = 0; t < count; ++t) work(tiles[static_cast<std::size_t>(t)]);
-    }
+    const int threads = threads_for(lists.order.size());
+    WorkShares shares = shares_of(lists, lists.tiles, threads);
+#pragma omp parallel num_threads(threads)
+    while (const auto t = shares.take(thread_number())) work(lists.tiles[*t]);
 }
 
 } // namespace quicksand

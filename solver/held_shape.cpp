@@ -65,7 +65,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     HeldShape shape;
     shape.lists = make_cell_lists(problem.grid);
     shape.conditions = node_conditions(problem, Stage::relaxation);
-    shape.patches.resize(shape.lists.tile_count);
+    shape.patches.resize(shape.lists.tiles.size());
     sort_particles(problem.grid, 0.0, state, shape.lists);
     CarriedMasses masses;
     compute_carried_masses(problem, state, masses);
@@ -135,18 +135,13 @@ double out_of_balance(const Problem& problem, double acceleration, const HeldSha
 double largest_displacement(const Problem& problem, const HeldShape& shape)
 {
     double largest = 0.0;
-    for (const std::vector<Tile>& tiles : shape.lists.tiles_of_colour) {
-        for (const Tile& tile : tiles) {
-            for_each_particle(shape, tile,
-                              [&](std::size_t, const StoredPatch& patch, const PatchStore& store) {
-                                  Vector2 u = Vector2::Zero();
-                                  for_each_node(patch, store, problem.grid.nodes_x(),
-                                                [&](std::size_t i, const NodeWeight& w) {
-                                                    u += w.value * shape.displacement[i];
-                                                });
-                                  largest = std::max(largest, u.norm());
-                              });
-        }
+    for (const Tile& tile : shape.lists.tiles) {
+        for_each_particle(shape, tile, [&](std::size_t, const StoredPatch& patch, const PatchStore& store) {
+            Vector2 u = Vector2::Zero();
+            for_each_node(patch, store, problem.grid.nodes_x(),
+                          [&](std::size_t i, const NodeWeight& w) { u += w.value * shape.displacement[i]; });
+            largest = std::max(largest, u.norm());
+        });
     }
     return largest;
 }

@@ -129,7 +129,7 @@ void update_porosity(const Problem& problem, Particles& particles)
 
 void update_effective_stress(const Problem& problem, double dt, Particles& particles)
 {
-    for_each_uneven_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         if (problem.strain == StrainForm::large) turn_stress(dt, first, last, particles);
         if (problem.strain == StrainForm::large && particles.has_cycles()) {
             turn_memory(dt, first, last, particles);

@@ -5,6 +5,7 @@
 #include "solver/threads.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -81,14 +82,11 @@ void throw_lost_corner(double dt, const State& state, std::size_t p)
 void check_particles(double dt, const State& state)
 {
     const Particles& particles = state.particles;
-    const auto count = static_cast<std::int64_t>(particles.size());
-    std::int64_t bad = 0;
-#pragma omp parallel for schedule(static) reduction(+ : bad) if (particles.size() > least_parallel_work)
-    for (std::int64_t first = 0; first < count; first += chunk) {
-        bad += count_bad(particles, static_cast<std::size_t>(first),
-                         static_cast<std::size_t>(std::min(count, first + chunk)));
-    }
-    if (bad == 0) return;
+    std::atomic<bool> all_good = true;
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+        if (count_bad(particles, first, last) > 0) all_good = false;
+    });
+    if (all_good) return;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (!(particles.volume[p] > 0.0)) {
             fail_at("motion",

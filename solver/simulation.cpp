@@ -5,8 +5,6 @@
 #include "solver/stepper.hpp"
 #include "solver/viscous_boundary.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -71,16 +69,6 @@ void run(const Problem& problem, double end_time, const std::vector<Observer*>& 
         if (stop_requested && stop_requested()) break;
     }
     for (Observer* observer : observers) observer->finish();
-}
-
-void set_thread_count(int threads)
-{
-    omp_set_num_threads(threads);
-}
-
-int thread_count()
-{
-    return omp_get_max_threads();
 }
 
 } // namespace quicksand

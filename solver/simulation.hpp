@@ -78,8 +78,4 @@ void begin_shaking(State& state);
 void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
          const std::function<bool()>& stop_requested = {});
 
-/// Threads used by the kernels; results do not depend on it.
-void set_thread_count(int threads);
-int thread_count();
-
 } // namespace quicksand

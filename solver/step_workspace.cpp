@@ -52,7 +52,7 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     if (work.partly_saturated) work.wet_lists = work.lists;
     work.conditions = node_conditions(problem, stage);
     work.ledger_nodes = ledger_nodes(work.conditions);
-    work.patches.resize(work.lists.tile_count);
+    work.patches.resize(work.lists.tiles.size());
     work.average = make_volumetric_average(problem);
     work.noise_time = noise_time(problem);
 }

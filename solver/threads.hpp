@@ -1,5 +1,7 @@
-// When threads pay.
+// The threads of the kernels, and when they pay.
 #pragma once
+
+#include "solver/work_shares.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -8,44 +10,57 @@
 
 namespace quicksand {
 
+/// Threads that the kernels use; results do not depend on it.
+void set_thread_count(int threads);
+int thread_count();
+
 /// Work on fewer particles or nodes than this stays on one thread: starting and joining the others costs more
 /// than they save, much more on a machine that is busy with other work [-].
 inline constexpr std::size_t least_parallel_work = 2000;
 
 /// Particles or nodes that a thread takes at a time [-].
-inline constexpr std::int64_t chunk = 512;
+inline constexpr std::size_t chunk = 256;
 
-/// Call work(i) for i < count. Threads take turns of 64: soil fills some rows of nodes and not others, and
-/// what one thread has written it finds in its own cache in the next loop.
+/// Threads for work on so many particles or nodes.
+int threads_for(std::size_t count);
+
+/// Number of the thread that calls, from 0 on.
+int thread_number();
+
+/// Call work(first, last) for the parts of `length` of [0, count), on all threads.
+template <class Work>
+void for_each_part(std::size_t count, std::size_t length, Work&& work)
+{
+    const auto parts = static_cast<std::uint32_t>((count + length - 1) / length);
+    const auto take = [&](std::uint32_t k) { work(k * length, std::min(count, (k + 1) * length)); };
+    const int threads = threads_for(count);
+    if (threads == 1) {
+        for (std::uint32_t k = 0; k < parts; ++k) take(k);
+        return;
+    }
+    WorkShares shares(threads, [&](int k, int n) {
+        return static_cast<std::uint32_t>(std::uint64_t{parts} * static_cast<std::uint64_t>(k) /
+                                          static_cast<std::uint64_t>(n));
+    });
+#pragma omp parallel num_threads(threads)
+    while (const auto k = shares.take(thread_number())) take(*k);
+}
+
+/// Call work(i) for i < count.
 template <class Work>
 void for_each_index(std::size_t count, Work&& work)
 {
-    const auto total = static_cast<std::int64_t>(count);
-#pragma omp parallel for schedule(static, 64) if (count > least_parallel_work)
-    for (std::int64_t i = 0; i < total; ++i) work(static_cast<std::size_t>(i));
+    constexpr std::size_t length = 64; // soil fills some rows of nodes and not others
+    for_each_part(count, length, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) work(i);
+    });
 }
 
-/// Call work(first, last) for chunks of `count` particles that differ in their work: a thread that is done
-/// takes the next.
-template <class Work>
-void for_each_uneven_chunk(std::size_t count, Work&& work)
-{
-    const auto total = static_cast<std::int64_t>(count);
-#pragma omp parallel for schedule(dynamic, 1) if (count > least_parallel_work)
-    for (std::int64_t first = 0; first < total; first += chunk / 2) {
-        work(static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(total, first + chunk / 2)));
-    }
-}
-
-/// Call work(first, last) for chunks of `count` particles, on all threads.
+/// Call work(first, last) for chunks of `count` particles.
 template <class Work>
 void for_each_chunk(std::size_t count, Work&& work)
 {
-    const auto total = static_cast<std::int64_t>(count);
-#pragma omp parallel for schedule(static) if (count > least_parallel_work)
-    for (std::int64_t first = 0; first < total; first += chunk) {
-        work(static_cast<std::size_t>(first), static_cast<std::size_t>(std::min(total, first + chunk)));
-    }
+    for_each_part(count, chunk, work);
 }
 
 /// zero + the sums of part(first, last) over chunks of 1024, added in their order: the same bits for any

@@ -182,7 +182,7 @@ SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem)
 {
     SemiImplicitWorkspace work{make_two_phase_workspace(problem), {}, {}};
     work.pressure =
-        make_pressure_solve(work.lists.tile_count, problem.grid.cell_count(), problem.grid.node_count());
+        make_pressure_solve(work.lists.tiles.size(), problem.grid.cell_count(), problem.grid.node_count());
     if (problem.water->cavitation_pressure) add_cavities(work.pressure);
     return work;
 }

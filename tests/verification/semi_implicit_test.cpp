@@ -1,5 +1,6 @@
 // The semi-implicit step: the same equations as the explicit step, at a larger step.
 #include "solver/failure.hpp"
+#include "solver/threads.hpp"
 #include "solver/two_phase_step.hpp"
 #include "tests/fixtures/restless_patch.hpp"
 
