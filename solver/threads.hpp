@@ -69,13 +69,9 @@ template <class Sum, class Part>
 Sum ordered_sum(std::size_t count, const Sum& zero, Part&& part)
 {
     constexpr std::size_t length = 1024;
-    const auto parts = static_cast<std::int64_t>((count + length - 1) / length);
-    std::vector<Sum> sums(static_cast<std::size_t>(parts), zero);
-#pragma omp parallel for schedule(static, 1) if (count > least_parallel_work)
-    for (std::int64_t k = 0; k < parts; ++k) {
-        const std::size_t first = static_cast<std::size_t>(k) * length;
-        sums[static_cast<std::size_t>(k)] = part(first, std::min(count, first + length));
-    }
+    std::vector<Sum> sums((count + length - 1) / length, zero);
+    for_each_part(count, length,
+                  [&](std::size_t first, std::size_t last) { sums[first / length] = part(first, last); });
     Sum total = zero;
     for (const Sum& sum : sums) total += sum;
     return total;

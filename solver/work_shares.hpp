@@ -20,7 +20,7 @@ public:
     template <class Begin>
     WorkShares(int threads, Begin&& begin) : count_(std::min(threads, most))
     {
-        for (int k = 0; k < count_; ++k) share(k) = packed(begin(k, count_), begin(k + 1, count_));
+        for (int k = 0; k < count_; ++k) share(k).left = packed(begin(k, count_), begin(k + 1, count_));
     }
 
     /// The next item of a thread: its own from the front, then those of others from the back.
@@ -34,9 +34,9 @@ public:
     }
 
 private:
-    using Range = std::atomic<std::uint64_t>; // what is left of a share: first item and end, 32 bits each
+    /// Not set to zero: most shares of most loops are never used.
     struct alignas(64) Share {
-        Range range;
+        std::uint64_t left; // first item and end, 32 bits each
     };
 
     static std::uint64_t packed(std::uint32_t first, std::uint32_t end)
@@ -44,19 +44,20 @@ private:
         return std::uint64_t{first} << 32 | end;
     }
 
-    static std::optional<std::uint32_t> take_from(Range& range, bool front)
+    static std::optional<std::uint32_t> take_from(Share& share, bool front)
     {
-        std::uint64_t old = range.load(std::memory_order_relaxed);
+        const std::atomic_ref<std::uint64_t> left(share.left);
+        std::uint64_t old = left.load(std::memory_order_relaxed);
         while (true) {
             const auto first = static_cast<std::uint32_t>(old >> 32), end = static_cast<std::uint32_t>(old);
             if (first >= end) return std::nullopt;
             const std::uint64_t rest = front ? packed(first + 1, end) : packed(first, end - 1);
-            if (range.compare_exchange_weak(old, rest, std::memory_order_relaxed))
+            if (left.compare_exchange_weak(old, rest, std::memory_order_relaxed))
                 return front ? first : end - 1;
         }
     }
 
-    Range& share(int k) { return shares_[static_cast<std::size_t>(k)].range; }
+    Share& share(int k) { return shares_[static_cast<std::size_t>(k)]; }
 
     int count_;
     std::array<Share, most> shares_;
