@@ -2,8 +2,9 @@
 // vectors of the kernel's arithmetic. A block without plastic lanes skips the return. Points that need more
 // than one substep wait for a second round, where a lane that is done goes on with the next of them.
 #if defined(__GNUC__) && !defined(__clang__)
-// lets both sides of a choice be computed and keeps them from becoming branches again; changes no value
-#pragma GCC optimize("no-trapping-math", "no-thread-jumps")
+// lets both sides of a choice be computed and keeps them from becoming branches again, and a block's few
+// lanes from being copied by string instructions; changes no value
+#pragma GCC optimize("no-trapping-math", "no-thread-jumps", "no-tree-loop-distribute-patterns")
 #endif
 
 #include "solver/lanes.hpp"
@@ -63,7 +64,8 @@ struct Block {
 
 /// The trials of a block between their making and the return.
 struct TrialBlock {
-    double G[width], B[width], s_old[width], s_start[width], start_x[width], start_y[width];
+    double G[width], B[width], s_old[width], s_start[width], per_s[width], per_sb[width];
+    double start_x[width], start_y[width];
     double s[width], q_x[width], q_y[width], t[width], sigma_z[width];
     double volumetric[width], shear_x[width], shear_y[width], E2[width], eta_y[width], branch[width],
         least_D[width], plastic[width];
@@ -72,6 +74,7 @@ struct TrialBlock {
     {
         G[k] = trial.start.moduli.G, B[k] = trial.start.moduli.B;
         s_old[k] = trial.start.s_old, s_start[k] = trial.start.s;
+        per_s[k] = trial.start.per_s, per_sb[k] = trial.start.per_sb;
         start_x[k] = trial.start.q_x, start_y[k] = trial.start.q_y;
         s[k] = trial.s, q_x[k] = trial.q_x, q_y[k] = trial.q_y, t[k] = trial.t, sigma_z[k] = trial.sigma_z;
         volumetric[k] = trial.volumetric, shear_x[k] = trial.shear_x, shear_y[k] = trial.shear_y;
@@ -87,6 +90,8 @@ struct TrialBlock {
                        s_old[k],
                        s_start[k],
                        s_start[k] + law.a,
+                       per_s[k],
+                       per_sb[k],
                        start_x[k],
                        start_y[k],
                        start_x[k] * start_x[k] + start_y[k] * start_y[k]};
@@ -151,35 +156,47 @@ inline double least_contraction(const UbcSand& law, const UbcSandArrays& points,
     return select(points.volume[p] > law.largest_specific_volume * points.mass_solid[p], 0.0, -1.0);
 }
 
-/// Put `count` points from p on into the lanes: compression-positive strains and turned states.
+/// Put point p into lane k: compression-positive strain and turned state.
+inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p, double dt, bool turns,
+                 std::size_t k, Block& block)
+{
+    UbcSandState state = points.state(p);
+    const double L_xy = points.L_xy[p], L_yx = points.L_yx[p];
+    if (turns) {
+        const Rotation rotation = rotation_of(0.5 * dt * (L_yx - L_xy));
+        turn_memory(rotation, state);
+        turn_stress(rotation, state);
+    }
+    state.least_contraction = least_contraction(law, points, p);
+    block.set(k, true, state);
+    block.least_contraction[k] = state.least_contraction;
+    const Strain strain =
+        borne(law, state, {-dt * points.L_xx[p], -dt * points.L_yy[p], -dt * (L_xy + L_yx)});
+    block.strain_x[k] = strain.x, block.strain_y[k] = strain.y, block.strain_xy[k] = strain.xy;
+    block.budget[k] = most_substeps;
+    block.open[k] = 1.0;
+}
+
+/// Put `count` points from p on into the lanes.
 inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p, std::size_t count, double dt,
                  Turn turned, Block& block)
 {
     const bool turns = turned == Turn::stress_and_memory;
-    for (std::size_t k = 0; k < count; ++k) {
-        UbcSandState state = points.state(p + k);
-        const double L_xy = points.L_xy[p + k], L_yx = points.L_yx[p + k];
-        if (turns) {
-            const Rotation rotation = rotation_of(0.5 * dt * (L_yx - L_xy));
-            turn_memory(rotation, state);
-            turn_stress(rotation, state);
-        }
-        state.least_contraction = least_contraction(law, points, p + k);
-        block.set(k, true, state);
-        block.least_contraction[k] = state.least_contraction;
-        const Strain strain =
-            borne(law, state, {-dt * points.L_xx[p + k], -dt * points.L_yy[p + k], -dt * (L_xy + L_yx)});
-        block.strain_x[k] = strain.x, block.strain_y[k] = strain.y, block.strain_xy[k] = strain.xy;
+    if (count == width) { // a known count makes vectors
+        for (std::size_t k = 0; k < width; ++k) load(law, points, p + k, dt, turns, k, block);
+        return;
     }
-    for (std::size_t k = 0; k < width; ++k) {
-        block.budget[k] = most_substeps;
-        block.open[k] = k < count ? 1.0 : 0.0;
-    }
+    for (std::size_t k = 0; k < count; ++k) load(law, points, p + k, dt, turns, k, block);
+    for (std::size_t k = count; k < width; ++k) block.open[k] = 0.0;
 }
 
 inline void store(const Block& block, std::size_t p, std::size_t count, const UbcSandArrays& points)
 {
+    if (count == width) {
 #pragma GCC ivdep // the arrays do not overlap
+        for (std::size_t k = 0; k < width; ++k) points.set(p + k, block.state(k));
+        return;
+    }
     for (std::size_t k = 0; k < count; ++k) points.set(p + k, block.state(k));
 }
 

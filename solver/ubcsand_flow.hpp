@@ -84,12 +84,6 @@ inline double contraction(const UbcSand& m, const Trial& trial, double eta)
     return larger(trial.least_D, m.sin_cv - eta);
 }
 
-/// Share of a range of ratios that is above a value [-].
-inline double share_above(double value, double from, double to)
-{
-    return smaller(1.0, larger(0.0, to - larger(value, from)) / larger(to - from, 1e-12));
-}
-
 /// [8, 8c] Return to the locus or to the failure line with the coefficients of the start, in first order:
 /// lambda = (t - eta_y sb)/(G + G^p - eta_y K' D), ds = -K' D lambda, dt = -G lambda.
 inline PlasticFlow flow_from_start(const UbcSand& m, const Trial& trial, double G_p)
@@ -102,6 +96,21 @@ inline PlasticFlow flow_from_start(const UbcSand& m, const Trial& trial, double 
     const double flowed = select(fails, failing, lambda), contracted = select(fails, D_f, D) * flowed;
     return {trial.s - K * contracted, trial.t - G * flowed, flowed, contracted,
             select(contracted < 0.0, flowed, 0.0)};
+}
+
+/// The flow that hardens the locus, until that is the failure line: of a drive [Pa], the ways of the shear
+/// stress to the largest ratio and on to failure [Pa], and on each of them the plastic modulus [Pa] and what
+/// the flow takes off the drive [Pa]. Fractions are compared and chosen before the only division.
+inline double hardening_flow(double drive, double to_largest, double to_failure, double secondary,
+                             double virgin, double before, double beyond)
+{
+    const double rest = drive * secondary - to_largest * before; // of the drive, times the secondary modulus
+    const bool is_secondary = rest <= 0.0;
+    const double flow = select(is_secondary, drive, to_largest * beyond + rest);
+    const double per_flow = select(is_secondary, before, secondary * beyond);
+    const double most = to_largest * virgin + to_failure * secondary, per_most = secondary * virgin;
+    const bool hardens = flow * per_most <= most * per_flow;
+    return select(hardens, flow, most) / select(hardens, per_flow, per_most);
 }
 
 /// [8, 8c] Return to the hardened locus, t - eta_y sb = G^p lambda (sb after/sb here), ds = -K' D lambda,
@@ -118,19 +127,21 @@ inline PlasticFlow flow_on_locus(const UbcSand& m, const Trial& trial, const Har
     const double sb_trial = at.s_trial + m.a;
     const double drive = larger(0.0, at.t_trial - eta_y * sb_trial);
 
-    const double to_largest = larger(0.0, smaller(eta_max, m.eta_f) - eta_y) * at.sb / secondary;
-    const double to_failure =
-        to_largest + (m.eta_f - smaller(m.eta_f, larger(eta_max, eta_y))) * at.sb / virgin;
-    const double rest = drive - to_largest * (elastic + secondary * at.growth);
-    const double hardening = select(rest <= 0.0, drive / (elastic + secondary * at.growth),
-                                    to_largest + rest / (elastic + virgin * at.growth));
-    const double first = smaller(hardening, to_failure);
+    const double to_largest = larger(0.0, smaller(eta_max, m.eta_f) - eta_y) * at.sb;
+    const double to_failure = (m.eta_f - smaller(m.eta_f, larger(eta_max, eta_y))) * at.sb;
+    const double before = elastic + secondary * at.growth, beyond = elastic + virgin * at.growth;
+    const double first = hardening_flow(drive, to_largest, to_failure, secondary, virgin, before, beyond);
     const double s_first = at.s_trial - K * D * first, t_first = at.t_trial - G * first;
-    const double failing = larger(0.0, t_first - m.eta_f * (s_first + m.a)) / (G - m.eta_f * K * D_f);
-    const double s = s_first - K * D_f * failing, t = t_first - G * failing;
-    const double eta_first = smaller(m.eta_f, t_first / larger(s_first + m.a, m.s_min));
-    return {s, t, first + failing, D * first + D_f * failing,
-            failing + first * share_above(m.sin_cv, eta_y, eta_first)};
+
+    const double excess = larger(0.0, t_first - m.eta_f * (s_first + m.a)), softens = G - m.eta_f * K * D_f;
+    const double sb_first = larger(s_first + m.a, m.s_min), reached = smaller(m.eta_f * sb_first, t_first);
+    const double range = larger(reached - eta_y * sb_first, 1e-12 * sb_first);
+    const double above = larger(0.0, reached - larger(m.sin_cv, eta_y) * sb_first);
+    const double per_both = 1.0 / (softens * range);
+    const double failing = excess * (range * per_both);
+    const double dilating = first * smaller(1.0, above * (softens * per_both)); // where eta > sin phi_cv
+    return {at.s_trial - K * D * first - K * D_f * failing, t_first - G * failing, first + failing,
+            D * first + D_f * failing, failing + dilating};
 }
 
 /// [8d] Shear at the stress floor: constant s, so that dilation can later lift the point off it.
@@ -168,16 +179,18 @@ inline Middle middle_of(const UbcSand& m, const Trial& trial, double number, con
 {
     const Start& start = trial.start;
     const double s_end = larger(m.s_min, estimate.s), sb_end = s_end + m.a;
-    const double change = half_change(start.s, s_end);
+    const double change = half_change(start, s_end);
+    const double sb = start.s * (1.0 + change) + m.a, t_end = larger(1e-6 * trial.t, estimate.t);
+    const double per_stresses = 1.0 / (sb_end * sb), per_shears = 1.0 / (trial.t * t_end);
     Middle middle;
     middle.place.moduli = changed_moduli(m, start.moduli, change);
     middle.place.number = number * (1.0 + m.np * change);
-    middle.place.eta = 0.5 * (trial.eta_y + smaller(m.eta_f, estimate.t / sb_end));
-    middle.place.sb = start.s * (1.0 + change) + m.a;
-    middle.place.growth = sb_end / middle.place.sb;
+    middle.place.eta = 0.5 * (trial.eta_y + smaller(m.eta_f, estimate.t * (sb * per_stresses)));
+    middle.place.sb = sb;
+    middle.place.growth = sb_end * (sb_end * per_stresses);
     // a flow that is long against the stress turns q fast: n is then where the substep ends, which is stable
-    const double to_end = larger(1e-6, estimate.t / trial.t);
-    const double early = larger(0.0, 1.0 - start.moduli.G * estimate.lambda / (trial.t * to_end));
+    const double to_end = t_end * (t_end * per_shears);
+    const double early = larger(0.0, 1.0 - start.moduli.G * estimate.lambda * (trial.t * per_shears));
     const double x = early * start.q_x + trial.q_x * to_end, y = early * start.q_y + trial.q_y * to_end;
     const double per_length = 1.0 / larger(std::sqrt(x * x + y * y), 1e-300);
     middle.n_x = x * per_length;
@@ -248,9 +261,11 @@ PlasticFlow finish_plastic(const UbcSand& m, const Trial& trial, UbcSandState& s
     flow.t =
         larger(0.0, smaller(flow.t, m.eta_f * (flow.s + m.a))); // rounding, and substeps beyond the budget
     state.dilation += flow.dilating;                            // [9]
-    state.eta_max = larger(state.eta_max, flow.t / (flow.s + m.a));
+    const double sb = flow.s + m.a, length = larger(std::sqrt(end.q_x * end.q_x + end.q_y * end.q_y), 1e-300);
+    const double per_both = 1.0 / (sb * length);
+    state.eta_max = larger(state.eta_max, flow.t * (length * per_both));
     const double sigma_z = trial.sigma_z + end.E2 * (trial.volumetric - flow.contraction);
-    const double ratio = flow.t / larger(std::sqrt(end.q_x * end.q_x + end.q_y * end.q_y), 1e-300);
+    const double ratio = flow.t * (sb * per_both);
     set_stress(m, flow.s, end.q_x * ratio, end.q_y * ratio, sigma_z, state);
     return flow;
 }

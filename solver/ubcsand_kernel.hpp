@@ -46,12 +46,6 @@ inline Moduli changed_moduli(const UbcSand& m, const Moduli& moduli, double shar
     return moduli_of(moduli.G * (1.0 + m.ne * share), moduli.B * (1.0 + m.me * share));
 }
 
-/// Half of the change of the mean stress, over it: where the middle of a substep is. [-]
-inline double half_change(double before, double after)
-{
-    return smaller(0.5, larger(-0.25, 0.5 * (after - before) / before));
-}
-
 struct Strain {
     double x, y, xy; // [-]
 };
@@ -68,11 +62,12 @@ inline Strain borne(const UbcSand& m, const UbcSandState& state, const Strain& s
 
 /// Stress of a point as the substep finds it.
 struct Start {
-    Moduli moduli;   // there
-    double s_old, s; // as it is, and not below the floor [Pa]
-    double sb;       // [Pa]
-    double q_x, q_y; // [Pa]
-    double squared;  // t^2 [Pa^2]
+    Moduli moduli;        // there
+    double s_old, s;      // as it is, and not below the floor [Pa]
+    double sb;            // [Pa]
+    double per_s, per_sb; // 1/s, 1/sb [1/Pa]
+    double q_x, q_y;      // [Pa]
+    double squared;       // t^2 [Pa^2]
 };
 
 template <bool square_roots>
@@ -82,11 +77,20 @@ Start start_of(const UbcSand& m, const UbcSandState& state)
     start.s_old = 0.5 * (state.sigma_x + state.sigma_y);
     start.s = larger(start.s_old, m.s_min);
     start.sb = start.s + m.a;
+    const double per_both = 1.0 / (start.s * start.sb); // a division takes as long as many products
+    start.per_s = start.sb * per_both;
+    start.per_sb = start.s * per_both;
     start.q_x = 0.5 * (state.sigma_x - state.sigma_y);
     start.q_y = state.tau_xy;
     start.squared = start.q_x * start.q_x + start.q_y * start.q_y;
     start.moduli = elastic_moduli<square_roots>(m, start.s);
     return start;
+}
+
+/// Half of the change of the mean stress, over it: where the middle of a substep is. [-]
+inline double half_change(const Start& start, double s_end)
+{
+    return smaller(0.5, larger(-0.25, 0.5 * (s_end - start.s) * start.per_s));
 }
 
 /// Most substeps of one update: an absurd strain is then taken in larger ones, stable but coarse. [-]
@@ -117,9 +121,10 @@ double substep_share(const UbcSand& m, const Start& start, const UbcSandState& s
     const double G = start.moduli.G;
     const double dq_x = G * (strain.x - strain.y), dq_y = G * strain.xy;
     const double ds = start.moduli.K * (strain.x + strain.y), squared = dq_x * dq_x + dq_y * dq_y;
-    const double resolved = larger(start.s, m.resolved);
-    const double by_stress = std::abs(ds) * m.per_stress_step / resolved;
-    const double by_ratio = std::sqrt(squared) / (resolved + m.a);
+    const double resolved = larger(start.s, m.resolved), resolved_sb = resolved + m.a;
+    const double per_both = 1.0 / (resolved * resolved_sb);
+    const double by_stress = std::abs(ds) * m.per_stress_step * (resolved_sb * per_both);
+    const double by_ratio = std::sqrt(squared) * (resolved * per_both);
     if constexpr (order == Integration::first_order) {
         return 1.0 / count_of(smaller(larger(by_ratio * m.per_ratio_step, by_stress), budget));
     } else {
@@ -175,13 +180,13 @@ struct Trial {
 /// one at the reversal for a tiny excursion.
 inline void place_locus(const UbcSand& m, const UbcSandState& state, Trial& trial)
 {
-    const double per_stress = 1.0 / trial.start.sb;
-    const double away_x = trial.start.q_x * per_stress - state.peak_x;
-    const double away_y = trial.start.q_y * per_stress - state.peak_y;
+    const double per_sb = trial.start.per_sb;
+    const double away_x = trial.start.q_x * per_sb - state.peak_x;
+    const double away_y = trial.start.q_y * per_sb - state.peak_y;
     const double departed =
         select(away_x * away_x + away_y * away_y >= m.tolerance_squared, far_from_reversal, strain_reversed);
     trial.branch = select(state.branch == strain_reversed, departed, state.branch);
-    const double eta_squared = trial.start.squared * per_stress * per_stress;
+    const double eta_squared = trial.start.squared * per_sb * per_sb;
     const double peak_squared = state.peak_x * state.peak_x + state.peak_y * state.peak_y;
     const double held =
         select(trial.branch < far_from_reversal, larger(eta_squared, peak_squared), eta_squared);
@@ -203,7 +208,7 @@ Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Start& st
     // [4] d s = K' d eps_v, d q = G (d eps_x - d eps_y, d gamma_xy); s as it is, be it below the floor
     Moduli moduli = start.moduli;
     if constexpr (order == Integration::second_order) {
-        const double change = half_change(start.s, start.s + start.moduli.K * trial.volumetric);
+        const double change = half_change(start, start.s + start.moduli.K * trial.volumetric);
         moduli = changed_moduli(m, start.moduli, change);
     }
     trial.q_x = start.q_x + moduli.G * trial.shear_x;
@@ -230,9 +235,8 @@ inline void set_stress(const UbcSand& m, double s, double q_x, double q_y, doubl
 inline void finish_elastic(const UbcSand& m, const Trial& trial, UbcSandState& state)
 {
     const bool reversal = trial.branch == loading;
-    const double per_stress = 1.0 / trial.start.sb;
-    state.peak_x = select(reversal, trial.start.q_x * per_stress, state.peak_x);
-    state.peak_y = select(reversal, trial.start.q_y * per_stress, state.peak_y);
+    state.peak_x = select(reversal, trial.start.q_x * trial.start.per_sb, state.peak_x);
+    state.peak_y = select(reversal, trial.start.q_y * trial.start.per_sb, state.peak_y);
     const double turned = follow_strain(m, trial.shear_x, trial.shear_y, state);
     const double resumed = select(trial.branch == loading_in_ripple, far_from_reversal, trial.branch);
     const double branch = select(reversal, just_reversed, resumed);

@@ -18,13 +18,10 @@ inline double logarithm_2(double x)
     const double m = std::bit_cast<double>((shifted & mantissa) + root_half);
     // ln m = 2 (z + z^3/3 + z^5/5 + ...), z = (m - 1)/(m + 1), |z| < 0.172
     const double z = (m - 1.0) / (m + 1.0), y = z * z;
-    const double series =
-        1.0 + y * (1.0 / 3 +
-                   y * (1.0 / 5 +
-                        y * (1.0 / 7 +
-                             y * (1.0 / 9 +
-                                  y * (1.0 / 11 +
-                                       y * (1.0 / 13 + y * (1.0 / 15 + y * (1.0 / 17 + y * (1.0 / 19)))))))));
+    const double y_2 = y * y, y_4 = y_2 * y_2; // pairs of terms, and pairs of those: a short chain
+    const double low = (1.0 + y * (1.0 / 3)) + y_2 * (1.0 / 5 + y * (1.0 / 7));
+    const double middle = (1.0 / 9 + y * (1.0 / 11)) + y_2 * (1.0 / 13 + y * (1.0 / 15));
+    const double series = low + y_4 * (middle + y_4 * (1.0 / 17 + y * (1.0 / 19)));
     return k + 2.885390081777926815 * z * series; // 2/ln 2
 }
 
@@ -37,12 +34,12 @@ inline double exponential_2(double x)
     const double u = (x - (shifted - shift)) * 0.693147180559945309; // f ln 2
     const double scale = std::bit_cast<double>((std::bit_cast<std::uint64_t>(shifted) << 52) +
                                                std::bit_cast<std::uint64_t>(1.0));
-    const double tail =
-        1.0 / 40320 +
-        u * (1.0 / 362880 +
-             u * (1.0 / 3628800 + u * (1.0 / 39916800 + u * (1.0 / 479001600 + u * (1.0 / 6227020800)))));
-    const double middle = 1.0 / 24 + u * (1.0 / 120 + u * (1.0 / 720 + u * (1.0 / 5040 + u * tail)));
-    return scale * (1.0 + u * (1.0 + u * (0.5 + u * (1.0 / 6 + u * middle))));
+    const double u_2 = u * u, u_4 = u_2 * u_2;
+    const double low = (0.5 + u * (1.0 / 6)) + u_2 * (1.0 / 24 + u * (1.0 / 120));
+    const double middle = (1.0 / 720 + u * (1.0 / 5040)) + u_2 * (1.0 / 40320 + u * (1.0 / 362880));
+    const double high =
+        (1.0 / 3628800 + u * (1.0 / 39916800)) + u_2 * (1.0 / 479001600 + u * (1.0 / 6227020800));
+    return scale * (1.0 + (u + u_2 * (low + u_4 * (middle + u_4 * high))));
 }
 
 /// x^exponent for a normal x > 0 and |exponent log2 x| < 1000.
