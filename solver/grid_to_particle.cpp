@@ -20,51 +20,53 @@ inline void for_each_weighted_node(const StoredPatch& patch, const PatchStore& s
     const std::int32_t width = patch.width, height = patch.height;
     const Node* row = nodes + patch.base;
     for (std::int32_t b = 0; b < height; ++b, row += nodes_x) {
-        for (const Node* node = row; node != row + width; ++node) add(*node, *phi++, *grad_x++, *grad_y++);
+        for (std::int32_t i = 0; i < width; ++i) add(row[i], phi[i], grad_x[i], grad_y[i]);
+        phi += width, grad_x += width, grad_y += width;
     }
 }
 
 /// The grid's motion at a particle of a body that moves as one: lanes v and its change, as SinglePhaseMotion.
 struct LocalMotion {
-    Lanes motion = all_lanes(0.0);                            // [m/s]
-    Lanes slope_x = all_lanes(0.0), slope_y = all_lanes(0.0); // d/dx and d/dy of the motion [1/s]
+    Lanes motion;           // [m/s]
+    Lanes slope_x, slope_y; // d/dx and d/dy of the motion [1/s]
 };
 
 inline LocalMotion motion_at(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
                              const SinglePhaseMotion* motion)
 {
-    LocalMotion local;
+    Lanes at_particle = all_lanes(0.0), slope_x = at_particle, slope_y = at_particle;
     for_each_weighted_node(patch, store, nodes_x, motion,
                            [&](const SinglePhaseMotion& node, double phi, double grad_x, double grad_y) {
                                const Lanes at_node = load_lanes(&node.x);
-                               local.motion += phi * at_node;
-                               local.slope_x += grad_x * at_node;
-                               local.slope_y += grad_y * at_node;
+                               at_particle += phi * at_node;
+                               slope_x += grad_x * at_node;
+                               slope_y += grad_y * at_node;
                            });
-    return local;
+    return {at_particle, slope_x, slope_y};
 }
 
 /// The motion of both phases at a particle: lanes v_s and v_w, as TwoPhaseMotion.
 struct LocalTwoPhaseMotion {
-    Lanes velocity = all_lanes(0.0), change = all_lanes(0.0); // [m/s]
-    Lanes slope_x = all_lanes(0.0), slope_y = all_lanes(0.0); // d/dx and d/dy of the velocity [1/s]
-    double divergence = 0.0;                                  // of the flux [1/s]
+    Lanes velocity, change; // [m/s]
+    Lanes slope_x, slope_y; // d/dx and d/dy of the velocity [1/s]
+    double divergence;      // of the flux [1/s]
 };
 
 inline LocalTwoPhaseMotion motion_at(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
                                      const TwoPhaseMotion* motion)
 {
-    LocalTwoPhaseMotion local;
+    Lanes velocity = all_lanes(0.0), change = velocity, slope_x = velocity, slope_y = velocity;
+    double divergence = 0.0;
     for_each_weighted_node(patch, store, nodes_x, motion,
                            [&](const TwoPhaseMotion& node, double phi, double grad_x, double grad_y) {
-                               const Lanes velocity = load_lanes(&node.solid_x);
-                               local.velocity += phi * velocity;
-                               local.change += phi * load_lanes(&node.solid_change_x);
-                               local.slope_x += grad_x * velocity;
-                               local.slope_y += grad_y * velocity;
-                               local.divergence += grad_x * node.flux_x + grad_y * node.flux_y;
+                               const Lanes at_node = load_lanes(&node.solid_x);
+                               velocity += phi * at_node;
+                               change += phi * load_lanes(&node.solid_change_x);
+                               slope_x += grad_x * at_node;
+                               slope_y += grad_y * at_node;
+                               divergence += grad_x * node.flux_x + grad_y * node.flux_y;
                            });
-    return local;
+    return {velocity, change, slope_x, slope_y, divergence};
 }
 
 /// What draws the relative velocity of a particle towards the grid's: the correction of the water is
@@ -74,16 +76,18 @@ struct RelativeFilter {
 };
 
 /// a dt / (1 + a dt), a = C (1/r_s + 1/r_w), shared out by the masses of the other phase; none without water.
+/// With r_s = m/V and C = c/k it is one fraction.
 inline RelativeFilter relative_filter(const Problem& problem, double dt, const Particles& particles,
                                       std::size_t p)
 {
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
     if (!material.saturated) return {0.0, 0.0};
-    const double n = particles.porosity[p];
-    const double r_s = particles.mass_solid[p] / particles.volume[p], r_w = n * problem.water->density;
-    const double dt_drag = dt * drag_coefficient(material, *problem.water, n);
-    const double share = dt_drag / (r_s * r_w + dt_drag * (r_s + r_w));
-    return {share * r_w, share * r_s};
+    const double n = particles.porosity[p], m_s = particles.mass_solid[p];
+    const double r_w = n * problem.water->density, m_w = r_w * particles.volume[p];
+    const double k = hydraulic_conductivity(material, n),
+                 dt_c = dt * drag_weight(material, *problem.water, n);
+    const double share = dt_c / (k * r_w * m_s + dt_c * (m_s + m_w));
+    return {share * m_w, share * m_s};
 }
 
 /// The particle's own velocities with the grid's change, their noise less the share.

@@ -31,9 +31,8 @@ inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles
     const double V_w = material.saturated ? V : 0.0;
     const double m_s = particles.mass_solid[p], m_w = n * problem.water->density * V_w;
     const double C = V_w * drag_coefficient(material, *problem.water, n);
-    const double sxx = V * particles.stress.xx[p], syy = V * particles.stress.yy[p],
-                 sxy = V * particles.stress.xy[p];
-    const double pressure = V * particles.pore_pressure[p];
+    const double xx = particles.stress.xx[p], yy = particles.stress.yy[p], xy = particles.stress.xy[p];
+    const double pressure = particles.pore_pressure[p];
     const Lanes masses = {m_s, m_s, m_w, m_w};
     TwoPhaseShare share;
     share.amounts = Lanes{m_s, m_w, V_w, C};
@@ -41,8 +40,9 @@ inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles
                                     particles.velocity_fluid.x[p], particles.velocity_fluid.y[p]};
     share.slope_x = masses * Lanes{Ls.xx[p], Ls.yx[p], Lw.xx[p], Lw.yx[p]};
     share.slope_y = masses * Lanes{Ls.xy[p], Ls.yy[p], Lw.xy[p], Lw.yy[p]};
-    share.flow_x = Lanes{-sxx, -sxy, pressure, 0.0};
-    share.flow_y = Lanes{-sxy, -syy, 0.0, pressure};
+    const Lanes volumes = {-V, -V, V, V};
+    share.flow_x = volumes * Lanes{xx, xy, pressure, 0.0};
+    share.flow_y = volumes * Lanes{xy, yy, 0.0, pressure};
     return share;
 }
 
@@ -111,13 +111,13 @@ inline void scatter_one_velocity(const BackgroundGrid& grid, const Particles& pa
         double dy = patch->offset_y;
         for (std::int32_t b = 0; b < height; ++b, row += nodes_x, dy += h) {
             Lanes carried = share.carried + dy * share.slope_y + patch->offset_x * share.slope_x;
-            for (SinglePhaseSums* node = row; node != row + width; ++node) {
-                add_to(&node->mass, *phi * carried);
-                node->stress_force_x += share.flow_xx * *grad_x + share.flow_xy * *grad_y;
-                node->stress_force_y += share.flow_xy * *grad_x + share.flow_yy * *grad_y;
+            for (std::int32_t i = 0; i < width; ++i) {
+                add_to(&row[i].mass, phi[i] * carried);
+                row[i].stress_force_x += share.flow_xx * grad_x[i] + share.flow_xy * grad_y[i];
+                row[i].stress_force_y += share.flow_xy * grad_x[i] + share.flow_yy * grad_y[i];
                 carried += node_step;
-                ++phi, ++grad_x, ++grad_y;
             }
+            phi += width, grad_x += width, grad_y += width;
         }
     }
 }
@@ -181,13 +181,13 @@ void scatter_two_phase(const Problem& problem, const Particles& particles, const
         double dy = patch->offset_y;
         for (std::int32_t b = 0; b < height; ++b, row += nodes_x, dy += h) {
             Lanes momentum = share.momentum + dy * share.slope_y + patch->offset_x * share.slope_x;
-            for (TwoPhaseSums* node = row; node != row + width; ++node) {
-                add_to(&node->mass_solid, *phi * share.amounts);
-                add_to(&node->momentum_solid_x, *phi * momentum);
-                add_to(&node->stress_force_x, *grad_x * share.flow_x + *grad_y * share.flow_y);
+            for (std::int32_t i = 0; i < width; ++i) {
+                add_to(&row[i].mass_solid, phi[i] * share.amounts);
+                add_to(&row[i].momentum_solid_x, phi[i] * momentum);
+                add_to(&row[i].stress_force_x, grad_x[i] * share.flow_x + grad_y[i] * share.flow_y);
                 momentum += node_step;
-                ++phi, ++grad_x, ++grad_y;
             }
+            phi += width, grad_x += width, grad_y += width;
         }
     }
 }

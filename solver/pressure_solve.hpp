@@ -33,7 +33,7 @@ struct CavitySolve {
     Scalars lowest_increment;           // the limit less the pressure at the begin of the step [Pa]
     std::vector<std::uint8_t> cavities; // whether the cell has some at the end of the step
     Scalars water_increment;            // of pressure and deficit together: what the volume asks for [Pa]
-    Scalars lacking;                    // of a cell with cavities: what its water does not fill [m2 per metre]
+    Scalars lacking; // of a cell with cavities: what its water does not fill [m2 per metre]
 };
 
 /// Unknowns and work arrays, by slot of the cell lists (only cells with soil are touched) and by node.

@@ -211,11 +211,16 @@ inline double hydraulic_conductivity(const Material& material, double porosity)
     return k * ratio * ratio * ratio * J * J;
 }
 
+/// n^2 rho_w g_k, which over k is the drag [N/m3].
+inline double drag_weight(const Material& material, const Water& water, double porosity)
+{
+    return porosity * porosity * water.density * material.conductivity_gravity;
+}
+
 /// C = n^2 rho_w g_k / k(n), the drag between water and grains [N s/m4].
 inline double drag_coefficient(const Material& material, const Water& water, double porosity)
 {
-    return porosity * porosity * water.density * material.conductivity_gravity /
-           hydraulic_conductivity(material, porosity);
+    return drag_weight(material, water, porosity) / hydraulic_conductivity(material, porosity);
 }
 
 } // namespace quicksand
