@@ -1,4 +1,5 @@
-// Choices without branches: both sides are evaluated, so that loops over points make vectors of them.
+// Choices without branches, whose sides are both evaluated, so that loops over points make vectors of them;
+// and inverses by fewer divisions.
 #pragma once
 
 namespace quicksand::ubcsand {
@@ -14,6 +15,19 @@ inline double larger(double a, double b)
 inline double smaller(double a, double b)
 {
     return a < b ? a : b;
+}
+
+/// 1/a and 1/b.
+struct Inverses {
+    double of_a, of_b;
+};
+
+/// Both from one division, which holds a processor's divider for as long as many products take. The product
+/// of a and b must be a normal number.
+inline Inverses inverses(double a, double b)
+{
+    const double per_both = 1.0 / (a * b);
+    return {b * per_both, a * per_both};
 }
 
 } // namespace quicksand::ubcsand

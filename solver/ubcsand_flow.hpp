@@ -137,9 +137,9 @@ inline PlasticFlow flow_on_locus(const UbcSand& m, const Trial& trial, const Har
     const double sb_first = larger(s_first + m.a, m.s_min), reached = smaller(m.eta_f * sb_first, t_first);
     const double range = larger(reached - eta_y * sb_first, 1e-12 * sb_first);
     const double above = larger(0.0, reached - larger(m.sin_cv, eta_y) * sb_first);
-    const double per_both = 1.0 / (softens * range);
-    const double failing = excess * (range * per_both);
-    const double dilating = first * smaller(1.0, above * (softens * per_both)); // where eta > sin phi_cv
+    const Inverses per = inverses(softens, range);
+    const double failing = excess * per.of_a;
+    const double dilating = first * smaller(1.0, above * per.of_b); // where eta > sin phi_cv
     return {at.s_trial - K * D * first - K * D_f * failing, t_first - G * failing, first + failing,
             D * first + D_f * failing, failing + dilating};
 }
@@ -181,16 +181,16 @@ inline Middle middle_of(const UbcSand& m, const Trial& trial, double number, con
     const double s_end = larger(m.s_min, estimate.s), sb_end = s_end + m.a;
     const double change = half_change(start, s_end);
     const double sb = start.s * (1.0 + change) + m.a, t_end = larger(1e-6 * trial.t, estimate.t);
-    const double per_stresses = 1.0 / (sb_end * sb), per_shears = 1.0 / (trial.t * t_end);
+    const Inverses per_sb = inverses(sb_end, sb), per_t = inverses(trial.t, t_end);
     Middle middle;
     middle.place.moduli = changed_moduli(m, start.moduli, change);
     middle.place.number = number * (1.0 + m.np * change);
-    middle.place.eta = 0.5 * (trial.eta_y + smaller(m.eta_f, estimate.t * (sb * per_stresses)));
+    middle.place.eta = 0.5 * (trial.eta_y + smaller(m.eta_f, estimate.t * per_sb.of_a));
     middle.place.sb = sb;
-    middle.place.growth = sb_end * (sb_end * per_stresses);
+    middle.place.growth = sb_end * per_sb.of_b;
     // a flow that is long against the stress turns q fast: n is then where the substep ends, which is stable
-    const double to_end = t_end * (t_end * per_shears);
-    const double early = larger(0.0, 1.0 - start.moduli.G * estimate.lambda * (trial.t * per_shears));
+    const double to_end = t_end * per_t.of_a;
+    const double early = larger(0.0, 1.0 - start.moduli.G * estimate.lambda * per_t.of_b);
     const double x = early * start.q_x + trial.q_x * to_end, y = early * start.q_y + trial.q_y * to_end;
     const double per_length = 1.0 / larger(std::sqrt(x * x + y * y), 1e-300);
     middle.n_x = x * per_length;
@@ -262,10 +262,10 @@ PlasticFlow finish_plastic(const UbcSand& m, const Trial& trial, UbcSandState& s
         larger(0.0, smaller(flow.t, m.eta_f * (flow.s + m.a))); // rounding, and substeps beyond the budget
     state.dilation += flow.dilating;                            // [9]
     const double sb = flow.s + m.a, length = larger(std::sqrt(end.q_x * end.q_x + end.q_y * end.q_y), 1e-300);
-    const double per_both = 1.0 / (sb * length);
-    state.eta_max = larger(state.eta_max, flow.t * (length * per_both));
+    const Inverses per = inverses(sb, length);
+    state.eta_max = larger(state.eta_max, flow.t * per.of_a);
     const double sigma_z = trial.sigma_z + end.E2 * (trial.volumetric - flow.contraction);
-    const double ratio = flow.t * (sb * per_both);
+    const double ratio = flow.t * per.of_b;
     set_stress(m, flow.s, end.q_x * ratio, end.q_y * ratio, sigma_z, state);
     return flow;
 }

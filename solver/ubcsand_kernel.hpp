@@ -77,9 +77,9 @@ Start start_of(const UbcSand& m, const UbcSandState& state)
     start.s_old = 0.5 * (state.sigma_x + state.sigma_y);
     start.s = larger(start.s_old, m.s_min);
     start.sb = start.s + m.a;
-    const double per_both = 1.0 / (start.s * start.sb); // a division takes as long as many products
-    start.per_s = start.sb * per_both;
-    start.per_sb = start.s * per_both;
+    const Inverses per = inverses(start.s, start.sb);
+    start.per_s = per.of_a;
+    start.per_sb = per.of_b;
     start.q_x = 0.5 * (state.sigma_x - state.sigma_y);
     start.q_y = state.tau_xy;
     start.squared = start.q_x * start.q_x + start.q_y * start.q_y;
@@ -121,10 +121,10 @@ double substep_share(const UbcSand& m, const Start& start, const UbcSandState& s
     const double G = start.moduli.G;
     const double dq_x = G * (strain.x - strain.y), dq_y = G * strain.xy;
     const double ds = start.moduli.K * (strain.x + strain.y), squared = dq_x * dq_x + dq_y * dq_y;
-    const double resolved = larger(start.s, m.resolved), resolved_sb = resolved + m.a;
-    const double per_both = 1.0 / (resolved * resolved_sb);
-    const double by_stress = std::abs(ds) * m.per_stress_step * (resolved_sb * per_both);
-    const double by_ratio = std::sqrt(squared) * (resolved * per_both);
+    const double resolved = larger(start.s, m.resolved);
+    const Inverses per = inverses(resolved, resolved + m.a);
+    const double by_stress = std::abs(ds) * m.per_stress_step * per.of_a;
+    const double by_ratio = std::sqrt(squared) * per.of_b;
     if constexpr (order == Integration::first_order) {
         return 1.0 / count_of(smaller(larger(by_ratio * m.per_ratio_step, by_stress), budget));
     } else {
