@@ -1,6 +1,7 @@
 #include "solver/grid_to_particle.hpp"
 
 #include "solver/lanes.hpp"
+#include "solver/patch_walk.hpp"
 #include "solver/time_step_control.hpp"
 
 #include <algorithm>
@@ -8,22 +9,6 @@
 namespace quicksand {
 
 namespace {
-
-/// Call add(node, phi, d phi/dx, d phi/dy) for the nodes of a patch.
-template <class Node, class Add>
-inline void for_each_weighted_node(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
-                                   const Node* nodes, Add&& add)
-{
-    const auto first = static_cast<std::size_t>(patch.first);
-    const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
-                 *grad_y = store.gradient_y.data() + first;
-    const std::int32_t width = patch.width, height = patch.height;
-    const Node* row = nodes + patch.base;
-    for (std::int32_t b = 0; b < height; ++b, row += nodes_x) {
-        for (std::int32_t i = 0; i < width; ++i) add(row[i], phi[i], grad_x[i], grad_y[i]);
-        phi += width, grad_x += width, grad_y += width;
-    }
-}
 
 /// The grid's motion at a particle of a body that moves as one: lanes v and its change, as SinglePhaseMotion.
 struct LocalMotion {
@@ -35,13 +20,14 @@ inline LocalMotion motion_at(const StoredPatch& patch, const PatchStore& store, 
                              const SinglePhaseMotion* motion)
 {
     Lanes at_particle = all_lanes(0.0), slope_x = at_particle, slope_y = at_particle;
-    for_each_weighted_node(patch, store, nodes_x, motion,
-                           [&](const SinglePhaseMotion& node, double phi, double grad_x, double grad_y) {
-                               const Lanes at_node = load_lanes(&node.x);
-                               at_particle += phi * at_node;
-                               slope_x += grad_x * at_node;
-                               slope_y += grad_y * at_node;
-                           });
+    walk_patch(
+        patch, store, nodes_x, motion, [] {},
+        [&](const SinglePhaseMotion& node, double phi, double grad_x, double grad_y) {
+            const Lanes at_node = load_lanes(&node.x);
+            at_particle += phi * at_node;
+            slope_x += grad_x * at_node;
+            slope_y += grad_y * at_node;
+        });
     return {at_particle, slope_x, slope_y};
 }
 
@@ -57,15 +43,16 @@ inline LocalTwoPhaseMotion motion_at(const StoredPatch& patch, const PatchStore&
 {
     Lanes velocity = all_lanes(0.0), change = velocity, slope_x = velocity, slope_y = velocity;
     double divergence = 0.0;
-    for_each_weighted_node(patch, store, nodes_x, motion,
-                           [&](const TwoPhaseMotion& node, double phi, double grad_x, double grad_y) {
-                               const Lanes at_node = load_lanes(&node.solid_x);
-                               velocity += phi * at_node;
-                               change += phi * load_lanes(&node.solid_change_x);
-                               slope_x += grad_x * at_node;
-                               slope_y += grad_y * at_node;
-                               divergence += grad_x * node.flux_x + grad_y * node.flux_y;
-                           });
+    walk_patch(
+        patch, store, nodes_x, motion, [] {},
+        [&](const TwoPhaseMotion& node, double phi, double grad_x, double grad_y) {
+            const Lanes at_node = load_lanes(&node.solid_x);
+            velocity += phi * at_node;
+            change += phi * load_lanes(&node.solid_change_x);
+            slope_x += grad_x * at_node;
+            slope_y += grad_y * at_node;
+            divergence += grad_x * node.flux_x + grad_y * node.flux_y;
+        });
     return {velocity, change, slope_x, slope_y, divergence};
 }
 

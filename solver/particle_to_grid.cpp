@@ -6,6 +6,7 @@
 #include "solver/gimp.hpp"
 #include "solver/lanes.hpp"
 #include "solver/linear_interpolation.hpp"
+#include "solver/patch_walk.hpp"
 #include "solver/pore_pressure.hpp"
 
 #include <algorithm>
@@ -103,22 +104,20 @@ inline void scatter_one_velocity(const BackgroundGrid& grid, const Particles& pa
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const SinglePhaseShare share = share_of(particles, masses, p, pressure(p));
         const Lanes node_step = h * share.slope_x; // of the momentum from a node to the next
-        const auto first = static_cast<std::size_t>(patch->first);
-        const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
-                     *grad_y = store.gradient_y.data() + first;
-        const std::int32_t width = patch->width, height = patch->height;
-        SinglePhaseSums* row = sums.data() + patch->base;
         double dy = patch->offset_y;
-        for (std::int32_t b = 0; b < height; ++b, row += nodes_x, dy += h) {
-            Lanes carried = share.carried + dy * share.slope_y + patch->offset_x * share.slope_x;
-            for (std::int32_t i = 0; i < width; ++i) {
-                add_to(&row[i].mass, phi[i] * carried);
-                row[i].stress_force_x += share.flow_xx * grad_x[i] + share.flow_xy * grad_y[i];
-                row[i].stress_force_y += share.flow_xy * grad_x[i] + share.flow_yy * grad_y[i];
+        Lanes carried;
+        walk_patch(
+            *patch, store, nodes_x, sums.data(),
+            [&] {
+                carried = share.carried + dy * share.slope_y + patch->offset_x * share.slope_x;
+                dy += h;
+            },
+            [&](SinglePhaseSums& node, double phi, double grad_x, double grad_y) {
+                add_to(&node.mass, phi * carried);
+                node.stress_force_x += share.flow_xx * grad_x + share.flow_xy * grad_y;
+                node.stress_force_y += share.flow_xy * grad_x + share.flow_yy * grad_y;
                 carried += node_step;
-            }
-            phi += width, grad_x += width, grad_y += width;
-        }
+            });
     }
 }
 
@@ -173,22 +172,20 @@ void scatter_two_phase(const Problem& problem, const Particles& particles, const
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const TwoPhaseShare share = share_of(problem, particles, static_cast<std::size_t>(lists.order[k]));
         const Lanes node_step = h * share.slope_x; // of the momentum from a node to the next
-        const auto first = static_cast<std::size_t>(patch->first);
-        const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
-                     *grad_y = store.gradient_y.data() + first;
-        const std::int32_t width = patch->width, height = patch->height;
-        TwoPhaseSums* row = sums.data() + patch->base;
         double dy = patch->offset_y;
-        for (std::int32_t b = 0; b < height; ++b, row += nodes_x, dy += h) {
-            Lanes momentum = share.momentum + dy * share.slope_y + patch->offset_x * share.slope_x;
-            for (std::int32_t i = 0; i < width; ++i) {
-                add_to(&row[i].mass_solid, phi[i] * share.amounts);
-                add_to(&row[i].momentum_solid_x, phi[i] * momentum);
-                add_to(&row[i].stress_force_x, grad_x[i] * share.flow_x + grad_y[i] * share.flow_y);
+        Lanes momentum;
+        walk_patch(
+            *patch, store, nodes_x, sums.data(),
+            [&] {
+                momentum = share.momentum + dy * share.slope_y + patch->offset_x * share.slope_x;
+                dy += h;
+            },
+            [&](TwoPhaseSums& node, double phi, double grad_x, double grad_y) {
+                add_to(&node.mass_solid, phi * share.amounts);
+                add_to(&node.momentum_solid_x, phi * momentum);
+                add_to(&node.stress_force_x, grad_x * share.flow_x + grad_y * share.flow_y);
                 momentum += node_step;
-            }
-            phi += width, grad_x += width, grad_y += width;
-        }
+            });
     }
 }
 
