@@ -74,8 +74,9 @@ ExitCode measure_scale(const BenchChoice& choice)
         State& state = setup.assembled.state;
         for (const int threads : thread_counts(most)) {
             ScalePoint point{state.particles.size(), threads, 0.0, 0.0, cell_size};
-            point.seconds = measure_step(setup.assembled.problem, threads, state).total;
-            point.bytes = std::max(0.0, resident_bytes() - before);
+            const StepCost cost = measure_step(setup.assembled.problem, threads, state);
+            point.seconds = cost.total;
+            point.bytes = std::max(0.0, cost.resident - before);
             points.push_back(point);
             journal.say(row_of(point));
         }

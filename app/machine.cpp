@@ -1,6 +1,7 @@
 #include "app/machine.hpp"
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -36,6 +37,7 @@ std::string machine_text()
 
 double resident_bytes()
 {
+    malloc_trim(0); // else the next body would stand for nothing on what a former one has left behind
     std::ifstream file("/proc/self/statm");
     double all = 0.0, resident = 0.0;
     file >> all >> resident;

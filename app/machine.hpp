@@ -8,7 +8,8 @@ namespace quicksand {
 /// Processor, its threads, and the compiler: one line for tables of measurements.
 std::string machine_text();
 
-/// Memory of this process that is resident now [byte]; 0 where the system does not tell.
+/// Memory of this process that is resident now, less what has been freed [byte]; 0 where the system does not
+/// tell.
 double resident_bytes();
 
 } // namespace quicksand

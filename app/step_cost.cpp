@@ -1,6 +1,7 @@
 #include "app/step_cost.hpp"
 
 #include "app/example_folder.hpp"
+#include "app/machine.hpp"
 #include "solver/failure.hpp"
 #include "solver/simulation.hpp"
 #include "solver/stepper.hpp"
@@ -67,8 +68,10 @@ StepCost measure_step(const Problem& problem, int threads, State& state)
     measure_run(problem, dt, std::max(2, steps / 5), state, *stepper);
     std::array<StepCost, measured_runs> costs;
     for (StepCost& cost : costs) cost = measure_run(problem, dt, steps, state, *stepper);
+    const double resident = resident_bytes();
     std::nth_element(costs.begin(), costs.begin() + measured_runs / 2, costs.end(),
                      [](const StepCost& a, const StepCost& b) { return a.total < b.total; });
+    costs[measured_runs / 2].resident = resident;
     return costs[measured_runs / 2];
 }
 
