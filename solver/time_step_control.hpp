@@ -25,7 +25,7 @@ WaveSpeeds wave_speeds(const Material& material, const std::optional<Water>& wat
 WaveSpeeds wave_speeds(const Material& material, double skeleton_modulus, const std::optional<Water>& water,
                        double porosity);
 
-/// The speeds of every material at the node where the present stress makes it stiffest, at its initial
+/// The speeds of every material in the cell where the present stress makes it stiffest, at its initial
 /// porosity; as without particles where there are none of it.
 std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles);
 

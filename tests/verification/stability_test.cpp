@@ -58,19 +58,6 @@ TEST(StableTimeStep, AStiffParticleCountsByItsShareOfTheCell)
     }
 }
 
-TEST(StableTimeStep, AStiffCellCountsWithTheCellsAroundItsNodes)
-{
-    for (const StiffCell& cell : stiff_cells) {
-        for (const double ratio : {4.0, 25.0}) {
-            auto [problem, state, dt] = with_stiff_cell(cell, ratio, patch(1.0, false));
-            const double before = monitor(problem, state, {}).kinetic_energy;
-            SinglePhaseWorkspace work = make_single_phase_workspace(problem);
-            for (int k = 0; k < 2000; ++k) advance_single_phase_step(problem, 1.05 * dt, 0.0, state, work);
-            EXPECT_LT(monitor(problem, state, {}).kinetic_energy, 0.1 * before) << cell.place << ' ' << ratio;
-        }
-    }
-}
-
 TEST(StableTimeStep, MotionIsLostAboveTheLimit)
 {
     EXPECT_THROW(energy_growth(patch(1e-3, true), 1.4), NumericalError) << "the test can fail";
