@@ -8,10 +8,10 @@ namespace quicksand {
 
 namespace {
 
-constexpr int largest_block = 64;         // cells along a side, without the overlap
-constexpr int overlap = 6;                // cells of its neighbours that a block takes in
-constexpr std::size_t largest_band = 304; // four cells of coupling in such a block; the rest is left out
-constexpr float least_pivot = 1e-4f;      // of a diagonal of ones
+constexpr int largest_block = 64;        // cells along a side, without the overlap
+constexpr int overlap = 6;               // cells of its neighbours that a block takes in
+constexpr std::size_t largest_band = 88; // a row of such a block and twelve cells; the rest is left out
+constexpr float least_pivot = 1e-4f;     // of a diagonal of ones
 
 /// A cell's part in a node: its row in the block, and D.
 struct Touch {
