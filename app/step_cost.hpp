@@ -18,7 +18,7 @@ SceneSetup set_up_body(const BenchChoice& choice, const std::filesystem::path& s
 /// The first scene of the choice, or the dike example.
 std::filesystem::path only_scene(const BenchChoice& choice);
 
-/// Wall time of a step and of its phases [s], and what it stands on.
+/// Wall time of a step and of its phases [s], and the memory it needs.
 struct StepCost {
     double total = 0.0;
     double time_step = 0.0; // of the motion [s]

@@ -20,14 +20,13 @@ inline LocalMotion motion_at(const StoredPatch& patch, const PatchStore& store, 
                              const SinglePhaseMotion* motion)
 {
     Lanes at_particle = all_lanes(0.0), slope_x = at_particle, slope_y = at_particle;
-    walk_patch(
-        patch, store, nodes_x, motion, [] {},
-        [&](const SinglePhaseMotion& node, double phi, double grad_x, double grad_y) {
-            const Lanes at_node = load_lanes(&node.x);
-            at_particle += phi * at_node;
-            slope_x += grad_x * at_node;
-            slope_y += grad_y * at_node;
-        });
+    walk_patch(patch, store, nodes_x, motion,
+               [&](const SinglePhaseMotion& node, double phi, double grad_x, double grad_y) {
+                   const Lanes at_node = load_lanes(&node.x);
+                   at_particle += phi * at_node;
+                   slope_x += grad_x * at_node;
+                   slope_y += grad_y * at_node;
+               });
     return {at_particle, slope_x, slope_y};
 }
 
@@ -43,16 +42,15 @@ inline LocalTwoPhaseMotion motion_at(const StoredPatch& patch, const PatchStore&
 {
     Lanes velocity = all_lanes(0.0), change = velocity, slope_x = velocity, slope_y = velocity;
     double divergence = 0.0;
-    walk_patch(
-        patch, store, nodes_x, motion, [] {},
-        [&](const TwoPhaseMotion& node, double phi, double grad_x, double grad_y) {
-            const Lanes at_node = load_lanes(&node.solid_x);
-            velocity += phi * at_node;
-            change += phi * load_lanes(&node.solid_change_x);
-            slope_x += grad_x * at_node;
-            slope_y += grad_y * at_node;
-            divergence += grad_x * node.flux_x + grad_y * node.flux_y;
-        });
+    walk_patch(patch, store, nodes_x, motion,
+               [&](const TwoPhaseMotion& node, double phi, double grad_x, double grad_y) {
+                   const Lanes at_node = load_lanes(&node.solid_x);
+                   velocity += phi * at_node;
+                   change += phi * load_lanes(&node.solid_change_x);
+                   slope_x += grad_x * at_node;
+                   slope_y += grad_y * at_node;
+                   divergence += grad_x * node.flux_x + grad_y * node.flux_y;
+               });
     return {velocity, change, slope_x, slope_y, divergence};
 }
 

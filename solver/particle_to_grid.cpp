@@ -15,13 +15,19 @@ namespace quicksand {
 
 namespace {
 
+/// What a particle carries to its nodes: linear about the particle.
+struct CarriedField {
+    Lanes at_particle;
+    Lanes slope_x, slope_y; // d/dx and d/dy of it
+};
+
 /// What a particle gives to its nodes: with weight phi and offset d from the particle, node sums grow by
-///   phi amounts,  phi (momentum + slope_x d_x + slope_y d_y),  grad_x flow_x + grad_y flow_y
+///   phi amounts,  phi (momentum + its slopes times d),  grad_x flow_x + grad_y flow_y
 /// for the masses, momenta and forces in the order of TwoPhaseSums.
 struct TwoPhaseShare {
-    Lanes amounts;                    // m_s, m_w, V_w of saturated soil, C V_w
-    Lanes momentum, slope_x, slope_y; // m_s v_s and m_w v_w, and their gradients
-    Lanes flow_x, flow_y;             // -V sigma' of the grains and V p, columns x and y
+    Lanes amounts;         // m_s, m_w, V_w of saturated soil, C V_w
+    CarriedField momentum; // m_s v_s and m_w v_w
+    Lanes flow_x, flow_y;  // -V sigma' of the grains and V p, columns x and y
 };
 
 inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles, std::size_t p)
@@ -37,10 +43,10 @@ inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles
     const Lanes masses = {m_s, m_s, m_w, m_w};
     TwoPhaseShare share;
     share.amounts = Lanes{m_s, m_w, V_w, C};
-    share.momentum = masses * Lanes{particles.velocity_solid.x[p], particles.velocity_solid.y[p],
-                                    particles.velocity_fluid.x[p], particles.velocity_fluid.y[p]};
-    share.slope_x = masses * Lanes{Ls.xx[p], Ls.yx[p], Lw.xx[p], Lw.yx[p]};
-    share.slope_y = masses * Lanes{Ls.xy[p], Ls.yy[p], Lw.xy[p], Lw.yy[p]};
+    share.momentum.at_particle = masses * Lanes{particles.velocity_solid.x[p], particles.velocity_solid.y[p],
+                                                particles.velocity_fluid.x[p], particles.velocity_fluid.y[p]};
+    share.momentum.slope_x = masses * Lanes{Ls.xx[p], Ls.yx[p], Lw.xx[p], Lw.yx[p]};
+    share.momentum.slope_y = masses * Lanes{Ls.xy[p], Ls.yy[p], Lw.xy[p], Lw.yy[p]};
     const Lanes volumes = {-V, -V, V, V};
     share.flow_x = volumes * Lanes{xx, xy, pressure, 0.0};
     share.flow_y = volumes * Lanes{xy, yy, 0.0, pressure};
@@ -50,6 +56,27 @@ inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles
 inline void add_to(double* target, const Lanes& increment)
 {
     store_lanes(load_lanes(target) + increment, target);
+}
+
+/// Call add(node, phi, d phi/dx, d phi/dy, the field at the node) for the nodes of a patch.
+template <class Node, class Add>
+inline void carry_to_nodes(const CarriedField& field, const BackgroundGrid& grid, const StoredPatch& patch,
+                           const PatchStore& store, Node* nodes, Add&& add)
+{
+    const double h = grid.cell_size;
+    const Lanes node_step = h * field.slope_x; // from a node to the next
+    double dy = patch.offset_y;
+    Lanes at_node;
+    walk_patch(
+        patch, store, grid.nodes_x(), nodes,
+        [&] {
+            at_node = field.at_particle + dy * field.slope_y + patch.offset_x * field.slope_x;
+            dy += h;
+        },
+        [&](Node& node, double phi, double grad_x, double grad_y) {
+            add(node, phi, grad_x, grad_y, at_node);
+            at_node += node_step;
+        });
 }
 
 template <NodeInterpolation Member>
@@ -69,7 +96,7 @@ std::int64_t evaluate_tile(const BackgroundGrid& grid, const Particles& particle
 /// What a particle of a body that moves as one gives to its nodes, as TwoPhaseShare: lanes mass, weight and
 /// momentum, and the force's flows -V sigma.
 struct SinglePhaseShare {
-    Lanes carried, slope_x, slope_y;
+    CarriedField carried;
     double flow_xx, flow_yy, flow_xy; // [N m/m]
 };
 
@@ -80,10 +107,10 @@ inline SinglePhaseShare share_of(const Particles& particles, const CarriedMasses
     const Gradients& L = particles.velocity_gradient_solid;
     const double V = particles.volume[p], m = masses.inertia[p];
     SinglePhaseShare share;
-    share.carried =
+    share.carried.at_particle =
         Lanes{m, masses.weight[p], m * particles.velocity_solid.x[p], m * particles.velocity_solid.y[p]};
-    share.slope_x = Lanes{0.0, 0.0, m * L.xx[p], m * L.yx[p]};
-    share.slope_y = Lanes{0.0, 0.0, m * L.xy[p], m * L.yy[p]};
+    share.carried.slope_x = Lanes{0.0, 0.0, m * L.xx[p], m * L.yx[p]};
+    share.carried.slope_y = Lanes{0.0, 0.0, m * L.xy[p], m * L.yy[p]};
     share.flow_xx = -V * (particles.stress.xx[p] - pressure);
     share.flow_yy = -V * (particles.stress.yy[p] - pressure);
     share.flow_xy = -V * particles.stress.xy[p];
@@ -97,26 +124,16 @@ inline void scatter_one_velocity(const BackgroundGrid& grid, const Particles& pa
                                  const PatchStore& store, std::vector<SinglePhaseSums>& sums,
                                  Pressure&& pressure)
 {
-    const double h = grid.cell_size;
-    const std::int32_t nodes_x = grid.nodes_x();
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const SinglePhaseShare share = share_of(particles, masses, p, pressure(p));
-        const Lanes node_step = h * share.slope_x; // of the momentum from a node to the next
-        double dy = patch->offset_y;
-        Lanes carried;
-        walk_patch(
-            *patch, store, nodes_x, sums.data(),
-            [&] {
-                carried = share.carried + dy * share.slope_y + patch->offset_x * share.slope_x;
-                dy += h;
-            },
-            [&](SinglePhaseSums& node, double phi, double grad_x, double grad_y) {
+        carry_to_nodes(
+            share.carried, grid, *patch, store, sums.data(),
+            [&](SinglePhaseSums& node, double phi, double grad_x, double grad_y, const Lanes& carried) {
                 add_to(&node.mass, phi * carried);
                 node.stress_force_x += share.flow_xx * grad_x + share.flow_xy * grad_y;
                 node.stress_force_y += share.flow_xy * grad_x + share.flow_yy * grad_y;
-                carried += node_step;
             });
     }
 }
@@ -166,25 +183,15 @@ VECTOR_KERNEL
 void scatter_two_phase(const Problem& problem, const Particles& particles, const CellLists& lists,
                        const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums)
 {
-    const double h = problem.grid.cell_size;
-    const std::int32_t nodes_x = problem.grid.nodes_x();
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const TwoPhaseShare share = share_of(problem, particles, static_cast<std::size_t>(lists.order[k]));
-        const Lanes node_step = h * share.slope_x; // of the momentum from a node to the next
-        double dy = patch->offset_y;
-        Lanes momentum;
-        walk_patch(
-            *patch, store, nodes_x, sums.data(),
-            [&] {
-                momentum = share.momentum + dy * share.slope_y + patch->offset_x * share.slope_x;
-                dy += h;
-            },
-            [&](TwoPhaseSums& node, double phi, double grad_x, double grad_y) {
+        carry_to_nodes(
+            share.momentum, problem.grid, *patch, store, sums.data(),
+            [&](TwoPhaseSums& node, double phi, double grad_x, double grad_y, const Lanes& momentum) {
                 add_to(&node.mass_solid, phi * share.amounts);
                 add_to(&node.momentum_solid_x, phi * momentum);
                 add_to(&node.stress_force_x, grad_x * share.flow_x + grad_y * share.flow_y);
-                momentum += node_step;
             });
     }
 }

@@ -23,4 +23,13 @@ inline void walk_patch(const StoredPatch& patch, const PatchStore& store, std::i
     }
 }
 
+/// The same without a call for the rows.
+template <class Node, class Add>
+inline void walk_patch(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x, Node* nodes,
+                       Add&& add)
+{
+    walk_patch(
+        patch, store, nodes_x, nodes, [] {}, add);
+}
+
 } // namespace quicksand
