@@ -89,7 +89,7 @@ TwoPhaseMotion solve_aligned(const TwoPhaseSums& node, const NodeImpulses& impul
                                               held & solid_x_fixed, held & fluid_x_fixed, held & film_x);
     const PhaseVelocities y = solve_direction(balance_along(node, impulses, dt, Vector2::UnitY()),
                                               held & solid_y_fixed, held & fluid_y_fixed, held & film_y);
-    return {x.solid, y.solid, x.fluid, y.fluid, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    return {.solid_x = x.solid, .solid_y = y.solid, .fluid_x = x.fluid, .fluid_y = y.fluid};
 }
 
 TwoPhaseMotion solve_slanted(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
@@ -103,7 +103,7 @@ TwoPhaseMotion solve_slanted(const TwoPhaseSums& node, const NodeImpulses& impul
                                               held & fluid_y_fixed, held & film_y);
     const Vector2 solid = n.solid * wall.normal + s.solid * across;
     const Vector2 fluid = n.fluid * wall.normal + s.fluid * across;
-    return {solid.x(), solid.y(), fluid.x(), fluid.y(), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    return {.solid_x = solid.x(), .solid_y = solid.y(), .fluid_x = fluid.x(), .fluid_y = fluid.y()};
 }
 
 /// Impulses of a force of the pressure over a unit of time, shared by grains and water.

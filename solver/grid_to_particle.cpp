@@ -1,5 +1,6 @@
 #include "solver/grid_to_particle.hpp"
 
+#include "solver/carried_slope.hpp"
 #include "solver/lanes.hpp"
 #include "solver/patch_walk.hpp"
 #include "solver/time_step_control.hpp"
@@ -12,46 +13,59 @@ namespace {
 
 /// The grid's motion at a particle of a body that moves as one: lanes v and its change, as SinglePhaseMotion.
 struct LocalMotion {
-    Lanes motion;           // [m/s]
-    Lanes slope_x, slope_y; // d/dx and d/dy of the motion [1/s]
+    Lanes motion;     // [m/s]
+    Slopes gradients; // of the motion
+    Slopes carried;
 };
 
-inline LocalMotion motion_at(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
+inline LocalMotion motion_at(const BackgroundGrid& grid, const StoredPatch& patch, const PatchStore& store,
                              const SinglePhaseMotion* motion)
 {
-    Lanes at_particle = all_lanes(0.0), slope_x = at_particle, slope_y = at_particle;
-    walk_patch(patch, store, nodes_x, motion,
-               [&](const SinglePhaseMotion& node, double phi, double grad_x, double grad_y) {
-                   const Lanes at_node = load_lanes(&node.x);
-                   at_particle += phi * at_node;
-                   slope_x += grad_x * at_node;
-                   slope_y += grad_y * at_node;
-               });
-    return {at_particle, slope_x, slope_y};
+    Slopes gradients = {all_lanes(0.0), all_lanes(0.0)};
+    SlopeFit fit;
+    walk_patch(
+        patch, store, grid.nodes_x(), motion, [&] { fit.begin_row(); },
+        [&](const SinglePhaseMotion& node, double phi, double grad_x, double grad_y) {
+            const Lanes at_node = load_lanes(&node.x);
+            fit.add(phi, at_node);
+            gradients.x += grad_x * at_node;
+            gradients.y += grad_y * at_node;
+        },
+        [&] { fit.end_row(); });
+    return {fit.mean(), gradients, fit.slopes(grid.cell_size)};
 }
 
 /// The motion of both phases at a particle: lanes v_s and v_w, as TwoPhaseMotion.
 struct LocalTwoPhaseMotion {
     Lanes velocity, change; // [m/s]
-    Lanes slope_x, slope_y; // d/dx and d/dy of the velocity [1/s]
-    double divergence;      // of the flux [1/s]
+    Slopes gradients;       // lanes flux and v_s
+    Slopes carried;
 };
 
-inline LocalTwoPhaseMotion motion_at(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x,
-                                     const TwoPhaseMotion* motion)
+inline LocalTwoPhaseMotion motion_at(const BackgroundGrid& grid, const StoredPatch& patch,
+                                     const PatchStore& store, const TwoPhaseMotion* motion)
 {
-    Lanes velocity = all_lanes(0.0), change = velocity, slope_x = velocity, slope_y = velocity;
-    double divergence = 0.0;
-    walk_patch(patch, store, nodes_x, motion,
-               [&](const TwoPhaseMotion& node, double phi, double grad_x, double grad_y) {
-                   const Lanes at_node = load_lanes(&node.solid_x);
-                   velocity += phi * at_node;
-                   change += phi * load_lanes(&node.solid_change_x);
-                   slope_x += grad_x * at_node;
-                   slope_y += grad_y * at_node;
-                   divergence += grad_x * node.flux_x + grad_y * node.flux_y;
-               });
-    return {velocity, change, slope_x, slope_y, divergence};
+    Lanes change = all_lanes(0.0);
+    Slopes gradients = {change, change};
+    SlopeFit fit;
+    walk_patch(
+        patch, store, grid.nodes_x(), motion, [&] { fit.begin_row(); },
+        [&](const TwoPhaseMotion& node, double phi, double grad_x, double grad_y) {
+            fit.add(phi, load_lanes(&node.solid_x));
+            change += phi * load_lanes(&node.solid_change_x);
+            const Lanes flux_and_solid = load_lanes(&node.flux_x);
+            gradients.x += grad_x * flux_and_solid;
+            gradients.y += grad_y * flux_and_solid;
+        },
+        [&] { fit.end_row(); });
+    return {fit.mean(), change, gradients, fit.slopes(grid.cell_size)};
+}
+
+/// Lanes k and k + 1 of the slopes are those of one velocity along x and y.
+inline void store_slopes(const Slopes& slopes, int k, std::size_t p, Gradients& L)
+{
+    L.xx[p] = slopes.x[k], L.xy[p] = slopes.y[k];
+    L.yx[p] = slopes.x[k + 1], L.yy[p] = slopes.y[k + 1];
 }
 
 /// What draws the relative velocity of a particle towards the grid's: the correction of the water is
@@ -95,11 +109,9 @@ inline void store_motion(const LocalTwoPhaseMotion& local, const Lanes& velocity
     particles.velocity_solid.y[p] = velocity[1];
     particles.velocity_fluid.x[p] = velocity[2];
     particles.velocity_fluid.y[p] = velocity[3];
-    Gradients &Ls = particles.velocity_gradient_solid, &Lw = particles.velocity_gradient_fluid;
-    Ls.xx[p] = local.slope_x[0], Ls.xy[p] = local.slope_y[0];
-    Ls.yx[p] = local.slope_x[1], Ls.yy[p] = local.slope_y[1];
-    Lw.xx[p] = local.slope_x[2], Lw.xy[p] = local.slope_y[2];
-    Lw.yx[p] = local.slope_x[3], Lw.yy[p] = local.slope_y[3];
+    store_slopes(local.gradients, 2, p, particles.velocity_gradient_solid);
+    store_slopes(local.carried, 0, p, particles.velocity_slope_solid);
+    store_slopes(local.carried, 2, p, particles.velocity_slope_fluid);
 }
 
 } // namespace
@@ -120,16 +132,15 @@ void gather_two_phase(const Problem& problem, double dt, double share, const Cel
                       const Tile& tile, const PatchStore& store, const std::vector<TwoPhaseMotion>& motion,
                       Particles& particles, Vectors& grid_velocity, Scalars& flux_divergence)
 {
-    const std::int32_t nodes_x = problem.grid.nodes_x();
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
-        const LocalTwoPhaseMotion local = motion_at(*patch, store, nodes_x, motion.data());
+        const LocalTwoPhaseMotion local = motion_at(problem.grid, *patch, store, motion.data());
         const RelativeFilter filter = relative_filter(problem, dt, particles, p);
         store_motion(local, updated_velocities(particles, p, local, share, filter), p, particles);
         grid_velocity.x[p] = local.velocity[0];
         grid_velocity.y[p] = local.velocity[1];
-        flux_divergence[p] = local.divergence;
+        flux_divergence[p] = local.gradients.x[0] + local.gradients.y[1];
     }
 }
 
@@ -138,21 +149,19 @@ void gather_single_phase(const Problem& problem, double share, const CellLists& 
                          const PatchStore& store, const std::vector<SinglePhaseMotion>& motion,
                          Particles& particles, Vectors& grid_velocity)
 {
-    const std::int32_t nodes_x = problem.grid.nodes_x();
-    Gradients& L = particles.velocity_gradient_solid;
     Vectors& velocity = particles.velocity_solid;
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
-        const LocalMotion local = motion_at(*patch, store, nodes_x, motion.data());
+        const LocalMotion local = motion_at(problem.grid, *patch, store, motion.data());
         grid_velocity.x[p] = local.motion[0];
         grid_velocity.y[p] = local.motion[1];
         // the particle's own velocity with the grid's change, its noise less the share
         const double x = velocity.x[p] + local.motion[2], y = velocity.y[p] + local.motion[3];
         velocity.x[p] = x + share * (local.motion[0] - x);
         velocity.y[p] = y + share * (local.motion[1] - y);
-        L.xx[p] = local.slope_x[0], L.xy[p] = local.slope_y[0];
-        L.yx[p] = local.slope_x[1], L.yy[p] = local.slope_y[1];
+        store_slopes(local.gradients, 0, p, particles.velocity_gradient_solid);
+        store_slopes(local.carried, 0, p, particles.velocity_slope_solid);
     }
 }
 

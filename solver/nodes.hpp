@@ -21,13 +21,14 @@ struct alignas(64) TwoPhaseSums {
     bool active() const { return mass_solid > 0.0; }
 };
 
-/// Velocities at the end of the step and their change in it; two groups of four, each read as one.
+/// Velocities at the end of the step and their change in it: the flux and v_s, v_s and v_w, and the
+/// changes are each read as four.
 struct TwoPhaseMotion {
-    double solid_x, solid_y;               // v_s [m/s]
-    double fluid_x, fluid_y;               // v_w [m/s]
-    double solid_change_x, solid_change_y; // v_s - momentum_solid / m_s [m/s]
-    double fluid_change_x, fluid_change_y; // v_w - momentum_fluid / m_w [m/s]
-    double flux_x, flux_y;                 // (1-n) v_s + n v_w [m/s]
+    double flux_x = 0.0, flux_y = 0.0;                 // (1-n) v_s + n v_w [m/s]
+    double solid_x = 0.0, solid_y = 0.0;               // v_s [m/s]
+    double fluid_x = 0.0, fluid_y = 0.0;               // v_w [m/s]
+    double solid_change_x = 0.0, solid_change_y = 0.0; // v_s - momentum_solid / m_s [m/s]
+    double fluid_change_x = 0.0, fluid_change_y = 0.0; // v_w - momentum_fluid / m_w [m/s]
 };
 
 /// Outer forces at a node that the sums hold among those of stress and pressure, kept for the ledger.

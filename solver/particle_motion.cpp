@@ -20,14 +20,6 @@ void add_stretch(double dt, const Gradients& L, std::size_t p, const Vectors& ot
     edge.y[p] += dt * (L.yx[p] * x + L.yy[p] * y);
 }
 
-void scale(double share, std::size_t p, Gradients& L)
-{
-    L.xx[p] *= share;
-    L.xy[p] *= share;
-    L.yx[p] *= share;
-    L.yy[p] *= share;
-}
-
 VECTOR_KERNEL
 void advance_chunk(double dt, const Vectors& grid_velocity, std::size_t first, std::size_t last,
                    Particles& particles)
@@ -138,24 +130,6 @@ void update_effective_stress(const Problem& problem, double dt, Particles& parti
                               [&](const auto& law, std::size_t run_first, std::size_t run_last) {
                                   update_stress(law, dt, run_first, run_last, particles);
                               });
-    });
-}
-
-void shorten_carried_gradients(const Problem& problem, Particles& particles)
-{
-    const double allowed = problem.grid.cell_size * problem.grid.cell_size;
-    const bool fixed = problem.strain == StrainForm::small;
-    const Vectors& r1 = fixed ? particles.reference_edge_1 : particles.half_edge_1;
-    const Vectors& r2 = fixed ? particles.reference_edge_2 : particles.half_edge_2;
-    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
-        for (std::size_t p = first; p < last; ++p) {
-            const double squares = r1[p].squaredNorm() + r2[p].squaredNorm();
-            if (squares <= allowed) continue;
-            const double share = allowed / squares;
-            scale(share, p, particles.velocity_gradient_solid);
-            if (!particles.velocity_gradient_fluid.xx.empty())
-                scale(share, p, particles.velocity_gradient_fluid);
-        }
     });
 }
 

@@ -41,12 +41,6 @@ void update_porosity(const Problem& problem, Particles& particles);
 /// L_xy)/2), then add each material's stress of the step's strain.
 void update_effective_stress(const Problem& problem, double dt, Particles& particles);
 
-/// Shorten the velocity gradients that particles with long domains carry to the next step by (h / rho)^2,
-/// rho^2 = |r_1|^2 + |r_2|^2 > h^2. In a long and thin parallelogram the gradient across is a small
-/// difference of values at far corners; spread to nodes a cell away it would give more than was taken, and
-/// grow by the step.
-void shorten_carried_gradients(const Problem& problem, Particles& particles);
-
 /// x + dt sum N_i(x) v_i; false where x lies outside the grid.
 template <class Velocity>
 bool move_with_grid(const BackgroundGrid& grid, double dt, Velocity&& velocity, Vector2& x)

@@ -33,20 +33,20 @@ struct TwoPhaseShare {
 inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles, std::size_t p)
 {
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-    const Gradients &Ls = particles.velocity_gradient_solid, &Lw = particles.velocity_gradient_fluid;
+    const Gradients &Cs = particles.velocity_slope_solid, &Cw = particles.velocity_slope_fluid;
     const double V = particles.volume[p], n = particles.porosity[p];
     const double V_w = material.saturated ? V : 0.0;
     const double m_s = particles.mass_solid[p], m_w = n * problem.water->density * V_w;
-    const double C = V_w * drag_coefficient(material, *problem.water, n);
+    const double drag = V_w * drag_coefficient(material, *problem.water, n);
     const double xx = particles.stress.xx[p], yy = particles.stress.yy[p], xy = particles.stress.xy[p];
     const double pressure = particles.pore_pressure[p];
     const Lanes masses = {m_s, m_s, m_w, m_w};
     TwoPhaseShare share;
-    share.amounts = Lanes{m_s, m_w, V_w, C};
+    share.amounts = Lanes{m_s, m_w, V_w, drag};
     share.momentum.at_particle = masses * Lanes{particles.velocity_solid.x[p], particles.velocity_solid.y[p],
                                                 particles.velocity_fluid.x[p], particles.velocity_fluid.y[p]};
-    share.momentum.slope_x = masses * Lanes{Ls.xx[p], Ls.yx[p], Lw.xx[p], Lw.yx[p]};
-    share.momentum.slope_y = masses * Lanes{Ls.xy[p], Ls.yy[p], Lw.xy[p], Lw.yy[p]};
+    share.momentum.slope_x = masses * Lanes{Cs.xx[p], Cs.yx[p], Cw.xx[p], Cw.yx[p]};
+    share.momentum.slope_y = masses * Lanes{Cs.xy[p], Cs.yy[p], Cw.xy[p], Cw.yy[p]};
     const Lanes volumes = {-V, -V, V, V};
     share.flow_x = volumes * Lanes{xx, xy, pressure, 0.0};
     share.flow_y = volumes * Lanes{xy, yy, 0.0, pressure};
@@ -76,7 +76,8 @@ inline void carry_to_nodes(const CarriedField& field, const BackgroundGrid& grid
         [&](Node& node, double phi, double grad_x, double grad_y) {
             add(node, phi, grad_x, grad_y, at_node);
             at_node += node_step;
-        });
+        },
+        [] {});
 }
 
 template <NodeInterpolation Member>
@@ -104,13 +105,13 @@ struct SinglePhaseShare {
 inline SinglePhaseShare share_of(const Particles& particles, const CarriedMasses& masses, std::size_t p,
                                  double pressure)
 {
-    const Gradients& L = particles.velocity_gradient_solid;
+    const Gradients& C = particles.velocity_slope_solid;
     const double V = particles.volume[p], m = masses.inertia[p];
     SinglePhaseShare share;
     share.carried.at_particle =
         Lanes{m, masses.weight[p], m * particles.velocity_solid.x[p], m * particles.velocity_solid.y[p]};
-    share.carried.slope_x = Lanes{0.0, 0.0, m * L.xx[p], m * L.yx[p]};
-    share.carried.slope_y = Lanes{0.0, 0.0, m * L.xy[p], m * L.yy[p]};
+    share.carried.slope_x = Lanes{0.0, 0.0, m * C.xx[p], m * C.yx[p]};
+    share.carried.slope_y = Lanes{0.0, 0.0, m * C.xy[p], m * C.yy[p]};
     share.flow_xx = -V * (particles.stress.xx[p] - pressure);
     share.flow_yy = -V * (particles.stress.yy[p] - pressure);
     share.flow_xy = -V * particles.stress.xy[p];

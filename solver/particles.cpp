@@ -45,7 +45,7 @@ void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order,
 
 ArrayGroup group_of(std::string_view name)
 {
-    if (name.starts_with("velocity_fluid") || name.starts_with("velocity_gradient_fluid"))
+    if (name.starts_with("velocity_fluid") || name.starts_with("velocity_slope_fluid"))
         return ArrayGroup::fluid_motion;
     if (name == "porosity") return ArrayGroup::pores;
     if (name == "pore_pressure") return ArrayGroup::pressure;

@@ -1,15 +1,17 @@
-// The walk over the nodes of a stored patch, which scatter and gather share.
+// The walk over the nodes of a stored patch, which scatter and gather share, and the slope of the nodes'
+// motion about a particle.
 #pragma once
 
+#include "solver/lanes.hpp"
 #include "solver/node_weights.hpp"
 
 namespace quicksand {
 
-/// Call begin_row() at the begin of every row of a patch and add(node, phi, d phi/dx, d phi/dy) for its
-/// nodes, row by row from the lower left one.
-template <class Node, class BeginRow, class Add>
+/// Call begin_row() and end_row() at the begin and end of every row of a patch and add(node, phi, d phi/dx,
+/// d phi/dy) for its nodes, row by row from the lower left one.
+template <class Node, class BeginRow, class Add, class EndRow>
 inline void walk_patch(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x, Node* nodes,
-                       BeginRow&& begin_row, Add&& add)
+                       BeginRow&& begin_row, Add&& add, EndRow&& end_row)
 {
     const auto first = static_cast<std::size_t>(patch.first);
     const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
@@ -19,17 +21,9 @@ inline void walk_patch(const StoredPatch& patch, const PatchStore& store, std::i
     for (std::int32_t b = 0; b < height; ++b, row += nodes_x) {
         begin_row();
         for (std::int32_t a = 0; a < width; ++a) add(row[a], phi[a], grad_x[a], grad_y[a]);
+        end_row();
         phi += width, grad_x += width, grad_y += width;
     }
-}
-
-/// The same without a call for the rows.
-template <class Node, class Add>
-inline void walk_patch(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x, Node* nodes,
-                       Add&& add)
-{
-    walk_patch(
-        patch, store, nodes_x, nodes, [] {}, add);
 }
 
 } // namespace quicksand

@@ -159,13 +159,13 @@ void set_saturated_volumes(const Problem& problem, const Particles& particles, S
 
 void carry_moisture(const Problem& problem, Particles& particles)
 {
-    const Gradients& Ls = particles.velocity_gradient_solid;
-    Gradients& Lw = particles.velocity_gradient_fluid;
+    const Gradients& Cs = particles.velocity_slope_solid;
+    Gradients& Cw = particles.velocity_slope_fluid;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
         particles.velocity_fluid.set(p, particles.velocity_solid[p]);
-        Lw.xx[p] = Ls.xx[p], Lw.xy[p] = Ls.xy[p];
-        Lw.yx[p] = Ls.yx[p], Lw.yy[p] = Ls.yy[p];
+        Cw.xx[p] = Cs.xx[p], Cw.xy[p] = Cs.xy[p];
+        Cw.yx[p] = Cs.yx[p], Cw.yy[p] = Cs.yy[p];
     }
 }
 

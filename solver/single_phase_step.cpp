@@ -112,7 +112,6 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
     });
     timed(work.timers, Phase::stress, [&] {
         update_stress_of_cells(problem, dt, work.lists, particles, work.average);
-        shorten_carried_gradients(problem, particles);
     });
     state.time += dt;
     state.last_step = dt;

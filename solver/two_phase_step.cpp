@@ -156,7 +156,6 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
     });
     timed(work.timers, Phase::stress, [&] {
         update_stress_of_cells(problem, dt, work.lists, state.particles, work.average);
-        shorten_carried_gradients(problem, state.particles);
     });
     state.time += dt;
     state.last_step = dt;

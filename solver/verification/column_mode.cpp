@@ -119,8 +119,8 @@ void start_amplitudes(const ColumnMode& mode, const Eigen::Vector4d& y, Particle
         const double sine = std::sin(phase), cosine = std::cos(phase);
         particles.velocity_solid.y[p] = y[0] * sine;
         particles.velocity_fluid.y[p] = y[1] * sine;
-        particles.velocity_gradient_solid.yy[p] = xi * y[0] * cosine;
-        particles.velocity_gradient_fluid.yy[p] = xi * y[1] * cosine;
+        particles.velocity_slope_solid.yy[p] = xi * y[0] * cosine;
+        particles.velocity_slope_fluid.yy[p] = xi * y[1] * cosine;
         particles.stress.yy[p] = y[2] * cosine;
         particles.pore_pressure[p] = y[3] * cosine;
     }

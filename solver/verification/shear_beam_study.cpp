@@ -50,8 +50,8 @@ void start(const ShearState& motion, double base, double height, Particles& part
         const double y = particles.reference_position.y[p] - base;
         particles.velocity_solid.x[p] = motion.solid(y);
         particles.velocity_fluid.x[p] = motion.fluid(y);
-        particles.velocity_gradient_solid.xy[p] = slope(motion.solid, y);
-        particles.velocity_gradient_fluid.xy[p] = slope(motion.fluid, y);
+        particles.velocity_slope_solid.xy[p] = slope(motion.solid, y);
+        particles.velocity_slope_fluid.xy[p] = slope(motion.fluid, y);
         particles.stress.xy[p] = motion.stress(y);
     }
 }

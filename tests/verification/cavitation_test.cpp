@@ -38,7 +38,7 @@ TornColumn tear(TimeScheme scheme, std::optional<double> cavitation_pressure, do
     Particles& particles = state.particles;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         particles.velocity_solid.y[p] = particles.velocity_fluid.y[p] = particles.position.y[p];
-        particles.velocity_gradient_solid.yy[p] = particles.velocity_gradient_fluid.yy[p] = 1.0;
+        particles.velocity_slope_solid.yy[p] = particles.velocity_slope_fluid.yy[p] = 1.0;
     }
     run(problem, end_time, {}, state);
     return column;

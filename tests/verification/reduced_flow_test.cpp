@@ -37,11 +37,11 @@ State waving(const Problem& problem)
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double phase = std::numbers::pi * particles.position.y[p];
         particles.velocity_solid.y[p] = 1e-3 * std::sin(phase);
-        particles.velocity_gradient_solid.yy[p] = 1e-3 * std::numbers::pi * std::cos(phase);
+        particles.velocity_slope_solid.yy[p] = 1e-3 * std::numbers::pi * std::cos(phase);
     }
     if (problem.water->flow == WaterFlow::coupled) {
         particles.velocity_fluid = particles.velocity_solid;
-        particles.velocity_gradient_fluid = particles.velocity_gradient_solid;
+        particles.velocity_slope_fluid = particles.velocity_slope_solid;
     }
     return state;
 }

@@ -100,8 +100,8 @@ TEST(SurfaceLoad, PressureAroundATurningBlockKeepsItsMomenta)
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Vector2 arm = particles.position[p] - Vector2(0.6, 0.6);
         particles.velocity_solid.set(p, omega * Vector2(-arm.y(), arm.x()));
-        particles.velocity_gradient_solid.xy[p] = -omega;
-        particles.velocity_gradient_solid.yx[p] = omega;
+        particles.velocity_slope_solid.xy[p] = -omega;
+        particles.velocity_slope_solid.yx[p] = omega;
         particles.stress.xx[p] = particles.stress.yy[p] = -1e4;
     }
     const auto spin = [&] {

@@ -40,11 +40,11 @@ void set_vibrating(double amplitude, const Vector2& drift, Particles& particles)
         const double x = particles.position.x[p] - 1.0;
         const Vector2 velocity = drift + Vector2(amplitude * std::sin(std::numbers::pi * x), 0.0);
         particles.velocity_solid.set(p, velocity);
-        particles.velocity_gradient_solid.xx[p] =
+        particles.velocity_slope_solid.xx[p] =
             amplitude * std::numbers::pi * std::cos(std::numbers::pi * x);
         if (!particles.has_fluid()) continue;
         particles.velocity_fluid.set(p, velocity);
-        particles.velocity_gradient_fluid.xx[p] = particles.velocity_gradient_solid.xx[p];
+        particles.velocity_slope_fluid.xx[p] = particles.velocity_slope_solid.xx[p];
     }
 }
 

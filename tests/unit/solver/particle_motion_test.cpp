@@ -47,24 +47,5 @@ TEST(NoiseOfDeformation, KeepsTheMomentumWhereStrainsAndMassesDiffer)
     EXPECT_EQ(particles.velocity_solid.x[2], 2.0);
 }
 
-TEST(CarriedGradients, AreShortenedForLongDomainsOnly)
-{
-    Particles particles;
-    resize(particles, 2, WaterFlow::coupled);
-    for (Gradients* L : {&particles.velocity_gradient_solid, &particles.velocity_gradient_fluid}) {
-        L->xx = L->xy = L->yx = L->yy = {8.0, 8.0};
-    }
-    for (std::size_t p = 0; p < 2; ++p) particles.half_edge_1.set(p, {0.5, 0.0});
-    particles.half_edge_2.set(0, {0.0, 0.5}); // a cell wide
-    particles.half_edge_2.set(1, {1.95, 0.3});
-    Problem problem;
-    problem.grid.cell_size = 1.0;
-    shorten_carried_gradients(problem, particles);
-    const double share = 1.0 / (0.25 + 1.95 * 1.95 + 0.3 * 0.3);
-    EXPECT_EQ(particles.velocity_gradient_solid.xy[0], 8.0);
-    EXPECT_NEAR(particles.velocity_gradient_solid.xy[1], 8.0 * share, 1e-14);
-    EXPECT_NEAR(particles.velocity_gradient_fluid.yy[1], 8.0 * share, 1e-14);
-}
-
 } // namespace
 } // namespace quicksand
