@@ -1,9 +1,9 @@
-// Nodes to particles: velocities, velocity gradients and the divergence of the flux of grains and
+// Nodes to particles: velocities, their gradients and slopes, and the divergence of the flux of grains and
 // water.
 //
 // Velocities. A particle keeps its own velocity and takes the change of the grid's (FLIP): taking the grid's
 // velocity itself (PIC) would smooth the motion a little in every step, and the explicit step is so short
-// that this would damp a shear wave of twenty cells by a per cent of critical, even with the gradient carried
+// that this would damp a shear wave of twenty cells by a per cent of critical, even with the slope carried
 // along. What the grid cannot see of the particles' motion is noise, though; it is taken out at a rate, not
 // per step:
 //   v_p <- v + theta (v_grid - v),  theta = dt / (dt + tau),  tau = 20 h / c
@@ -25,9 +25,9 @@ namespace quicksand {
 /// tau, the time over which velocity noise is taken out [s].
 double noise_time(const Problem& problem);
 
-/// v_p as above and L_p = sum v_i (x) grad phi for both phases of a tile's particles; grid_velocity = sum phi
-/// v_i of the grains, with which the particles move [m/s]; flux_divergence = sum grad phi . [(1-n_i) v_s +
-/// n_i v_w] [1/s].
+/// For a tile's particles: v_p as above and the carried slopes C_p (carried_slope.hpp) of both phases; of the
+/// grains L_s = sum v_i (x) grad phi, with which the domains deform, and grid_velocity = sum phi v_i, with
+/// which they move [m/s]; flux_divergence = sum grad phi . [(1-n_i) v_s + n_i v_w] [1/s].
 void gather_two_phase(const Problem& problem, double dt, double share, const CellLists& lists,
                       const Tile& tile, const PatchStore& store, const std::vector<TwoPhaseMotion>& motion,
                       Particles& particles, Vectors& grid_velocity, Scalars& flux_divergence);

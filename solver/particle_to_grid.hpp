@@ -27,8 +27,8 @@ void compute_carried_masses(const Problem& problem, const State& state, CarriedM
 std::int64_t evaluate_weights(const Problem& problem, const Particles& particles, const CellLists& lists,
                               const Tile& tile, PatchStore& store);
 
-/// Add the particles of a tile to the nodes' sums. Velocities are carried with their gradient (Taylor
-/// transfer, Jiang, Schroeder and Teran 2017): the particle gives node i the velocity v_p + L_p (x_i - x_p).
+/// Add the particles of a tile to the nodes' sums. Velocities are carried with their slope
+/// (carried_slope.hpp): the particle gives node i the velocity v_p + C_p (x_i - x_p).
 void scatter_two_phase(const Problem& problem, const Particles& particles, const CellLists& lists,
                        const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums);
 
