@@ -195,6 +195,9 @@ std::vector<SceneKey> material_keys()
          .when = ubcsand_only,
          .doc = "Porosity of the loosest sand, which no longer dilates; once its grains have parted it bears nothing "
                 "until they touch again."},
+        {.pattern = "materials.*.smallest_porosity", .default_note = "e_min = e - 0.376 (1 - relative_density)",
+         .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.2, 0.45},
+         .when = ubcsand_only, .doc = "Porosity of the densest sand, which no longer contracts."},
         {.pattern = "materials.*.resolved_floors", .default_value = UbcSandRunSettings().resolved_floors,
          .allowed = not_negative, .plausible = {0.0, 40.0}, .when = ubcsand_only,
          .doc = "Below this multiple of stress_floor substeps are as long as there, which speeds liquefied sand up."},

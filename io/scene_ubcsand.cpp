@@ -3,6 +3,7 @@
 #include "io/ubcsand_keys.hpp"
 #include "solver/ubcsand.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -31,24 +32,47 @@ void check_k0(const SceneValues& values, const NamedTable& table, const UbcSandP
 /// difference stands for that of other sands.
 constexpr double void_ratio_range = 0.376; // e_max - e_min [-]
 
-/// Porosity of the sand at its loosest, given or by its density.
-double largest_porosity(const NamedTable& table, double relative_density, SceneValues& values,
-                        Diagnostics& findings)
+/// An end of the range of porosities: how far its void ratio is from that of the sand, and its names.
+struct PorosityEnd {
+    const char* key;
+    double way; // in void ratio [-]
+    const char *beyond, *meaning;
+};
+
+/// Porosity of the sand at its loosest or densest, given or by its density.
+double porosity_at(const PorosityEnd& end, const NamedTable& table, SceneValues& values,
+                   Diagnostics& findings)
 {
-    const std::string key = table.path + ".largest_porosity";
+    const std::string key = table.path + "." + end.key;
     const double porosity = values.number(table.path + ".porosity");
     if (const auto given = values.find<double>(key)) {
-        if (*given < porosity)
-            findings.add(
-                error_at(values.place(key), "range",
-                         key + " = " + number_text(*given) + " is below porosity = " + number_text(porosity),
-                         "the porosity of the sand at its loosest"));
+        if ((*given - porosity) * end.way < 0.0)
+            findings.add(error_at(values.place(key), "range",
+                                  key + " = " + number_text(*given) + " is " + end.beyond +
+                                      " porosity = " + number_text(porosity),
+                                  end.meaning));
         return *given;
     }
-    const double void_ratio = porosity / (1.0 - porosity) + void_ratio_range * relative_density;
-    const double largest = void_ratio / (1.0 + void_ratio);
-    show(key, largest, values);
-    return largest;
+    const double void_ratio = std::max(0.0, porosity / (1.0 - porosity) + end.way);
+    const double result = void_ratio / (1.0 + void_ratio);
+    show(key, result, values);
+    return result;
+}
+
+/// Bound the volume that the grains take by the porosities of the sand at its loosest and densest.
+void bound_volumes(const NamedTable& table, double grain_density, SceneValues& values,
+                   UbcSandParameters& parameters, Diagnostics& findings)
+{
+    const double to_loosest = void_ratio_range * parameters.relative_density;
+    const PorosityEnd loosest = {"largest_porosity", to_loosest, "below",
+                                 "the porosity of the sand at its loosest"};
+    const PorosityEnd densest = {"smallest_porosity", to_loosest - void_ratio_range, "above",
+                                 "the porosity of the sand at its densest"};
+    const auto volume = [&](const PorosityEnd& end) { // per mass of grains
+        return 1.0 / (grain_density * (1.0 - porosity_at(end, table, values, findings)));
+    };
+    parameters.largest_specific_volume = volume(loosest);
+    parameters.smallest_specific_volume = volume(densest);
 }
 
 } // namespace
@@ -64,8 +88,7 @@ void read_ubcsand_materials(SceneValues& values, Scene& scene, Diagnostics& find
         parameters.integration = UbcSandRunSettings().integration;
         parameters.ripple_strain = values.number(table.path + ".ripple_strain");
         parameters.resolved_floors = values.number(table.path + ".resolved_floors");
-        const double loosest = largest_porosity(table, parameters.relative_density, values, findings);
-        parameters.largest_specific_volume = 1.0 / (material.material.grain_density * (1.0 - loosest));
+        bound_volumes(table, material.material.grain_density, values, parameters, findings);
         check_k0(values, table, parameters, findings);
         material.ubcsand = parameters;
         if (!findings.has_errors()) material.material.law = make_ubcsand(parameters);

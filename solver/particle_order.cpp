@@ -4,12 +4,10 @@
 #include "solver/lanes.hpp"
 #include "solver/threads.hpp"
 
-#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <sstream>
 
 namespace quicksand {
 
@@ -42,6 +40,15 @@ std::int64_t count_bad(const Particles& particles, std::size_t first, std::size_
         bad += !(slow & (volume[p] > 0.0));
     }
     return bad;
+}
+
+/// Particles whose grains fill more than their volume.
+VECTOR_KERNEL
+std::int64_t count_overfull(const Scalars& porosity, std::size_t first, std::size_t last)
+{
+    std::int64_t overfull = 0;
+    for (std::size_t p = first; p < last; ++p) overfull += !(porosity[p] > 0.0);
+    return overfull;
 }
 
 } // namespace
@@ -85,6 +92,7 @@ void check_particles(double dt, const State& state)
     std::atomic<bool> all_good = true;
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         if (count_bad(particles, first, last) > 0) all_good = false;
+        if (particles.has_fluid() && count_overfull(particles.porosity, first, last) > 0) all_good = false;
     });
     if (all_good) return;
     for (std::size_t p = 0; p < particles.size(); ++p) {
@@ -94,6 +102,14 @@ void check_particles(double dt, const State& state)
                         " m3/m",
                     "the soil is torn or crushed there; its material is too soft for its load; cells are too "
                     "large",
+                    dt, state, p);
+        }
+        if (particles.has_fluid() && !(particles.porosity[p] > 0.0)) {
+            fail_at("motion",
+                    "a particle has no pores left for its water: its porosity is " +
+                        std::to_string(particles.porosity[p]),
+                    "the soil is crushed there; its material is too soft for its load, or contracts without "
+                    "end",
                     dt, state, p);
         }
         const double speed = particles.velocity_solid[p].norm();

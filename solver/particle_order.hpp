@@ -15,7 +15,8 @@ void sort_particles(const BackgroundGrid& grid, double dt, State& state, CellLis
 /// Throws NumericalError: a corner of the particle's quadrilateral has left the grid.
 [[noreturn]] void throw_lost_corner(double dt, const State& state, std::size_t p);
 
-/// Throws NumericalError when a particle's velocity is not a number or its volume is not positive.
+/// Throws NumericalError when a particle's velocity is not a number, its volume is not positive or its pores
+/// have closed on their water.
 void check_particles(double dt, const State& state);
 
 } // namespace quicksand

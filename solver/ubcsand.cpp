@@ -78,6 +78,7 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.per_excursion_step = std::max(law.per_ratio_step, 1.0 / std::max(m.reversal_tolerance, 1e-6));
     law.per_stress_step = 1.0 / m.largest_stress_step;
     law.largest_specific_volume = m.largest_specific_volume;
+    law.smallest_specific_volume = m.smallest_specific_volume;
     law.resolved = m.resolved_floors * m.stress_floor;
     law.integration = m.integration;
     law.square_roots = law.ne == 0.5 && law.me == 0.5;

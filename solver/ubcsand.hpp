@@ -22,25 +22,26 @@ namespace quicksand {
 
 /// The law made ready: parameters as the kernel uses them. Make it with `make_ubcsand` only.
 struct UbcSand {
-    double G_atm, B_atm, Gp_atm;    // elastic shear, elastic bulk and plastic shear modulus at s = P_a [Pa]
-    double ne, me, np;              // their exponents [-]
-    double sin_cv, eta_f;           // sin phi_cv, sin phi_f [-]
-    double R;                       // R_f / eta_f [-]
-    double a;                       // c cot phi_f, shift of the mean stress [Pa]
-    double h1, h2, s0, s1;          // factors of the plastic modulus [-]
-    double tolerance_squared;       // reversal tolerance, squared [-]
-    double ripple_squared;          // strain of a ripple, squared [-]
-    double a_dil_log2;              // softening after dilation, as a power of 2 [-]
-    double fac_post;                // least factor after dilation [-]
-    double s_min;                   // stress floor [Pa]
-    double static_poisson;          // nu while settling under gravity [-]
-    double per_ratio_step;          // 1 / largest elastic change of the stress ratio in a substep [-]
-    double per_excursion_step;      // the same while an excursion may still be tiny [-]
-    double per_stress_step;         // 1 / largest relative elastic change of s in a substep [-]
-    double largest_specific_volume; // of the loosest sand, per mass of grains [m3/kg]
-    double resolved;                // mean stress below which substeps are as long as there [Pa]
-    Integration integration;        // of the substeps
-    bool square_roots;              // ne = me = 1/2
+    double G_atm, B_atm, Gp_atm;     // elastic shear, elastic bulk and plastic shear modulus at s = P_a [Pa]
+    double ne, me, np;               // their exponents [-]
+    double sin_cv, eta_f;            // sin phi_cv, sin phi_f [-]
+    double R;                        // R_f / eta_f [-]
+    double a;                        // c cot phi_f, shift of the mean stress [Pa]
+    double h1, h2, s0, s1;           // factors of the plastic modulus [-]
+    double tolerance_squared;        // reversal tolerance, squared [-]
+    double ripple_squared;           // strain of a ripple, squared [-]
+    double a_dil_log2;               // softening after dilation, as a power of 2 [-]
+    double fac_post;                 // least factor after dilation [-]
+    double s_min;                    // stress floor [Pa]
+    double static_poisson;           // nu while settling under gravity [-]
+    double per_ratio_step;           // 1 / largest elastic change of the stress ratio in a substep [-]
+    double per_excursion_step;       // the same while an excursion may still be tiny [-]
+    double per_stress_step;          // 1 / largest relative elastic change of s in a substep [-]
+    double largest_specific_volume;  // of the loosest sand, per mass of grains [m3/kg]
+    double smallest_specific_volume; // of the densest [m3/kg]
+    double resolved;                 // mean stress below which substeps are as long as there [Pa]
+    Integration integration;         // of the substeps
+    bool square_roots;               // ne = me = 1/2
 };
 
 /// Stress and memory of a point. A new point has the memory `begin_shaking` gives.
@@ -64,8 +65,9 @@ struct UbcSandState {
     double half_cycles = 0.0; // n, reversals that were followed by loading [-]
     double dilation = 0.0;    // g_dil, plastic shear strain in dilation [-]
     double active_dilation = 0.0; // its value at the last counted half cycle, which softens the branch [-]
-    double least_contraction =
-        -1.0; // of D: -1, or 0 where the sand is at its loosest; given, not remembered [-]
+    // bounds of D, given and not remembered: -1, or 0 where the sand is at its loosest, and 1, or 0 where it
+    // is at its densest [-]
+    double least_contraction = -1.0, most_contraction = 1.0;
 };
 
 /// A strain increment, compression positive, and the rotation that comes with it.
@@ -118,7 +120,7 @@ struct UbcSandArrays {
     double *eta_max, *branch, *peak_x, *peak_y;            // memory as in UbcSandState and of its signs
     double *origin_x, *origin_y, *leg_x, *leg_y, *back_x, *back_y, *last_leg, *waiting;
     double *half_cycles, *dilation, *active_dilation;
-    const double *volume, *mass_solid; // [m3, kg], which tell where the sand is at its loosest
+    const double *volume, *mass_solid; // [m3/m, kg/m], which tell where the sand is at its loosest or densest
 
     UbcSandState state(std::size_t p) const
     {
@@ -143,14 +145,11 @@ struct UbcSandArrays {
     }
 };
 
-/// What the spin turns: a caller may turn the points itself, or not at all in small strain.
-enum class Turn { stress_and_memory, nothing };
+/// Advance the points [first, last) by dt; the same bits as `update` one by one. Spin is left to the caller,
+/// who turns the points before, or not at all in small strain.
+void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, const UbcSandArrays& points);
 
-/// Advance the points [first, last) by dt; the same bits as `update` one by one.
-void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
-            const UbcSandArrays& points);
-
-/// Constrained moduli of the points [first, last) by their stresses [Pa] and volumes [m2].
+/// Constrained moduli of the points [first, last) by their stresses [Pa] and volumes [m3/m].
 ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
                                const double* stress_xx, const double* stress_yy, const double* volume);
 

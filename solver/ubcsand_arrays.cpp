@@ -25,17 +25,19 @@ struct Block {
     double sigma_x[width], sigma_y[width], sigma_z[width], tau_xy[width];
     double eta_max[width], branch[width], peak_x[width], peak_y[width], origin_x[width], origin_y[width];
     double leg_x[width], leg_y[width], back_x[width], back_y[width], last_leg[width], waiting[width];
-    double half_cycles[width], dilation[width], active_dilation[width], least_contraction[width];
+    double half_cycles[width], dilation[width], active_dilation[width];
+    double least_contraction[width], most_contraction[width];
     double strain_x[width], strain_y[width], strain_xy[width]; // what remains
     double budget[width];                                      // substeps left
     double open[width];                                        // 1 until the last substep is done
 
     UbcSandState state(std::size_t k) const
     {
-        return {sigma_x[k], sigma_y[k],     sigma_z[k],  tau_xy[k],          eta_max[k],
-                branch[k],  peak_x[k],      peak_y[k],   origin_x[k],        origin_y[k],
-                leg_x[k],   leg_y[k],       back_x[k],   back_y[k],          last_leg[k],
-                waiting[k], half_cycles[k], dilation[k], active_dilation[k], least_contraction[k]};
+        return {sigma_x[k],         sigma_y[k],     sigma_z[k],  tau_xy[k],          eta_max[k],
+                branch[k],          peak_x[k],      peak_y[k],   origin_x[k],        origin_y[k],
+                leg_x[k],           leg_y[k],       back_x[k],   back_y[k],          last_leg[k],
+                waiting[k],         half_cycles[k], dilation[k], active_dilation[k], least_contraction[k],
+                most_contraction[k]};
     }
 
     void set(std::size_t k, bool condition, const UbcSandState& state)
@@ -64,22 +66,22 @@ struct Block {
 
 /// The trials of a block between their making and the return.
 struct TrialBlock {
-    double G[width], B[width], s_old[width], s_start[width], per_s[width], per_sb[width];
+    double G[width], B[width], s_old[width], s_start[width], per_s[width];
     double start_x[width], start_y[width];
     double s[width], q_x[width], q_y[width], t[width], sigma_z[width];
-    double volumetric[width], shear_x[width], shear_y[width], E2[width], eta_y[width], branch[width],
-        least_D[width], plastic[width];
+    double volumetric[width], shear_x[width], shear_y[width], eta_y[width], branch[width], least_D[width],
+        most_D[width], plastic[width];
 
     void set(std::size_t k, const Trial& trial, double is_plastic)
     {
         G[k] = trial.start.moduli.G, B[k] = trial.start.moduli.B;
         s_old[k] = trial.start.s_old, s_start[k] = trial.start.s;
-        per_s[k] = trial.start.per_s, per_sb[k] = trial.start.per_sb;
+        per_s[k] = trial.start.per_s;
         start_x[k] = trial.start.q_x, start_y[k] = trial.start.q_y;
         s[k] = trial.s, q_x[k] = trial.q_x, q_y[k] = trial.q_y, t[k] = trial.t, sigma_z[k] = trial.sigma_z;
         volumetric[k] = trial.volumetric, shear_x[k] = trial.shear_x, shear_y[k] = trial.shear_y;
-        E2[k] = trial.E2, eta_y[k] = trial.eta_y, branch[k] = trial.branch;
-        least_D[k] = trial.least_D;
+        eta_y[k] = trial.eta_y, branch[k] = trial.branch;
+        least_D[k] = trial.least_D, most_D[k] = trial.most_D;
         plastic[k] = is_plastic;
     }
 
@@ -91,14 +93,14 @@ struct TrialBlock {
                        s_start[k],
                        s_start[k] + law.a,
                        per_s[k],
-                       per_sb[k],
+                       0.0, // only reversals, which are noticed elastically, ask for 1/sb
                        start_x[k],
                        start_y[k],
                        start_x[k] * start_x[k] + start_y[k] * start_y[k]};
         trial.s = s[k], trial.q_x = q_x[k], trial.q_y = q_y[k], trial.t = t[k], trial.sigma_z = sigma_z[k];
         trial.volumetric = volumetric[k], trial.shear_x = shear_x[k], trial.shear_y = shear_y[k];
-        trial.E2 = E2[k], trial.eta_y = eta_y[k], trial.branch = branch[k];
-        trial.least_D = least_D[k];
+        trial.eta_y = eta_y[k], trial.branch = branch[k];
+        trial.least_D = least_D[k], trial.most_D = most_D[k];
         return trial;
     }
 };
@@ -150,28 +152,25 @@ inline void take_substep(const UbcSand& law, Block& block)
     }
 }
 
-/// D may be negative but in the loosest sand.
-inline double least_contraction(const UbcSand& law, const UbcSandArrays& points, std::size_t p)
+/// D may be negative but in the loosest sand, and positive but in the densest.
+inline void bound_contraction(const UbcSand& law, const UbcSandArrays& points, std::size_t p, std::size_t k,
+                              Block& block)
 {
-    return select(points.volume[p] > law.largest_specific_volume * points.mass_solid[p], 0.0, -1.0);
+    const double volume = points.volume[p], mass = points.mass_solid[p];
+    block.least_contraction[k] = select(volume > law.largest_specific_volume * mass, 0.0, -1.0);
+    block.most_contraction[k] = select(volume < law.smallest_specific_volume * mass, 0.0, 1.0);
 }
 
-/// Put point p into lane k: compression-positive strain and turned state.
-inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p, double dt, bool turns,
-                 std::size_t k, Block& block)
+/// Put point p into lane k: compression-positive strain and its state.
+inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p, double dt, std::size_t k,
+                 Block& block)
 {
     UbcSandState state = points.state(p);
-    const double L_xy = points.L_xy[p], L_yx = points.L_yx[p];
-    if (turns) {
-        const Rotation rotation = rotation_of(0.5 * dt * (L_yx - L_xy));
-        turn_memory(rotation, state);
-        turn_stress(rotation, state);
-    }
-    state.least_contraction = least_contraction(law, points, p);
+    bound_contraction(law, points, p, k, block);
+    state.least_contraction = block.least_contraction[k];
     block.set(k, true, state);
-    block.least_contraction[k] = state.least_contraction;
-    const Strain strain =
-        borne(law, state, {-dt * points.L_xx[p], -dt * points.L_yy[p], -dt * (L_xy + L_yx)});
+    const Strain strain = borne(
+        law, state, {-dt * points.L_xx[p], -dt * points.L_yy[p], -dt * (points.L_xy[p] + points.L_yx[p])});
     block.strain_x[k] = strain.x, block.strain_y[k] = strain.y, block.strain_xy[k] = strain.xy;
     block.budget[k] = most_substeps;
     block.open[k] = 1.0;
@@ -179,14 +178,13 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p,
 
 /// Put `count` points from p on into the lanes.
 inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p, std::size_t count, double dt,
-                 Turn turned, Block& block)
+                 Block& block)
 {
-    const bool turns = turned == Turn::stress_and_memory;
     if (count == width) { // a known count makes vectors
-        for (std::size_t k = 0; k < width; ++k) load(law, points, p + k, dt, turns, k, block);
+        for (std::size_t k = 0; k < width; ++k) load(law, points, p + k, dt, k, block);
         return;
     }
-    for (std::size_t k = 0; k < count; ++k) load(law, points, p + k, dt, turns, k, block);
+    for (std::size_t k = 0; k < count; ++k) load(law, points, p + k, dt, k, block);
     for (std::size_t k = count; k < width; ++k) block.open[k] = 0.0;
 }
 
@@ -223,7 +221,7 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, const Unfinish
                  std::size_t k, Block& block)
 {
     block.set(k, true, points.state(unfinished.point[i]));
-    block.least_contraction[k] = least_contraction(law, points, unfinished.point[i]);
+    bound_contraction(law, points, unfinished.point[i], k, block);
     const Strain& strain = unfinished.strain[i];
     block.strain_x[k] = strain.x, block.strain_y[k] = strain.y, block.strain_xy[k] = strain.xy;
     block.budget[k] = most_substeps - 1.0;
@@ -252,14 +250,14 @@ inline void finish(const UbcSand& law, const Unfinished& unfinished, const UbcSa
 }
 
 template <bool square_roots, Integration order>
-inline void advance_points(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+inline void advance_points(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                            const UbcSandArrays& points)
 {
     Block block{};
     Unfinished unfinished;
     for (std::size_t p = first; p < last; p += width) {
         const std::size_t count = last - p < width ? last - p : width;
-        load(law, points, p, count, dt, turned, block);
+        load(law, points, p, count, dt, block);
         take_substep<square_roots, order>(law, block);
         store(block, p, count, points);
         note_unfinished(block, p, count, unfinished);
@@ -271,44 +269,42 @@ inline void advance_points(const UbcSand& law, double dt, std::size_t first, std
 }
 
 WIDE_VECTOR_KERNEL
-void advance_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+void advance_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                          const UbcSandArrays& points)
 {
-    advance_points<false, Integration::first_order>(law, dt, first, last, turned, points);
+    advance_points<false, Integration::first_order>(law, dt, first, last, points);
 }
 
 /// With the exponents of the generic set.
 WIDE_VECTOR_KERNEL
 void advance_generic_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
-                                 Turn turned, const UbcSandArrays& points)
+                                 const UbcSandArrays& points)
 {
-    advance_points<true, Integration::first_order>(law, dt, first, last, turned, points);
+    advance_points<true, Integration::first_order>(law, dt, first, last, points);
 }
 
 WIDE_VECTOR_KERNEL
-void advance_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
+void advance_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                           const UbcSandArrays& points)
 {
-    advance_points<false, Integration::second_order>(law, dt, first, last, turned, points);
+    advance_points<false, Integration::second_order>(law, dt, first, last, points);
 }
 
 WIDE_VECTOR_KERNEL
 void advance_generic_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
-                                  Turn turned, const UbcSandArrays& points)
+                                  const UbcSandArrays& points)
 {
-    advance_points<true, Integration::second_order>(law, dt, first, last, turned, points);
+    advance_points<true, Integration::second_order>(law, dt, first, last, points);
 }
 
 } // namespace
 
-void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, Turn turned,
-            const UbcSandArrays& points)
+void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, const UbcSandArrays& points)
 {
     if (law.integration == Integration::first_order) {
-        (law.square_roots ? advance_generic_first_order : advance_first_order)(law, dt, first, last, turned,
-                                                                               points);
+        (law.square_roots ? advance_generic_first_order : advance_first_order)(law, dt, first, last, points);
     } else {
-        (law.square_roots ? advance_generic_second_order : advance_second_order)(law, dt, first, last, turned,
+        (law.square_roots ? advance_generic_second_order : advance_second_order)(law, dt, first, last,
                                                                                  points);
     }
 }

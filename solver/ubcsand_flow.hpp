@@ -81,7 +81,7 @@ struct Place {
 /// D at a ratio [-].
 inline double contraction(const UbcSand& m, const Trial& trial, double eta)
 {
-    return larger(trial.least_D, m.sin_cv - eta);
+    return smaller(trial.most_D, larger(trial.least_D, m.sin_cv - eta));
 }
 
 /// [8, 8c] Return to the locus or to the failure line with the coefficients of the start, in first order:

@@ -4,7 +4,7 @@
 // Symbols    s = (sigma_x + sigma_y)/2, q = ((sigma_x - sigma_y)/2, tau_xy), t = |q|
 //            a = c cot phi_f, sb = s + a, r = q/sb, eta = t/sb = sin of the mobilised friction angle
 //            lambda = plastic shear strain, D = sin phi_cv - eta = plastic contraction per lambda, but not
-//            negative in the loosest sand
+//            negative in the loosest sand and not positive in the densest
 //            K' = B + G/3, E1 = B + 4G/3, E2 = B - 2G/3
 // Units/signs  Pa; stress and strain are compression positive in here, shear strain is engineering shear.
 // Numbers    [1] to [10] are the steps of the algorithm as the docstring of `update` lists them.
@@ -172,6 +172,7 @@ struct Trial {
     double E2;          // in the middle of the substep [Pa]
     double eta_y;       // ratio of the locus [-]
     double least_D;     // of the state [-]
+    double most_D;      // [-]
     double branch;      // before the substep, with the departure from where it turned noticed
     bool plastic;
 };
@@ -201,6 +202,7 @@ Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Start& st
     trial.start = start;
     trial.sigma_z = state.sigma_z;
     trial.least_D = state.least_contraction;
+    trial.most_D = state.most_contraction;
     trial.volumetric = strain.x + strain.y;
     trial.shear_x = strain.x - strain.y;
     trial.shear_y = strain.xy;

@@ -1,8 +1,7 @@
 // What a point of UBCSAND remembers of its cycles: where stress and strain turned, and how often.
 //
 // Symbols    r = q/(s + a) a vector of the stress ratio; the strain's vector is (eps_x - eps_y, gamma_xy).
-// Both turn by
-//            twice the angle of the body.
+//            Both turn by twice the angle of the body.
 #pragma once
 
 #include "solver/ubcsand.hpp"

@@ -122,6 +122,8 @@ void check(const UbcSandParameters& m)
     require_positive("stress_floor", m.stress_floor);
     require(m.largest_specific_volume > 0.0, "largest_specific_volume", m.largest_specific_volume,
             "positive");
+    require(m.smallest_specific_volume >= 0.0 && m.smallest_specific_volume < m.largest_specific_volume,
+            "smallest_specific_volume", m.smallest_specific_volume, "not negative, below the largest");
     require_stable_flow(m);
 }
 

@@ -17,7 +17,8 @@ namespace quicksand {
 /// it and for small steps. Second order bears substeps some twenty times as long, as runs need them.
 enum class Integration { first_order, second_order };
 
-/// Defaults are the generic set for (N1)60 = 13.9, to which `ubcsand_from_blow_count` gives all digits.
+/// Defaults are the generic set for (N1)60 = 13.9 in round numbers; `ubcsand_from_blow_count` gives all
+/// digits of one.
 struct UbcSandParameters {
     double relative_density = 0.55; // Dr of the blow count [-] [IB08]
 
@@ -50,6 +51,7 @@ struct UbcSandParameters {
     // the loosest sand: it does not dilate, and when its grains have parted it bears nothing until they touch
     // [own]
     double largest_specific_volume = std::numeric_limits<double>::infinity(); // per mass of grains [m3/kg]
+    double smallest_specific_volume = 0.0; // of the densest sand, which does not contract [m3/kg] [own]
 
     // settling under gravity, see settling_sand.hpp [own]
     double static_poisson_ratio = 1.0 / 3.0; // nu [-]; level ground settles to K_0 = nu/(1 - nu) = 0.5

@@ -85,7 +85,7 @@ ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles)
 {
     ENSURE(particles.has_cycles());
-    update(law, dt, first, last, Turn::nothing, arrays_of(particles));
+    update(law, dt, first, last, arrays_of(particles));
 }
 
 std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles)

@@ -65,7 +65,7 @@ R"_(
 scene.toml:22:1: error[unknown-key]: unknown key 'peak_friction' in [materials.sand]
    22 | peak_friction = 40.0
       | ^~~~~~~~~~~~~
-expected: one of model, cohesion, volumetric_strain, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, static_poisson_ratio, ripple_strain, largest_porosity, resolved_floors, n1_60, relative_density, preset, elastic_shear_number, elastic_bulk_number, elastic_shear_exponent, elastic_bulk_exponent, plastic_shear_number, plastic_shear_exponent, failure_ratio, constant_volume_friction_deg, peak_friction_deg, virgin_factor, secondary_factor, secondary_start, secondary_growth, reversal_tolerance, dilation_softening, softened_factor, largest_ratio_step, largest_stress_step, stress_floor
+expected: one of model, cohesion, volumetric_strain, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, static_poisson_ratio, ripple_strain, largest_porosity, smallest_porosity, resolved_floors, n1_60, relative_density, preset, elastic_shear_number, elastic_bulk_number, elastic_shear_exponent, elastic_bulk_exponent, plastic_shear_number, plastic_shear_exponent, failure_ratio, constant_volume_friction_deg, peak_friction_deg, virgin_factor, secondary_factor, secondary_start, secondary_growth, reversal_tolerance, dilation_softening, softened_factor, largest_ratio_step, largest_stress_step, stress_floor
 )_"},
 SceneMistake{"LoosestDenserThanTheSand",
     elastic + "\ngrain_density = 2670\nporosity = 0.405\nhydraulic_conductivity = 5.8e-5\n",
@@ -75,6 +75,15 @@ scene.toml:24:20: error[range]: materials.sand.largest_porosity = 0.39 is below 
    24 | largest_porosity = 0.39
       |                    ^~~~
 expected: the porosity of the sand at its loosest
+)_"},
+SceneMistake{"DensestLooserThanTheSand",
+    elastic + "\ngrain_density = 2670\nporosity = 0.405\nhydraulic_conductivity = 5.8e-5\n",
+    "model = \"ubcsand\"\npreset = \"nevada_sand_dr55\"\ngrain_density = 2670\nporosity = 0.405\nsmallest_porosity = 0.42\nhydraulic_conductivity = 5.8e-5\n",
+R"_(
+scene.toml:24:21: error[range]: materials.sand.smallest_porosity = 0.42 is above porosity = 0.405
+   24 | smallest_porosity = 0.42
+      |                     ^~~~
+expected: the porosity of the sand at its densest
 )_"},
 SceneMistake{"K0BeyondFailure",
     elastic + "\ngrain_density = 2670\nporosity = 0.405\nhydraulic_conductivity = 5.8e-5\n",

@@ -52,6 +52,18 @@ TEST(NumericalFailure, AVanishingVolumeIsReported)
               std::string::npos);
 }
 
+TEST(NumericalFailure, GrainsThatFillMoreThanTheirVolumeAreReported)
+{
+    const Problem problem = centrifuge_column();
+    State state = column(problem);
+    state.particles.porosity[7] = -0.01;
+    const std::string text = message_of([&] { check_particles(2e-6, state); });
+    EXPECT_NE(text.find("a particle has no pores left for its water: its porosity is -0.01"),
+              std::string::npos)
+        << text;
+    EXPECT_NE(text.find("particle 7"), std::string::npos) << text;
+}
+
 TEST(NumericalFailure, AParticleThatLeavesTheGridIsReported)
 {
     const Problem problem = centrifuge_column();

@@ -262,6 +262,25 @@ TEST(UbcSand, TheLoosestSandShearsAtConstantVolume)
     }
 }
 
+TEST(UbcSand, TheDensestSandDoesNotContract)
+{
+    for (const Integration integration : {Integration::first_order, Integration::second_order}) {
+        UbcSandParameters parameters = nevada_sand_55();
+        parameters.integration = integration;
+        const UbcSand law = make_ubcsand(parameters);
+        UbcSandState free = consolidated(law, 1.0), densest = free;
+        densest.most_contraction = 0.0;
+        const double start = mean(densest);
+        for (int k = 0; k < 4000; ++k) { // cycles of 0.1 % at constant volume
+            const double sense = k / 100 % 4 == 0 || k / 100 % 4 == 3 ? 1.0 : -1.0;
+            update(law, shear(sense * 1e-5), free);
+            update(law, shear(sense * 1e-5), densest);
+            ASSERT_GE(mean(densest), start * (1.0 - 1e-12));
+        }
+        EXPECT_LT(mean(free), 0.5 * start); // contraction takes the stress off the free sand
+    }
+}
+
 TEST(UbcSand, GrainsThatHavePartedBearNothingUntilTheyTouch)
 {
     const UbcSand law = make_ubcsand(nevada_sand_55());
