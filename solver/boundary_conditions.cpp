@@ -2,6 +2,7 @@
 
 #include "solver/failure.hpp"
 #include "solver/moving_walls.hpp"
+#include "solver/wall_corners.hpp"
 #include "solver/wall_nodes.hpp"
 
 #include <cmath>
@@ -47,17 +48,6 @@ std::uint8_t conditions_of(SoilCondition soil, WaterCondition water)
     return normal | across;
 }
 
-/// The same conditions for a wall whose normal is the y axis.
-std::uint8_t turned(std::uint8_t conditions)
-{
-    std::uint8_t result = 0;
-    if (conditions & solid_x_fixed) result |= solid_y_fixed;
-    if (conditions & solid_y_fixed) result |= solid_x_fixed;
-    if (conditions & fluid_x_fixed) result |= fluid_y_fixed;
-    if (conditions & film_x) result |= film_y;
-    return result;
-}
-
 void add_segment(const Problem& problem, const Segment& segment, std::uint8_t conditions, bool is_wall,
                  NodeConditions& result, Masters& masters)
 {
@@ -97,6 +87,7 @@ void add_moving_segment(const Problem& problem, std::size_t boundary, std::size_
             if (static_cast<int>(axis == 0 ? node % columns : node / columns) != row) return;
             const std::size_t step = axis == 0 ? 1 : columns;
             pair.inner = pair.normal[axis] > 0.0 ? node - step : node + step;
+            pair.outer_share = share_of_outer(grid, pair, present.start);
         }
         result.walls.push_back(pair);
     });
@@ -161,6 +152,7 @@ NodeConditions node_conditions(const Problem& problem, Stage stage, double time)
                 add_segment(problem, segment, conditions, is_wall, result, masters);
         }
     }
+    merge_corners(result);
     if (problem.tied_sides) tie_sides(problem, masters);
     result.tied = resolve(masters);
     result.master = std::move(masters);

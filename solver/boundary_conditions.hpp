@@ -21,7 +21,7 @@ enum NodeCondition : std::uint8_t {
     solid_y_fixed = 2,
     fluid_x_fixed = 4,
     fluid_y_fixed = 8,
-    film_x = 16, // an impervious film: grains and water move together in x
+    film_x = 16, // an impervious film: grains and water move together in x; held grains hold the water
     film_y = 32,
 };
 
@@ -51,7 +51,7 @@ struct WallNode {
 
 struct NodeConditions {
     std::vector<std::uint8_t> of_node; // NodeCondition bits, one entry per node
-    std::vector<SlantedNode> slanted;
+    std::vector<SlantedNode> slanted;  // of nodes without other conditions, one a node
     std::vector<TiedNodes> tied;
     std::vector<std::size_t> master;     // of each node: the node that carries its sums, itself mostly
     std::vector<WallNode> walls;         // of moving walls, see moving_walls.hpp

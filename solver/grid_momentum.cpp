@@ -12,15 +12,15 @@ namespace {
 
 /// One direction of a node's balance: impulses b = momentum + dt force.
 struct Balance {
-    double mass_solid, mass_fluid, dt_drag;
-    double impulse_solid, impulse_fluid;
+    double mass_solid, mass_fluid, dt_drag; // [kg/m]
+    double impulse_solid, impulse_fluid;    // [N s/m]
 };
 
 /// Solve with the conditions of one direction inside: a held solid still drags the water.
 PhaseVelocities solve_direction(const Balance& balance, bool solid_fixed, bool fluid_fixed, bool film)
 {
     if (solid_fixed) {
-        const double fluid = fluid_fixed || balance.mass_fluid == 0.0
+        const double fluid = fluid_fixed || film || balance.mass_fluid == 0.0
                                  ? 0.0
                                  : balance.impulse_fluid / (balance.mass_fluid + balance.dt_drag);
         return {0.0, fluid};
@@ -222,7 +222,7 @@ void solve_two_phase_momentum(const Problem& problem, const NodeConditions& cond
     });
     for (const SlantedNode& wall : conditions.slanted) {
         const TwoPhaseSums& node = sums[wall.node];
-        if (!node.active() || conditions.of_node[wall.node] != 0) continue;
+        if (!node.active()) continue;
         const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, node);
         motion[wall.node] = solve_slanted(node, impulses, dt, wall);
         set_flux_and_change(problem, node, motion[wall.node]);
@@ -245,7 +245,7 @@ void set_pressure_compliances(const Problem& problem, const NodeConditions& cond
     });
     for (const SlantedNode& wall : conditions.slanted) {
         const TwoPhaseSums& node = sums[wall.node];
-        if (!node.active() || conditions.of_node[wall.node] != 0) continue;
+        if (!node.active()) continue;
         const double n = node_porosity(problem, node);
         const Vector2 x =
             flux_of(n, solve_slanted(node, unit_pressure_impulses(n, Vector2::UnitX()), dt, wall));
@@ -279,7 +279,7 @@ void solve_single_phase_momentum(const Problem& problem, const NodeConditions& c
         set_change(node, motion[i]);
     });
     for (const SlantedNode& wall : conditions.slanted) {
-        if (!sums[wall.node].active() || conditions.of_node[wall.node] != 0) continue;
+        if (!sums[wall.node].active()) continue;
         Vector2 velocity(motion[wall.node].x, motion[wall.node].y);
         if (wall.conditions & solid_x_fixed) velocity -= velocity.dot(wall.normal) * wall.normal;
         if (wall.conditions & solid_y_fixed) velocity.setZero();

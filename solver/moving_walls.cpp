@@ -46,7 +46,7 @@ void hold_all(const NodeConditions& conditions, double dt, const std::vector<Sum
 }
 
 /// Where the conditions of moving walls change: rows of nodes for walls parallel to the grid, parts of a cell
-/// for slanted ones. It follows from the time alone, so that a resumed run does as the one it goes on with.
+/// for slanted ones, whose nodes are those of the time when a part was entered.
 std::vector<std::int64_t> rows_of_walls(const Problem& problem, double time)
 {
     constexpr double parts_of_cell = 64.0;
@@ -82,6 +82,12 @@ Vector2 wall_velocity(const WallMotion& motion, const Segment& segment, double t
     return (wall_displacement(motion, segment, time + dt) - wall_displacement(motion, segment, time)) / dt;
 }
 
+double share_of_outer(const BackgroundGrid& grid, const WallNode& wall, const Vector2& place)
+{
+    const double beyond = (grid.node_position(wall.outer) - place).dot(wall.normal) / grid.cell_size;
+    return 1.0 - std::clamp(beyond, 0.0, 1.0);
+}
+
 bool move_walls(const Problem& problem, const State& state, double dt, NodeConditions& conditions)
 {
     if (conditions.walls.empty()) return false;
@@ -102,8 +108,7 @@ bool move_walls(const Problem& problem, const State& state, double dt, NodeCondi
         node.velocity = shaking ? wall_velocity(*boundary.motion, drawn, time, dt) : Vector2(0.0, 0.0);
         if (node.inner == node.outer) continue;
         const Vector2 place = drawn.start + wall_displacement(*boundary.motion, drawn, time_of_place);
-        const double beyond = (grid.node_position(node.outer) - place).dot(node.normal) / grid.cell_size;
-        node.outer_share = 1.0 - std::clamp(beyond, 0.0, 1.0);
+        node.outer_share = share_of_outer(grid, node, place);
     }
     return changed;
 }

@@ -24,6 +24,9 @@ Vector2 wall_displacement(const WallMotion& motion, const Segment& segment, doub
 /// Mean velocity of a segment over a step from `time` on; at its end the wall is where it has to be [m/s].
 Vector2 wall_velocity(const WallMotion& motion, const Segment& segment, double time, double dt);
 
+/// The distance of a wall through `place` from the inner node of a pair across it, at most a cell [cells].
+double share_of_outer(const BackgroundGrid& grid, const WallNode& wall, const Vector2& place);
+
 /// Bring the conditions up to the walls' places at the state's time and their velocities over the step. While
 /// the soil settles the walls stand still. Returns whether the nodes concerned have changed.
 bool move_walls(const Problem& problem, const State& state, double dt, NodeConditions& conditions);

@@ -8,16 +8,16 @@
 namespace quicksand {
 
 /// Velocity per impulse in one direction: of the grains by an impulse on the grains, of the water by one on
-/// the grains (or the other way round), of the water by one on the water [m/(N s)]. The drag is inside, as in
+/// the grains (or the other way round), of the water by one on the water [m/kg]. The drag is inside, as in
 /// the momentum balance; a held phase does not respond.
 struct NodeResponse {
     double solid = 0.0, exchange = 0.0, fluid = 0.0;
 };
 
 /// Conditions on the directions of a node, x first.
-constexpr std::uint8_t solid_fixed[2] = {solid_x_fixed, solid_y_fixed};
-constexpr std::uint8_t fluid_fixed[2] = {fluid_x_fixed, fluid_y_fixed};
-constexpr std::uint8_t film[2] = {film_x, film_y};
+inline constexpr std::uint8_t solid_fixed[2] = {solid_x_fixed, solid_y_fixed};
+inline constexpr std::uint8_t fluid_fixed[2] = {fluid_x_fixed, fluid_y_fixed};
+inline constexpr std::uint8_t film[2] = {film_x, film_y};
 
 inline NodeResponse response(const SinglePhaseSums& node, double, std::uint8_t held, int axis)
 {
@@ -30,7 +30,8 @@ inline NodeResponse response(const TwoPhaseSums& node, double dt, std::uint8_t h
     if (!node.active()) return {};
     const double m_s = node.mass_solid, m_w = node.mass_fluid, dt_drag = dt * node.drag;
     const bool fluid_held = (held & fluid_fixed[axis]) != 0 || m_w == 0.0;
-    if (held & solid_fixed[axis]) return {0.0, 0.0, fluid_held ? 0.0 : 1.0 / (m_w + dt_drag)};
+    const bool sealed = fluid_held || (held & film[axis]);
+    if (held & solid_fixed[axis]) return {0.0, 0.0, sealed ? 0.0 : 1.0 / (m_w + dt_drag)};
     if (fluid_held) return {1.0 / (m_s + dt_drag), 0.0, 0.0};
     if (held & film[axis]) {
         const double both = 1.0 / (m_s + m_w);

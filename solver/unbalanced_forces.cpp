@@ -1,31 +1,42 @@
 #include "solver/unbalanced_forces.hpp"
 
+#include "solver/moving_walls.hpp"
+
 #include <cmath>
 
 namespace quicksand {
 
 namespace {
 
-/// The conditions on nodes with those of the moving walls, which stand still.
-std::vector<std::uint8_t> held_directions(const NodeConditions& conditions)
+/// What of the force on a node the walls that stand leave free.
+void take_reactions(const NodeConditions& conditions, std::vector<Vector2>& force)
 {
-    std::vector<std::uint8_t> held = conditions.of_node;
-    for (const WallNode& wall : conditions.walls) {
-        const bool rough = wall.grip == WallGrip::rough;
-        for (const std::size_t node : {wall.inner, wall.outer}) {
-            if (rough || wall.normal.x() != 0.0) held[node] |= solid_x_fixed;
-            if (rough || wall.normal.y() != 0.0) held[node] |= solid_y_fixed;
-        }
+    for (std::size_t i = 0; i < force.size(); ++i) {
+        if (conditions.of_node[i] & solid_x_fixed) force[i].x() = 0.0;
+        if (conditions.of_node[i] & solid_y_fixed) force[i].y() = 0.0;
     }
-    return held;
+    for (const SlantedNode& wall : conditions.slanted) {
+        Vector2& of_node = force[wall.node];
+        if (wall.conditions & solid_x_fixed) of_node -= of_node.dot(wall.normal) * wall.normal;
+        if (wall.conditions & solid_y_fixed) of_node.setZero();
+    }
 }
 
-/// What of a force on a node a slanted wall leaves free.
-Vector2 along_wall(const SlantedNode& wall, Vector2 force)
+/// What the moving walls leave free, which stand still: the reaction that keeps a wall's pair of nodes from
+/// gaining speed at the wall.
+void take_reactions_of_moving_walls(const NodeConditions& conditions,
+                                    const std::vector<SinglePhaseSums>& sums, std::vector<Vector2>& force)
 {
-    if (wall.conditions & solid_y_fixed) return Vector2::Zero();
-    if (wall.conditions & solid_x_fixed) force -= force.dot(wall.normal) * wall.normal;
-    return force;
+    constexpr double unit_time = 1.0; // forces stand for impulses
+    for_each_held_pair(conditions, unit_time, sums, [&](const WallNode& wall, const HeldPair& pair) {
+        const double compliance = pair.at_wall().solid;
+        if (compliance <= 0.0) return;
+        const double outer = pair.outer_share, inner = 1.0 - outer;
+        const double gained = inner * pair.inner.solid * force[wall.inner].dot(pair.direction) +
+                              outer * pair.outer.solid * force[wall.outer].dot(pair.direction);
+        force[wall.inner] -= inner * gained / compliance * pair.direction;
+        force[wall.outer] -= outer * gained / compliance * pair.direction;
+    });
 }
 
 } // namespace
@@ -33,19 +44,20 @@ Vector2 along_wall(const SlantedNode& wall, Vector2 force)
 double unbalanced_forces(const Problem& problem, double acceleration, const NodeConditions& conditions,
                          const std::vector<SinglePhaseSums>& sums)
 {
-    const std::vector<std::uint8_t> held = held_directions(conditions);
-    std::vector<const SlantedNode*> wall(sums.size(), nullptr);
-    for (const SlantedNode& slanted : conditions.slanted) wall[slanted.node] = &slanted;
+    std::vector<Vector2> force(sums.size());
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+        const SinglePhaseSums& node = sums[i];
+        force[i] = Vector2(node.stress_force_x - node.mass * acceleration,
+                           node.stress_force_y - node.weight * problem.gravity);
+    }
+    take_reactions(conditions, force);
+    take_reactions_of_moving_walls(conditions, sums, force);
     double residual = 0.0, weight = 0.0, internal = 0.0;
     for (std::size_t i = 0; i < sums.size(); ++i) {
         const SinglePhaseSums& node = sums[i];
         if (!node.active() || conditions.master[i] != i) continue; // the master stands for its tied nodes
-        const double node_weight = node.weight * problem.gravity;
-        Vector2 force(node.stress_force_x - node.mass * acceleration, node.stress_force_y - node_weight);
-        if (wall[i] != nullptr && held[i] == 0) force = along_wall(*wall[i], force);
-        if (!(held[i] & solid_x_fixed)) residual += std::abs(force.x());
-        if (!(held[i] & solid_y_fixed)) residual += std::abs(force.y());
-        weight += node_weight;
+        residual += force[i].lpNorm<1>();
+        weight += node.weight * problem.gravity;
         internal += std::abs(node.stress_force_x) + std::abs(node.stress_force_y);
     }
     const double scale = weight > 0.0 ? weight : internal;

@@ -10,9 +10,9 @@
 namespace quicksand {
 
 /// Cells beyond a wall whose nodes it holds: farther than domains reach [-].
-constexpr double depth_of_wall = 3.5;
+inline constexpr double depth_of_wall = 3.5;
 /// A node this close to a wall lies on it [cells].
-constexpr double on_wall = 1e-6;
+inline constexpr double on_wall = 1e-6;
 
 /// The normal of a segment out of the soil, which lies to its left.
 Vector2 outward_normal(const Segment& segment);

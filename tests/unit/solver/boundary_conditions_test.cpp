@@ -77,6 +77,56 @@ TEST(BoundaryConditions, ASlantedRollerHoldsItsNormalDirection)
     EXPECT_GT(conditions.slanted[0].normal.x(), 0.0); // out of the soil
 }
 
+/// A box whose base rises from (0, 0) to (4, rise).
+Problem box_on_slope(double rise, SoilCondition base, SoilCondition sides)
+{
+    Problem problem = box(base, sides);
+    problem.boundaries[0].segments = {{{0.0, 0.0}, {4.0, rise}}};
+    problem.boundaries[1].segments = {{{4.0, rise}, {4.0, 3.0}}};
+    return problem;
+}
+
+TEST(BoundaryConditions, ASlantedBaseHoldsItsNodesAtASideAsWell)
+{
+    for (const SoilCondition base : {SoilCondition::fixed, SoilCondition::roller}) {
+        const Problem problem = box_on_slope(1.0, base, SoilCondition::roller);
+        const NodeConditions conditions = node_conditions(problem);
+        const std::uint8_t grains = solid_x_fixed | solid_y_fixed, water = film_x | film_y;
+        EXPECT_EQ(conditions_at(problem, conditions, 4.0, 1.0), grains | water);
+        EXPECT_EQ(conditions_at(problem, conditions, 4.0, 0.0), grains | water);
+        EXPECT_EQ(conditions_at(problem, conditions, 4.0, 2.0), solid_x_fixed | fluid_x_fixed);
+    }
+}
+
+TEST(BoundaryConditions, ANodeHasOneWall)
+{
+    Problem problem = box_on_slope(1.0, SoilCondition::roller, SoilCondition::roller);
+    problem.boundaries[0].segments = {{{0.0, 0.0}, {2.0, 0.4}}, {{2.0, 0.4}, {4.0, 1.0}}}; // bent
+    const NodeConditions conditions = node_conditions(problem);
+    std::vector<int> walls(problem.grid.node_count(), 0);
+    for (const SlantedNode& wall : conditions.slanted) {
+        EXPECT_EQ(++walls[wall.node], 1);
+        EXPECT_EQ(conditions.of_node[wall.node], 0);
+        EXPECT_EQ(wall.conditions & solid_y_fixed, 0) << "soil slides along a bend";
+        EXPECT_LT(wall.normal.y(), -0.9);
+    }
+    EXPECT_FALSE(conditions.slanted.empty());
+}
+
+TEST(BoundaryConditions, AFilmAtADrainedSlantedWallIsAlongIt)
+{
+    Problem problem = box_on_slope(1.0, SoilCondition::roller, SoilCondition::free);
+    problem.boundaries[0].water = WaterCondition::drained;
+    problem.boundaries[1].water = WaterCondition::impervious;
+    const NodeConditions conditions = node_conditions(problem);
+    const auto corner =
+        std::find_if(conditions.slanted.begin(), conditions.slanted.end(), [&](const SlantedNode& wall) {
+            return (problem.grid.node_position(wall.node) - Vector2(4.0, 1.0)).norm() < 1e-9;
+        });
+    ASSERT_NE(corner, conditions.slanted.end());
+    EXPECT_EQ(corner->conditions, solid_x_fixed | film_y);
+}
+
 /// The node that carries the sums of the node at (x, y).
 Vector2 master_of(const Problem& problem, const NodeConditions& conditions, double x, double y)
 {

@@ -105,6 +105,13 @@ TEST(NodeConditions, AnImperviousFilmMovesBothPhasesTogether)
     EXPECT_NE(v.fluid_x, v.solid_x);
 }
 
+TEST(NodeConditions, AnImperviousFilmHoldsTheWaterOfHeldGrains)
+{
+    const TwoPhaseMotion v = solve_one(weightless(), solid_y_fixed | film_y);
+    EXPECT_EQ(v.solid_y, 0.0);
+    EXPECT_EQ(v.fluid_y, 0.0);
+}
+
 TEST(NodeConditions, ASlantedRollerLeavesOnlyMotionAlongTheWall)
 {
     const Vector2 normal = Vector2(3.0, 4.0) / 5.0;
