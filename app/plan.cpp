@@ -67,7 +67,6 @@ std::string describe_sine(const SineMotion& sine)
 std::string describe_sand(const SceneMaterial& material, double k0)
 {
     const auto& law = std::get<UbcSand>(material.material.law);
-    const double csr = csr_to_ru_95(law, {atmospheric_pressure, k0, 0.0}, 15.0);
     const double sine = law.eta_f, least_k0 = (1.0 - sine) / (1.0 + sine);
     std::string text = fmt::format("  {:<16}shear modulus {} MPa, drained bulk modulus {} MPa at 100 kPa\n",
                                    material.material.name, short_number(1e-6 * shear_modulus(law)),
@@ -75,10 +74,12 @@ std::string describe_sand(const SceneMaterial& material, double k0)
     text += fmt::format("  {:<16}bears K0 from {} to {}; settles to K0 = {} below level ground\n", "",
                         short_number(least_k0), short_number(1.0 / least_k0),
                         short_number(law.static_poisson / (1.0 - law.static_poisson)));
-    return text +
-           fmt::format("  {:<16}liquefies (ru = 0.95) in 15 cycles of simple shear at a stress ratio of "
-                       "{}, at 100 kPa and K0 = {}\n",
-                       "", short_number(csr), short_number(k0));
+    const auto csr = csr_to_ru_95(law, {atmospheric_pressure, k0, 0.0}, 15.0);
+    const std::string strength =
+        csr ? "in 15 cycles of simple shear at a stress ratio of " + short_number(*csr)
+            : std::string("at no stress ratio from 0.01 to 2 in 15 cycles of simple shear");
+    return text + fmt::format("  {:<16}liquefies (ru = 0.95) {}, at 100 kPa and K0 = {}\n", "", strength,
+                              short_number(k0));
 }
 
 } // namespace

@@ -14,7 +14,8 @@ namespace {
 
 // The law is integrated to first order: with this step the mean stress at the peaks is right to 0.2 %.
 constexpr double stress_step = 0.004;  // elastic stress of a step over tau_a [-]
-constexpr double largest_csr = 2.0;    // up to which strength is searched [-]
+constexpr double least_csr = 0.01;     // from which strength is searched [-]
+constexpr double largest_csr = 2.0;    // up to which [-]
 constexpr double leg_tolerance = 1e-3; // of a stress step, within which a leg has ended [-]
 
 // Distances between points of the path.
@@ -100,13 +101,14 @@ public:
     {
     }
 
-    /// CSR to ru > 0.95 in N cycles; log-log interpolation between the halves.
-    double csr_at(double cycles)
+    /// CSR to ru > 0.95 in N cycles; log-log interpolation between the halves. None beyond the search.
+    std::optional<double> csr_at(double cycles)
     {
         const double fewer = std::max(0.5, std::floor(2.0 * cycles) / 2.0), more = fewer + 0.5;
         const double strong = middle(fewer);
+        const double weak = cycles <= fewer ? strong : middle(more);
+        if (strong > 0.99 * largest_csr || weak < 1.01 * least_csr) return std::nullopt;
         if (cycles <= fewer) return strong;
-        const double weak = middle(more);
         return interpolate_csr({{weak, more}, {strong, fewer}}, cycles).value_or(strong);
     }
 
@@ -124,7 +126,7 @@ private:
     /// Least CSR that reaches ru > 0.95 within N cycles.
     double least(double cycles)
     {
-        double below = 0.01, above = largest_csr;
+        double below = least_csr, above = largest_csr;
         while (above / below > 1.002) {
             const double csr = std::sqrt(below * above);
             (cycles_at(csr) <= cycles ? above : below) = csr;
@@ -218,7 +220,7 @@ std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, 
     return std::nullopt;
 }
 
-double csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles)
+std::optional<double> csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles)
 {
     return StrengthSearch(law, start, cycles + 0.5).csr_at(cycles);
 }
@@ -226,10 +228,9 @@ double csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycle
 std::optional<CyclicStrength> cyclic_strength(const UbcSand& law, const Consolidation& start)
 {
     StrengthSearch search(law, start, 30.0);
-    const double csr_10 = search.csr_at(10.0);
-    if (csr_10 > 0.99 * largest_csr) return std::nullopt;
-    const double csr_15 = search.csr_at(15.0), csr_30 = search.csr_at(30.0);
-    return CyclicStrength{csr_15, std::log(csr_10 / csr_30) / std::log(3.0)};
+    const auto csr_10 = search.csr_at(10.0), csr_15 = search.csr_at(15.0), csr_30 = search.csr_at(30.0);
+    if (!csr_10 || !csr_15 || !csr_30) return std::nullopt;
+    return CyclicStrength{*csr_15, std::log(*csr_10 / *csr_30) / std::log(3.0)};
 }
 
 } // namespace quicksand

@@ -57,8 +57,9 @@ struct StrengthPoint {
 std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, double cycles);
 
 /// CSR that reaches ru > 0.95 in N cycles, to 0.2 %. Cycles are counted in halves, so that a range of CSR has
-/// the same count: its middle is taken, and log-log interpolation between the halves.
-double csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles);
+/// the same count: its middle is taken, and log-log interpolation between the halves. None where it would be
+/// below 0.01 or above 2.
+std::optional<double> csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles);
 
 /// The cyclic strength curve in two numbers.
 struct CyclicStrength {
@@ -66,7 +67,7 @@ struct CyclicStrength {
     double slope;  // b of CSR ~ N^-b, from 10 to 30 cycles [-]
 };
 
-/// None where ru > 0.95 is not reached at CSR of 2, as under a static shear that is never reversed.
+/// None where one of its CSR would be below 0.01 or above 2, as under a static shear that is never reversed.
 std::optional<CyclicStrength> cyclic_strength(const UbcSand& law, const Consolidation& start);
 
 } // namespace quicksand

@@ -149,9 +149,19 @@ TEST(ElementTest, StrengthIsInterpolatedInLogarithms)
 TEST(ElementTest, TheStrengthAtACountOfCyclesReachesIt)
 {
     const UbcSand law = nevada();
-    const double csr = csr_to_ru_95(law, {}, 7.0);
+    const double csr = csr_to_ru_95(law, {}, 7.0).value();
     const CyclicTest test = shear_cyclically(law, {}, StressCycles{csr, 20.0, 0.5, 0.0});
     EXPECT_EQ(test.cycles_to_ru_95.value_or(0.0), 7.0);
+}
+
+TEST(ElementTest, NoStrengthIsToldBeyondTheSearch)
+{
+    EXPECT_TRUE(csr_to_ru_95(nevada(), {}, 15.0));
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.plastic_shear_number = 1e4; // next to no plastic strain
+    const UbcSand law = make_ubcsand(parameters);
+    EXPECT_FALSE(csr_to_ru_95(law, {}, 15.0));
+    EXPECT_FALSE(cyclic_strength(law, {}));
 }
 
 TEST(ElementTest, StressesInThreeDimensionsHaveTheirInvariants)
@@ -218,7 +228,7 @@ TEST(ElementTest, TheStrengthCurveHasItsTwoNumbers)
     const UbcSand law = nevada();
     const auto strength = cyclic_strength(law, {});
     ASSERT_TRUE(strength);
-    EXPECT_DOUBLE_EQ(strength->csr_15, csr_to_ru_95(law, {}, 15.0));
+    EXPECT_DOUBLE_EQ(strength->csr_15, csr_to_ru_95(law, {}, 15.0).value());
     EXPECT_NEAR(strength->csr_15, 0.146, 0.002);
     EXPECT_GT(strength->slope, 0.25);
     EXPECT_LT(strength->slope, 0.36);
