@@ -138,7 +138,7 @@ double folder_bytes(const fs::path& folder)
 void measure_writer(Observer& writer, const Problem& problem, State& state, double end_time,
                     const fs::path& scratch, OutputForecast& forecast)
 {
-    const StepReport report{Stage::shaking, 0, 0.0, {}, 0};
+    const StepReport report{0, 0.0, {}, 0};
     state.time = writer.next_time();
     if (!std::isfinite(state.time)) return;
     writer.observe(problem, state, report);

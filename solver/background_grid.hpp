@@ -6,7 +6,6 @@
 
 #include "solver/conventions.hpp"
 
-#include <cmath>
 #include <cstddef>
 
 namespace quicksand {

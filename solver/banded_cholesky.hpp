@@ -16,7 +16,6 @@ public:
     /// A zero matrix of `rows` rows with at most `band` numbers left of the diagonal.
     void reset(std::size_t rows, std::size_t band);
 
-    std::size_t rows() const { return rows_; }
     std::size_t band() const { return band_; } // rounded up to whole lanes
 
     /// Add to A(row, column), column <= row, row - column <= band. Before factorise() only.

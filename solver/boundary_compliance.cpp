@@ -3,8 +3,6 @@
 #include "solver/moving_walls.hpp"
 #include "solver/node_response.hpp"
 
-#include <Eigen/LU>
-
 namespace quicksand {
 
 namespace {
@@ -30,12 +28,8 @@ void include_dashpots(const Problem& problem, const NodeConditions& conditions, 
         const NodeResponse x = response(sums[i], dt, held, 0), y = response(sums[i], dt, held, 1);
         Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
         K.diagonal() << pressure_response(n, x).solid, pressure_response(n, y).solid;
-        Eigen::Matrix2d half; // dt C / 2, as the dashpots brake
-        half << dashpot.xx, dashpot.xy, dashpot.xy, dashpot.yy;
-        half *= 0.5 * dt;
-        const Eigen::Matrix2d braking = Vector2(x.solid, y.solid).asDiagonal() * half;
-        const Eigen::Matrix2d braked = (Eigen::Matrix2d::Identity() + braking).inverse();
-        const Eigen::Matrix2d change = K * half * braked * K;
+        const Braking braking = braking_of(dashpot, dt, x, y);
+        const Eigen::Matrix2d change = K * braking.half * braking.left * K;
         compliances.xx[i] -= change(0, 0);
         compliances.xy[i] -= 0.5 * (change(0, 1) + change(1, 0)); // equal but for rounding
         compliances.yy[i] -= change(1, 1);

@@ -18,8 +18,8 @@ struct WallCompliance {
     std::array<std::size_t, 2> node = {0, 0}; // inner, outer
     Vector2 direction = Vector2::Zero();      // d [-]
     std::array<double, 2> solid = {0.0, 0.0}; // k: velocity at the wall per impulse of the pressure's force
-    std::array<double, 2> fluid = {0.0, 0.0}; //    on a node [m/(N s)]
-    double solid_solid = 0.0, solid_fluid = 0.0, fluid_fluid = 0.0; // P: impulse per velocity [N s/m]
+    std::array<double, 2> fluid = {0.0, 0.0}; //    on a node [m/kg]
+    double solid_solid = 0.0, solid_fluid = 0.0, fluid_fluid = 0.0; // P: impulse per velocity [kg/m]
 };
 
 /// Brake the compliances of the nodes that have dashpots.

@@ -186,7 +186,11 @@ ParallelogramDomain domain_in_equations(const Problem& problem, const Particles&
 std::array<Vector2, 4> loaded_corners(const Problem& problem, const Particles& particles, std::size_t p)
 {
     const BackgroundGrid& grid = problem.grid;
-    if (problem.interpolation == Interpolation::cpdi2) return domain_corners(problem, particles, p);
+    if (problem.interpolation == Interpolation::cpdi2) {
+        std::array<Vector2, 4> quadrilateral = domain_corners(problem, particles, p);
+        limit_corners(grid.cell_size, domain_in_equations(problem, particles, p).centre, quadrilateral);
+        return quadrilateral;
+    }
     ParallelogramDomain domain = domain_in_equations(problem, particles, p);
     limit_domain(grid.cell_size, domain);
     const Vector2 &x = domain.centre, &r1 = domain.half_edge_1, &r2 = domain.half_edge_2;

@@ -22,7 +22,7 @@ struct Slopes {
 /// coordinates: a node joins as many running sums as there are nodes from it to the end of its row, which is
 /// its distance u from there in cells, and likewise v rows to the last one. Moments about the mean do not ask
 /// where they are counted from.
-class SlopeFit {
+class MotionFit {
 public:
     void begin_row()
     {
@@ -68,11 +68,11 @@ public:
     }
 
 private:
-    Lanes velocity_ = all_lanes(0.0), velocity_u_ = velocity_; // sum phi v_i of the row, sum phi v_i u
-    Lanes mean_ = velocity_, velocity_v_ = velocity_;          // sum phi v_i, sum phi v_i v
-    double weight_ = 0.0, first_ = 0.0, second_ = 0.0;         // sum phi, phi u of the row, phi u (u+1)/2
-    double weights_ = 0.0, u_ = 0.0, uv_ = 0.0;                // sum phi, phi u, phi u v
-    double v_ = 0.0, second_v_ = 0.0;                          // sum phi v, phi v (v+1)/2
+    Lanes velocity_ = all_lanes(0.0), velocity_u_ = velocity_; // sum phi v_i of the row, sum phi v_i u [m/s]
+    Lanes mean_ = velocity_, velocity_v_ = velocity_;          // sum phi v_i, sum phi v_i v [m/s]
+    double weight_ = 0.0, first_ = 0.0, second_ = 0.0;         // sum phi, phi u of the row, phi u (u+1)/2 [-]
+    double weights_ = 0.0, u_ = 0.0, uv_ = 0.0;                // sum phi, phi u, phi u v [-]
+    double v_ = 0.0, second_v_ = 0.0;                          // sum phi v, phi v (v+1)/2 [-]
 };
 
 } // namespace quicksand

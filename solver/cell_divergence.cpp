@@ -1,5 +1,6 @@
 #include "solver/cell_divergence.hpp"
 
+#include "solver/failure.hpp"
 #include "solver/lanes.hpp"
 
 #include <algorithm>
@@ -123,6 +124,7 @@ void add_stencil(const CellParticles& cell, std::int32_t slot, Block block, Tile
     std::fill(x, x + with_row_end, 0.0);
     std::fill(y, y + with_row_end, 0.0);
     if (!add_particles(cell, block, x, y)) {
+        ENSURE(block.nodes < wide.nodes);
         add_stencil(cell, slot, wide, divergence);
         return;
     }

@@ -1,9 +1,6 @@
 #include "solver/cell_lists.hpp"
 
-#include "solver/failure.hpp"
-
 #include <algorithm>
-#include <cmath>
 
 namespace quicksand {
 

@@ -19,7 +19,8 @@ namespace quicksand {
 
 using Vector2 = Eigen::Vector2d;
 
-inline constexpr double standard_gravity = 9.81;      // g [m/s2], the value of the reference solutions
-inline constexpr double atmospheric_pressure = 100e3; // P_a [Pa], the reference stress of the soil models
+inline constexpr double standard_gravity = 9.81; // g [m/s2], the value of the reference solutions
+inline constexpr double atmospheric_pressure =
+    100e3; // P_a [Pa], the reference stress of the soil models and the pressure of the air
 
 } // namespace quicksand

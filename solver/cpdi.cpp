@@ -1,7 +1,6 @@
 #include "solver/cpdi.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace quicksand {
 

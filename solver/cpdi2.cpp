@@ -31,7 +31,8 @@ std::array<Vector2, 4> corners_of(const QuadrilateralDomain& domain)
     return {c - r1 - r2 + t, c + r1 - r2 - t, c + r1 + r2 + t, c - r1 + r2 - t};
 }
 
-/// Shrink the quadrilateral about its centroid to what may be reached from there; returns the factor.
+} // namespace
+
 double limit_corners(double cell_size, const Vector2& centre, std::array<Vector2, 4>& corners)
 {
     double farthest = 0.0;
@@ -42,8 +43,6 @@ double limit_corners(double cell_size, const Vector2& centre, std::array<Vector2
     for (Vector2& x : corners) x = centre + scale * (x - centre);
     return scale;
 }
-
-} // namespace
 
 std::array<Vector2, 4> quadrilateral_corners(const Particles& particles, std::size_t p)
 {

@@ -22,6 +22,9 @@ struct Cpdi2 {
                          NodePatch& patch);
 };
 
+/// Shrink the quadrilateral about its centroid to what may be reached from there; returns the factor [-].
+double limit_corners(double cell_size, const Vector2& centre, std::array<Vector2, 4>& corners);
+
 /// A quadrilateral as its centroid, half edges and twist [m].
 struct QuadrilateralDomain {
     Vector2 centroid, half_edge_1, half_edge_2, twist;

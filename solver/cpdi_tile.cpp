@@ -13,9 +13,9 @@ namespace {
 
 /// Parts of a domain that the rows share; corners counter-clockwise as in cpdi.hpp.
 struct DomainRows {
-    Lanes along_x[4]; // hats of each corner over the nodes of a row
-    Lanes corners_y;  // of the corners, from the patch's lowest row [cells]
-    double g1_x, g1_y, g2_x, g2_y;
+    Lanes along_x[4];              // hats of each corner over the nodes of a row
+    Lanes corners_y;               // of the corners, from the patch's lowest row [cells]
+    double g1_x, g1_y, g2_x, g2_y; // gradients of the corners 1 and 2 [1/m]
 };
 
 inline Lanes hats(const Lanes& distance)

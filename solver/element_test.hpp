@@ -49,7 +49,7 @@ Specimen consolidate(const UbcSand& law, const Consolidation& start);
 
 void strain(double strain_x, double strain_y, double shear, Specimen& specimen);
 
-/// The specimen's state; ru is that of a vertical total stress which stays, unless given.
+/// The specimen's state; ru is that of a vertical total stress which stays.
 ElementPoint record(const Specimen& specimen, double cycle);
 
 /// Simple shear to a shear strain. Undrained: at constant volume, ru = 1 - sigma'_v/sigma'_v0. Drained: at

@@ -42,12 +42,17 @@ LineWeights line_weights(double cells, double length_in_cells, double cell_size)
     return line;
 }
 
-/// A box of size length_x x length_y around the particle [m].
+/// Lengths of a box as far as its weights may reach [m].
+Vector2 limited(const BackgroundGrid& grid, const Vector2& lengths)
+{
+    return lengths.cwiseMin(2.0 * BackgroundGrid::domain_reach * grid.cell_size);
+}
+
+/// The weights of a box of such lengths [m] around a centre; whether they reached too far and were limited.
 bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 lengths, NodePatch& patch)
 {
-    const double allowed = 2.0 * BackgroundGrid::domain_reach * grid.cell_size;
-    const bool is_limited = lengths.maxCoeff() > allowed;
-    lengths = lengths.cwiseMin(allowed);
+    const Vector2 asked = lengths;
+    lengths = limited(grid, asked);
     const Vector2 cells = (centre - grid.rim_origin()) / grid.cell_size;
     const LineWeights x = line_weights(cells.x(), lengths.x() / grid.cell_size, grid.cell_size);
     const LineWeights y = line_weights(cells.y(), lengths.y() / grid.cell_size, grid.cell_size);
@@ -62,18 +67,13 @@ bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 len
             *weight++ = {x.value[a] * y.value[b], x.slope[a] * y.value[b], x.value[a] * y.slope[b]};
         }
     }
-    return is_limited;
+    return lengths != asked;
 }
 
 /// Size of the axis-parallel box around the reference domain [m].
 Vector2 reference_lengths(const Particles& particles, std::size_t p)
 {
     return 2.0 * (particles.reference_edge_1[p].cwiseAbs() + particles.reference_edge_2[p].cwiseAbs());
-}
-
-Vector2 limited(const BackgroundGrid& grid, const Vector2& lengths)
-{
-    return lengths.cwiseMin(2.0 * BackgroundGrid::domain_reach * grid.cell_size);
 }
 
 /// Size of the box that stretches with the domain.

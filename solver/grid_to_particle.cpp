@@ -22,7 +22,7 @@ inline LocalMotion motion_at(const BackgroundGrid& grid, const StoredPatch& patc
                              const SinglePhaseMotion* motion)
 {
     Slopes gradients = {all_lanes(0.0), all_lanes(0.0)};
-    SlopeFit fit;
+    MotionFit fit;
     walk_patch(
         patch, store, grid.nodes_x(), motion, [&] { fit.begin_row(); },
         [&](const SinglePhaseMotion& node, double phi, double grad_x, double grad_y) {
@@ -47,7 +47,7 @@ inline LocalTwoPhaseMotion motion_at(const BackgroundGrid& grid, const StoredPat
 {
     Lanes change = all_lanes(0.0);
     Slopes gradients = {change, change};
-    SlopeFit fit;
+    MotionFit fit;
     walk_patch(
         patch, store, grid.nodes_x(), motion, [&] { fit.begin_row(); },
         [&](const TwoPhaseMotion& node, double phi, double grad_x, double grad_y) {

@@ -5,7 +5,6 @@
 #include "solver/viscous_boundary.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace quicksand {
 

@@ -2,14 +2,12 @@
 
 #include "solver/grid_momentum.hpp"
 #include "solver/moving_walls.hpp"
-#include "solver/particle_motion.hpp"
 #include "solver/particle_order.hpp"
 #include "solver/particle_to_grid.hpp"
 #include "solver/surface_loads.hpp"
 #include "solver/unbalanced_forces.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace quicksand {
 

@@ -28,7 +28,7 @@ struct HeldShape {
     Vectors displacement; // of the nodes since the shape was taken [m]
 };
 
-/// Take the shape of a state, with the loads at its time; its particles are put in the order of the cells.
+/// Take the shape of a state, with the loads at its time; its particles may be put in the order of the cells.
 HeldShape hold_shape(const Problem& problem, State& state);
 
 /// One damped step: forces, velocities of the nodes, displacement, stress of the particles. The excess pore

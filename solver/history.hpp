@@ -16,8 +16,8 @@ struct SineHistory {
 
 /// A table of times and factors, linear in between and constant before its first and after its last time.
 struct SampledHistory {
-    std::vector<double> times; // increasing [s]
-    std::vector<double> values;
+    std::vector<double> times;  // increasing [s]
+    std::vector<double> values; // factors [-]
 };
 
 /// A shape that rises linearly from nothing over `ramp_time`.

@@ -260,7 +260,8 @@ LedgerBalance balance(const Problem& problem, const State& state)
         if (water_flow(problem) == WaterFlow::coupled)
             stored = storage - ledger.late_pressure_work - ledger.opening_storage_energy;
         const double content = water_content(problem, state.particles);
-        if (water_flow(problem) != WaterFlow::drained) // where water comes and goes uncounted
+        // drained water comes and goes uncounted
+        if (water_flow(problem) != WaterFlow::drained && ledger.opening_water_content > 0.0)
             result.water_error =
                 (content + ledger.outflow - ledger.opening_water_content) / ledger.opening_water_content;
     }

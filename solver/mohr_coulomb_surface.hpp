@@ -40,10 +40,10 @@ private:
     void snap(std::span<const Plane> planes, Eigen::Vector3d& stress) const;
     Candidate onto_vertex(int tensions, const Eigen::Vector3d& trial) const;
 
-    // sin phi, (1 + sin psi) / (1 - sin psi), 2 c cos phi, t
-    double sin_phi_, flow_ratio_, shear_limit_, tension_limit_;
-    double lambda_, shear_modulus_; // [Pa]
-    std::array<Eigen::Vector3d, plane_count> normal_;
+    double sin_phi_, flow_ratio_;                         // sin phi, (1 + sin psi) / (1 - sin psi) [-]
+    double shear_limit_, tension_limit_;                  // 2 c cos phi, t [Pa]
+    double lambda_, shear_modulus_;                       // [Pa]
+    std::array<Eigen::Vector3d, plane_count> normal_;     // [-]
     std::array<Eigen::Vector3d, plane_count> stiff_flow_; // D r, r the direction of plastic strain [Pa]
 };
 

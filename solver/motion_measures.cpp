@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-/// Integral of a^2 over the k-th interval, a linear in it [m2/s3].
+/// Integral of a^2 over the k-th interval by the trapezoid [m2/s3].
 double squared_part(const SampledMotion& motion, std::size_t k)
 {
     const double a = motion.accelerations[k], b = motion.accelerations[k + 1];

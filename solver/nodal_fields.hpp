@@ -12,13 +12,13 @@ namespace quicksand {
 /// One entry per node of the grid with its rim; zero where `volume` is zero. Arrays of water are empty in a
 /// dry scene, its velocity in all but coupled flow.
 struct NodalFields {
-    Scalars volume;                    // V_i, soil volume carried by the node [m3/m]
-    Vectors displacement;              // since the reference [m]
-    Vectors velocity_solid;            // [m/s]
-    Vectors velocity_fluid;            // [m/s]
-    Scalars pore_pressure;             // total: static plus excess [Pa]
-    Scalars excess_pore_pressure;      // [Pa]
-    Scalars ru;                        // excess pore pressure / initial vertical effective stress [-]
+    Scalars volume;               // V_i, soil volume carried by the node [m3/m]
+    Vectors displacement;         // since the reference [m]
+    Vectors velocity_solid;       // [m/s]
+    Vectors velocity_fluid;       // [m/s]
+    Scalars pore_pressure;        // total: static plus excess [Pa]
+    Scalars excess_pore_pressure; // [Pa]
+    Scalars ru; // excess pore pressure / initial vertical effective stress, at least ru_stress_threshold [-]
     Scalars mean_effective_stress;     // compression positive, (xx + yy + zz)/3 [Pa]
     Scalars vertical_effective_stress; // compression positive [Pa]
     Scalars shear_stress_xy;           // [Pa]

@@ -26,8 +26,7 @@ struct NodePatch {
     std::int32_t base = 0;  // node index of the lower left node [-]
     std::int32_t width = 0; // nodes [-]
     std::int32_t height = 0;
-    double offset_x = 0.0; // x_base - x_p [m]
-    double offset_y = 0.0;
+    double offset_x = 0.0, offset_y = 0.0; // x_base - x_p [m]
     NodeWeight weights[max_width * max_width];
 };
 
@@ -35,8 +34,8 @@ struct NodePatch {
 struct StoredPatch {
     std::int32_t base;
     std::int16_t width, height;
-    std::int32_t first; // of its weights in the store
-    double offset_x, offset_y;
+    std::int32_t first;        // of its weights in the store
+    double offset_x, offset_y; // x_base - x_p [m]
 };
 
 /// Lengthen work space to `needed` numbers and an eighth to spare; left to itself a vector doubles.

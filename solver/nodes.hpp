@@ -1,8 +1,6 @@
 // What the nodes of the background grid carry within a step. Nothing of it outlives the step.
 #pragma once
 
-#include <vector>
-
 namespace quicksand {
 
 /// Sums scattered from the particles of a saturated body, three groups of four, each added to as one; and the
@@ -11,7 +9,7 @@ struct alignas(64) TwoPhaseSums {
     double mass_solid; // m_s [kg/m]
     double mass_fluid; // m_w [kg/m]
     double volume;     // sum phi V of the saturated soil [m3/m]
-    double drag;       // C = sum phi V n^2 rho_w g_k / k; then its implicit part [N s/m2 per metre]
+    double drag;       // C = sum phi V n^2 rho_w g_k / k; then its implicit part [N s/m2]
     double momentum_solid_x, momentum_solid_y; // [N s/m]
     double momentum_fluid_x, momentum_fluid_y; // [N s/m]
     double stress_force_x, stress_force_y;     // - sum V sigma' grad phi [N/m]

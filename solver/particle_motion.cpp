@@ -1,11 +1,10 @@
 #include "solver/particle_motion.hpp"
 
 #include "solver/lanes.hpp"
+#include "solver/material_runs.hpp"
 #include "solver/threads.hpp"
 #include "solver/ubcsand_memory.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
 
 namespace quicksand {
@@ -71,21 +70,6 @@ void turn_memory(double dt, std::size_t first, std::size_t last, Particles& part
     }
 }
 
-/// Call update(law, first, last) for every run of particles of one material.
-template <class Update>
-void for_each_material_run(const Problem& problem, const Particles& particles, std::size_t first,
-                           std::size_t last, Update&& update)
-{
-    while (first < last) {
-        const std::int32_t material = particles.material[first];
-        std::size_t end = first + 1;
-        while (end < last && particles.material[end] == material) ++end;
-        std::visit([&](const auto& law) { update(law, first, end); },
-                   problem.materials[static_cast<std::size_t>(material)].law);
-        first = end;
-    }
-}
-
 } // namespace
 
 void advance_domains(double dt, const Vectors& grid_velocity, Particles& particles)
@@ -126,10 +110,12 @@ void update_effective_stress(const Problem& problem, double dt, Particles& parti
         if (problem.strain == StrainForm::large && particles.has_cycles()) {
             turn_memory(dt, first, last, particles);
         }
-        for_each_material_run(problem, particles, first, last,
-                              [&](const auto& law, std::size_t run_first, std::size_t run_last) {
-                                  update_stress(law, dt, run_first, run_last, particles);
-                              });
+        for_each_material_run(
+            problem, particles, first, last,
+            [&](const Material& material, std::size_t run_first, std::size_t run_last) {
+                std::visit([&](const auto& law) { update_stress(law, dt, run_first, run_last, particles); },
+                           material.law);
+            });
     });
 }
 

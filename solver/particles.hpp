@@ -39,8 +39,8 @@ struct CycleMemory {
 
 /// In small strain the equations are set up on the reference shape; position and edges show the displaced
 /// one. Structure of arrays; every array has `size()` entries, or none where the scene does not need it: a
-/// dry scene carries nothing of water, a drained one the porosity only, and velocities of the water are there
-/// in coupled flow alone.
+/// dry scene carries nothing of water, a drained one the porosity and the pressures that are held, and
+/// velocities of the water are there in coupled flow alone.
 struct Particles {
     std::vector<std::int32_t> identifier; // lasting number, as sampled; the arrays are reordered [-]
     std::vector<std::int32_t> material;   // index into Problem::materials [-]

@@ -1,5 +1,4 @@
-// The walk over the nodes of a stored patch, which scatter and gather share, and the slope of the nodes'
-// motion about a particle.
+// The walk over the nodes of a stored patch, which scatter and gather share.
 #pragma once
 
 #include "solver/lanes.hpp"

@@ -16,7 +16,7 @@ constexpr float least_pivot = 1e-4f;     // of a diagonal of ones
 /// A cell's part in a node: its row in the block, and D.
 struct Touch {
     std::size_t row;
-    double x, y;
+    double x, y; // D [m2/m]
 };
 
 /// The smallest rectangle of cells around those with soil: columns [x0, x1), rows [y0, y1).

@@ -22,8 +22,8 @@ namespace quicksand {
 struct PressureEquations {
     std::vector<TileDivergence> divergence; // D, per tile
     NodeCompliances compliance;             // W
-    Scalars storage;                        // by slot [m2/Pa per metre]
-    Scalars diagonal;                       // of L, by slot [m2/Pa per metre]
+    Scalars storage;                        // by slot [m2/Pa]
+    Scalars diagonal;                       // of L, by slot [m2/Pa]
 };
 
 struct CellBlock {
@@ -42,7 +42,7 @@ struct PressureBlocks {
 void set_up_blocks(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                    double dt, const PressureEquations& equations, PressureBlocks& blocks);
 
-/// Give the factors the scale of the present diagonal [m2/Pa per metre]. A particle that has entered a cell
+/// Give the factors the scale of the present diagonal [m2/Pa]. A particle that has entered a cell
 /// since the set-up makes all of its D larger, which the scale follows: right after a set-up that is most of
 /// what changes from step to step. Before precondition(), once in a step.
 void scale_blocks(const Scalars& diagonal, PressureBlocks& blocks);

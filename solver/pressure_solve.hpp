@@ -33,7 +33,7 @@ struct CavitySolve {
     Scalars lowest_increment;           // the limit less the pressure at the begin of the step [Pa]
     std::vector<std::uint8_t> cavities; // whether the cell has some at the end of the step
     Scalars water_increment;            // of pressure and deficit together: what the volume asks for [Pa]
-    Scalars lacking; // of a cell with cavities: what its water does not fill [m2 per metre]
+    Scalars lacking;                    // of a cell with cavities: what its water does not fill [m3/m]
 };
 
 /// Unknowns and work arrays, by slot of the cell lists (only cells with soil are touched) and by node.
@@ -44,11 +44,11 @@ struct PressureSolve : PressureEquations {
     Scalars increment;                 // dp: the guess, then the solution [Pa]
     Scalars flux_x, flux_y;            // of the nodes, flux* at first [m/s]
     Scalars force_x, force_y;          // of the increments on the nodes, zero before and after a solve [N/m]
-    Scalars right_hand_side;           // [m2 per metre]
-    Scalars residual;                  // of the equations [m2 per metre]
+    Scalars right_hand_side;           // [m3/m]
+    Scalars residual;                  // of the equations [m3/m]
     Scalars answer;                    // of the preconditioner to the residual [Pa]
-    Scalars direction, product;        // of the conjugate gradients
-    Scalars partial;                   // sums of the tiles
+    Scalars direction, product;        // of the conjugate gradients, and L direction [Pa, m3/m]
+    Scalars partial;                   // sums of the tiles [of what is summed]
     CavitySolve cavity;
     std::int32_t iterations = 0; // of the last solve [-]
 };

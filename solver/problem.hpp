@@ -173,8 +173,8 @@ struct Problem {
     BaseMotion base_motion;
     std::vector<Boundary> boundaries;
     std::optional<TiedSides> tied_sides;
-    /// Body force per mass on a point, by its reference position and time; for verification, none otherwise
-    /// [m/s2].
+    /// Body force per mass on a point of a body of one phase, by its reference position and time; for
+    /// verification, none otherwise [m/s2].
     std::function<Vector2(const Vector2&, double)> body_acceleration;
 };
 

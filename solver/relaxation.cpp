@@ -1,4 +1,5 @@
 #include "solver/failure.hpp"
+#include "solver/material_runs.hpp"
 #include "solver/particle_order.hpp"
 #include "solver/simulation.hpp"
 #include "solver/single_phase_step.hpp"
@@ -39,12 +40,11 @@ bool has_cycle_memory(const Problem& problem)
 template <class Visit>
 void for_each_sand_run(const Problem& problem, const Particles& particles, Visit&& visit)
 {
-    for (std::size_t first = 0, last = 0; first < particles.size(); first = last) {
-        last = first + 1;
-        while (last < particles.size() && particles.material[last] == particles.material[first]) ++last;
-        const auto m = static_cast<std::size_t>(particles.material[first]);
-        if (const auto* sand = std::get_if<UbcSand>(&problem.materials[m].law)) visit(*sand, first, last);
-    }
+    for_each_material_run(problem, particles, 0, particles.size(),
+                          [&](const Material& material, std::size_t first, std::size_t last) {
+                              if (const auto* sand = std::get_if<UbcSand>(&material.law))
+                                  visit(*sand, first, last);
+                          });
 }
 
 std::size_t count_at_failure(const Problem& problem, const Particles& particles)

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace quicksand {
 
@@ -47,7 +46,7 @@ void run(const Problem& problem, double end_time, const std::vector<Observer*>& 
 {
     if (state.step == 0) hold_reactions(problem, state);
     const std::unique_ptr<Stepper> stepper = make_stepper(problem);
-    StepReport report{state.stage, state.step, state.time, {}, 0, true};
+    StepReport report{state.step, state.time, {}, 0, true};
     observe_due(problem, observers, state, report);
     while (state.time < end_time) {
         const double event = next_event(end_time, observers);

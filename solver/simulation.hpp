@@ -7,14 +7,12 @@
 #include "solver/time_step_control.hpp"
 
 #include <functional>
-#include <memory>
 #include <vector>
 
 namespace quicksand {
 
 /// What an observer is told of the step just taken.
 struct StepReport {
-    Stage stage = Stage::shaking;
     std::int64_t step = 0;            // steps taken in the stage [-]
     double time = 0.0;                // t at the end of the step [s]
     TimeStep time_step;               // and its limiting reason

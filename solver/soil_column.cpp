@@ -13,7 +13,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double close = 1e-9;       // places that are the same [cells]
+constexpr double close = 1e-9;       // places that are the same [cells or m]
 constexpr double same_value = 1e-10; // of the largest of an array
 
 /// A place within its column, in millionths of a cell: rounding does not tell two columns apart.

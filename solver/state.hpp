@@ -23,7 +23,7 @@ struct Ledger {
     double drag_dissipation = 0.0;   // of the drag between water and grains
     double gravity_work = 0.0;       // of the weight, buoyant below water
     double base_work = 0.0;          // of the base's acceleration, a force in the moving frame
-    double boundary_work = 0.0;      // of loads and moving walls
+    double boundary_work = 0.0;      // of loads, heads, moving walls and viscous boundaries
     double wall_loss = 0.0;          // kinetic energy that walls took out of the nodes they stop
     double impulse_x = 0.0;          // of weight, base and boundaries [N s/m]
     double impulse_y = 0.0;

@@ -1,4 +1,4 @@
-// What every explicit step needs, whatever moves in it: where the particles are, their weights, the walls.
+// What every step needs, whatever moves in it: where the particles are, their weights, the walls.
 #pragma once
 
 #include "solver/boundary_conditions.hpp"

@@ -154,9 +154,8 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
         };
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
-    timed(work.timers, Phase::stress, [&] {
-        update_stress_of_cells(problem, dt, work.lists, state.particles, work.average);
-    });
+    timed(work.timers, Phase::stress,
+          [&] { update_stress_of_cells(problem, dt, work.lists, state.particles, work.average); });
     state.time += dt;
     state.last_step = dt;
     ++state.step;
@@ -166,6 +165,7 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
 
 TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
 {
+    ENSURE(!problem.body_acceleration); // of bodies of one phase only
     TwoPhaseWorkspace work;
     set_up_workspace(problem, work);
     work.sums.resize(problem.grid.node_count());

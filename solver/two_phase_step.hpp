@@ -1,4 +1,5 @@
-// THE step of a saturated body: explicit, water and grains with their own velocities (v-w form).
+// THE step of a saturated body: water and grains with their own velocities (v-w form), explicit or with the
+// water's pressure implicit.
 #pragma once
 
 #include "solver/nodes.hpp"

@@ -37,7 +37,7 @@ void merge(std::vector<Dashpot>& dashpots)
     dashpots.resize(count);
 }
 
-/// v'' = v' - r dt C (v + v'')/2 for the grains, with the water drawn along. The mean of the velocities
+/// The grains are braked, with the water drawn along. The mean of the velocities
 /// before and after the step stands at the time of the forces; the velocity after it alone would come half a
 /// step late, which at 20 cells a wavelength sends 5 per cent of a wave back.
 template <class Sums, class Motion>
@@ -49,14 +49,10 @@ void brake(const NodeConditions& conditions, double dt, const std::vector<Dashpo
         if (!sums[i].active()) continue;
         const std::uint8_t held = conditions.of_node[i];
         const NodeResponse x = response(sums[i], dt, held, 0), y = response(sums[i], dt, held, 1);
-        Eigen::Matrix2d half; // dt C / 2
-        half << dashpot.xx, dashpot.xy, dashpot.xy, dashpot.yy;
-        half *= 0.5 * dt;
-        const Eigen::Matrix2d braking = Vector2(x.solid, y.solid).asDiagonal() * half;
+        const Braking braking = braking_of(dashpot, dt, x, y);
         const Vector2 before = velocity_before(motion[i]), unbraked = solid_velocity(motion[i]);
-        const Vector2 braked =
-            (Eigen::Matrix2d::Identity() + braking).inverse() * (unbraked - braking * before);
-        const Vector2 impulse = -half * (before + braked);
+        const Vector2 braked = braking.left * (unbraked - braking.factor * before);
+        const Vector2 impulse = -braking.half * (before + braked);
         add_velocity(motion[i], {x.solid * impulse.x(), y.solid * impulse.y()},
                      {x.exchange * impulse.x(), y.exchange * impulse.y()});
     }
@@ -72,6 +68,16 @@ void scatter(const Problem& problem, const State& state, ParticlePlaces& places,
 }
 
 } // namespace
+
+Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponse& x, const NodeResponse& y)
+{
+    Braking braking;
+    braking.half << dashpot.xx, dashpot.xy, dashpot.xy, dashpot.yy;
+    braking.half *= 0.5 * dt;
+    braking.factor = Vector2(x.solid, y.solid).asDiagonal() * braking.half;
+    braking.left = (Eigen::Matrix2d::Identity() + braking.factor).inverse();
+    return braking;
+}
 
 Impedance impedance(const Problem& problem, const Boundary& boundary, const Material& material)
 {

@@ -15,6 +15,7 @@
 
 #include "solver/boundary_conditions.hpp"
 #include "solver/boundary_pieces.hpp"
+#include "solver/node_response.hpp"
 #include "solver/nodes.hpp"
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
@@ -38,6 +39,15 @@ Impedance impedance(const Problem& problem, const Boundary& boundary, const Mate
 /// The dashpots of all viscous boundaries, each node once, in the order of the nodes.
 void gather_dashpots(const Problem& problem, const Particles& particles, const NodeConditions& conditions,
                      ParticlePlaces& places, std::vector<Dashpot>& dashpots);
+
+/// What a dashpot takes of its node's velocity over dt, with the mean of the velocities before and after the
+/// step: v'' = v' - r dt C (v + v'')/2, r the response of the grains.
+struct Braking {
+    Eigen::Matrix2d half;   // dt C / 2 [kg/m]
+    Eigen::Matrix2d factor; // r dt C / 2 [-]
+    Eigen::Matrix2d left;   // (1 + factor)^-1: velocity left of one given by other forces [-]
+};
+Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponse& x, const NodeResponse& y);
 
 /// Put the dashpots' impulses on the velocities, after the momentum balance.
 void brake_by_dashpots(const Problem& problem, const NodeConditions& conditions, double dt,
