@@ -3,7 +3,6 @@
 #include "solver/failure.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,7 +10,6 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <thread>
 
 namespace quicksand {
@@ -35,8 +33,8 @@ pid_t start_program(const std::filesystem::path& program, const std::vector<std:
     const int error = posix_spawn(&child, texts.front().c_str(), &actions, nullptr, pointers.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
     if (error != 0) {
-        throw InputError(fmt::format("{}: cannot be started: {}\nhint: is Quicksand installed completely?",
-                                     program.string(), std::strerror(error)));
+        throw FileError(program, "cannot be started",
+                        system_reason(error) + "\nhint: is Quicksand installed completely?", "");
     }
     return child;
 }

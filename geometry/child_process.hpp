@@ -15,7 +15,7 @@ struct ChildResult {
 };
 
 /// Run a program without input and output and wait for it; it is killed after `time_limit` [s].
-/// Throws InputError when it cannot be started.
+/// Throws FileError when it cannot be started.
 ChildResult run_program(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                         double time_limit);
 

@@ -1,16 +1,17 @@
 #include "geometry/geo_script.hpp"
 
-#include "geometry/lower_case.hpp"
+#include "geometry/text_file.hpp"
 #include "solver/failure.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 #include <iterator>
 #include <optional>
 #include <set>
+#include <system_error>
+#include <utility>
 
 namespace quicksand {
 
@@ -27,11 +28,19 @@ constexpr Command refused_commands[] = {
     {"NonBlockingSystemCall", "starts another program"},
     {"System", "starts another program"},
     {"OnelabRun", "starts another program"},
+    {"ExternalProcess", "starts another program"},
     {"Plugin", "may write files"},
     {"Parse", "runs text that cannot be looked at beforehand"},
     {"Print", "writes a file"},
     {"Save", "writes a file"},
     {"CreateDir", "makes a folder"},
+};
+
+/// A file that gmsh opens.
+struct OpenedFile {
+    std::filesystem::path file;
+    bool may_hold_data = true; // merged; an included one is run whatever it looks like
+    std::string named_by;      // how its name stands in front of what is wrong with it
 };
 
 /// One .geo file as read, twice: `code` without comments and strings, of the same length.
@@ -49,6 +58,12 @@ struct Script {
 bool is_name_character(char c)
 {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+/// gmsh takes both; the other one may stand within.
+bool is_quote(char c)
+{
+    return c == '"' || c == '\'';
 }
 
 std::size_t skip_blanks(const std::string& code, std::size_t at)
@@ -83,62 +98,81 @@ std::size_t skip_brackets(const std::string& code, std::size_t open)
     return code.size();
 }
 
-Script read_script(const std::filesystem::path& file)
+/// A missing file reads as an empty one: gmsh says so itself, and an If may stand around it.
+std::string read_opened(const OpenedFile& opened)
 {
-    std::ifstream stream(file, std::ios::binary);
-    Script script{file, std::string(std::istreambuf_iterator<char>(stream), {}), {}};
-    script.code = blank_comments_and_strings(script.text);
-    return script;
+    std::error_code ignored;
+    if (!std::filesystem::exists(opened.file, ignored)) return "";
+    if (!std::filesystem::is_regular_file(opened.file, ignored)) {
+        throw InputError(fmt::format("{} is a folder or a device, not a file\n"
+                                     "hint: name a file, such as \"layers.geo\"",
+                                     opened.named_by));
+    }
+    return read_text(opened.file);
 }
 
 /// The name in quotes after an Include or Merge; none where an expression stands.
 std::optional<std::string> quoted_name(const Script& script, std::size_t at)
 {
     const std::size_t open = skip_blanks(script.code, at);
-    if (open >= script.code.size() || script.code[open] != '"') return std::nullopt;
-    const std::size_t close = script.code.find('"', open + 1);
+    if (open >= script.code.size() || !is_quote(script.code[open])) return std::nullopt;
+    const std::size_t close = script.code.find(script.code[open], open + 1);
     const std::size_t end = close == std::string::npos ? close : skip_blanks(script.code, close + 1);
     if (end == std::string::npos || (end < script.code.size() && script.code[end] != ';'))
         return std::nullopt;
     return script.text.substr(open + 1, close - open - 1);
 }
 
-/// CAD and mesh files hold data, not commands.
+/// CAD and mesh files hold data, not commands. gmsh knows these spellings only and runs any other file.
 bool holds_data(const Script& script)
 {
-    const std::string extension = lower_case(script.file.extension().string());
-    const bool is_cad = extension == ".step" || extension == ".stp" || extension == ".brep" ||
-                        extension == ".iges" || extension == ".igs";
-    return is_cad || script.text.rfind("$MeshFormat", 0) == 0;
+    constexpr std::string_view data_extensions[] = {
+        ".step", ".STEP", ".stp", ".STP", ".iges", ".IGES", ".igs", ".IGS", ".brep", ".brp",
+        ".BRP",  ".stl",  ".STL", ".unv", ".UNV",  ".vtk",  ".VTK", ".med", ".MED"};
+    const bool is_data = std::count(std::begin(data_extensions), std::end(data_extensions),
+                                    script.file.extension().string()) > 0;
+    return is_data || script.text.starts_with("$MeshFormat");
+}
+
+/// Add the files that a script opens with `word`.
+void add_opened(const Script& script, std::string_view word, std::vector<OpenedFile>& waiting)
+{
+    for (const std::size_t at : find_word(script.code, word)) {
+        const std::optional<std::string> name = quoted_name(script, at + word.size());
+        const std::string place = fmt::format("{}:{}: {}", script.file.string(), script.line_of(at), word);
+        if (name) {
+            waiting.push_back({script.file.parent_path() / *name, word != "Include",
+                               fmt::format("{} \"{}\"", place, *name)});
+        } else if (word != "ShapeFromFile") {
+            throw InputError(fmt::format("{} names its file by an expression, which cannot be followed\n"
+                                         "hint: write the file's name itself: {} \"layers.geo\";",
+                                         place, word));
+        }
+    }
 }
 
 /// The file and everything that it includes or merges, each once.
 std::vector<Script> read_scripts(const std::filesystem::path& file)
 {
     std::vector<Script> scripts;
-    std::set<std::filesystem::path> seen;
-    std::vector<std::filesystem::path> waiting = {file};
+    std::set<std::pair<std::filesystem::path, bool>> seen;
+    // gmsh opens the first file as it opens a merged one
+    std::vector<OpenedFile> waiting = {{file, true, file.string()}};
     while (!waiting.empty()) {
-        const std::filesystem::path next = waiting.back();
+        const OpenedFile next = waiting.back();
         waiting.pop_back();
-        if (!seen.insert(next.lexically_normal()).second) continue;
-        scripts.push_back(read_script(next));
-        const Script& script = scripts.back();
-        if (holds_data(script)) {
-            scripts.pop_back();
-            continue;
-        }
-        for (const std::string_view word : {"Include", "Merge", "MergeWithBoundingBox", "ShapeFromFile"}) {
-            for (const std::size_t at : find_word(script.code, word)) {
-                const std::optional<std::string> name = quoted_name(script, at + word.size());
-                if (name) waiting.push_back(script.file.parent_path() / *name);
-                if (name || word == "ShapeFromFile") continue;
-                throw InputError(
-                    fmt::format("{}:{}: {} names its file by an expression, which cannot be followed\n"
-                                "hint: write the file's name itself: {} \"layers.geo\";",
-                                script.file.string(), script.line_of(at), word, word));
-            }
-        }
+        if (!seen.emplace(next.file.lexically_normal(), next.may_hold_data).second) continue;
+        // gmsh runs the options that it finds beside a file
+        const std::filesystem::path options = next.file.string() + ".opt";
+        std::error_code ignored;
+        if (next.may_hold_data && std::filesystem::exists(options, ignored))
+            waiting.push_back({options, true, options.string()});
+        Script script{next.file, read_opened(next), {}};
+        if (next.may_hold_data && holds_data(script)) continue;
+        script.code = blank_comments_and_strings(script.text);
+        for (const std::string_view word : {"Include", "Merge", "MergeWithBoundingBox", "ShapeFromFile"})
+            add_opened(script, word, waiting);
+        scripts.push_back(std::move(script));
     }
     return scripts;
 }
@@ -150,8 +184,27 @@ std::vector<Script> read_scripts(const std::filesystem::path& file)
                                  script.file.string(), script.line_of(at), word, effect));
 }
 
+/// gmsh ends a string after 1023 characters, and strings and comments at a zero byte; it would run the rest.
+void refuse_broken_strings(const Script& script)
+{
+    constexpr std::size_t longest_string = 1023;
+    if (script.text.find('\0') != std::string::npos)
+        throw InputError(fmt::format("{}: is not a text file", script.file.string()));
+    std::size_t open = script.code.find_first_of("\"'");
+    while (open != std::string::npos) {
+        const std::size_t close = std::min(script.code.find(script.code[open], open + 1), script.code.size());
+        if (close - open - 1 > longest_string) {
+            throw InputError(fmt::format("{}:{}: the string is longer than the {} characters of gmsh\n"
+                                         "hint: is its closing quote missing?",
+                                         script.file.string(), script.line_of(open), longest_string));
+        }
+        open = script.code.find_first_of("\"'", close + 1);
+    }
+}
+
 void refuse_side_effects_of(const Script& script)
 {
+    refuse_broken_strings(script);
     for (const Command& command : refused_commands) {
         for (const std::size_t at : find_word(script.code, command.word)) {
             const std::size_t next = skip_blanks(script.code, at + command.word.size());
@@ -202,10 +255,14 @@ std::string blank_comments_and_strings(std::string_view text)
     enum class Inside { code, line_comment, block_comment, string };
     std::string code(text);
     Inside inside = Inside::code;
+    char quote = '"'; // that opened the string at hand
     for (std::size_t at = 0; at < text.size(); ++at) {
         const std::string_view pair = text.substr(at, 2);
         if (inside == Inside::code) {
-            if (text[at] == '"') inside = Inside::string;
+            if (is_quote(text[at])) {
+                inside = Inside::string;
+                quote = text[at];
+            }
             if (pair == "//") inside = Inside::line_comment;
             if (pair == "/*") {
                 inside = Inside::block_comment;
@@ -216,7 +273,7 @@ std::string blank_comments_and_strings(std::string_view text)
             continue;
         }
         const bool line_ends = text[at] == '\n';
-        if (inside == Inside::string && text[at] == '"') {
+        if (inside == Inside::string && text[at] == quote) {
             inside = Inside::code;
         } else if (inside == Inside::line_comment && line_ends) {
             inside = Inside::code;

@@ -16,7 +16,8 @@ std::string blank_comments_and_strings(std::string_view text);
 /// Names in the file's and its included files' DefineConstant, and those asked for with Exists().
 std::vector<std::string> declared_parameters(const std::filesystem::path& file);
 
-/// Throws InputError where the file, or one that it includes, would start a program or write a file.
+/// Throws InputError where the file, one that it includes or merges, or gmsh options beside them (NAME.opt)
+/// would start a program or write a file.
 void refuse_side_effects(const std::filesystem::path& file);
 
 /// Throws InputError where a file's last line has no line end: gmsh passes over such a line without a word.

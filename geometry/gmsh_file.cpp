@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -33,7 +34,10 @@ public:
     ScratchFile() : path_((fs::temp_directory_path() / "quicksand-gmsh-XXXXXX").string())
     {
         const int descriptor = mkstemp(path_.data());
-        if (descriptor < 0) throw InputError(fmt::format("{}: no scratch file can be made here", path_));
+        if (descriptor < 0) {
+            const std::string reason = system_reason(errno);
+            throw FileError(fs::temp_directory_path(), "no scratch file can be made here", reason, "");
+        }
         close(descriptor);
     }
     ~ScratchFile() { unlink(path_.c_str()); }
@@ -103,6 +107,7 @@ void check_file(const GmshRequest& request)
     if (fs::is_directory(request.file)) {
         throw InputError(fmt::format("{}: is a folder, not a .geo or .msh file", name));
     }
+    if (!fs::is_regular_file(request.file)) throw InputError(fmt::format("{}: is not a regular file", name));
     if (!std::ifstream(request.file))
         throw InputError(fmt::format("{}: cannot be read: {}", name, std::strerror(errno)));
     const std::string extension = lower_case_extension(request.file);
@@ -117,6 +122,7 @@ void check_file(const GmshRequest& request)
                                          "hint: save it with gmsh as MSH 2.2 or 4.1",
                                          name));
         }
+        refuse_side_effects(request.file); // of options in a file beside it
         check_parameters(request, {});
         return;
     }
@@ -153,9 +159,16 @@ json run_helper(const GmshRequest& request)
     }
     std::ifstream stream(scratch.path());
     json result = json::parse(stream, nullptr, false);
-    if (child.code != 0 || result.is_discarded()) {
-        throw InputError(fmt::format("{}: gmsh gave no result (exit code {}); is {} full?", name, child.code,
-                                     fs::temp_directory_path().string()));
+    if (child.code != 0) {
+        throw FileError(scratch.path(),
+                        fmt::format("gmsh gave no result for {} (exit code {})", name, child.code),
+                        fmt::format("is {} full?", fs::temp_directory_path().string()), "");
+    }
+    // gmsh's Exit ends the helper with success before it has written anything
+    if (result.is_discarded()) {
+        throw InputError(fmt::format("{}: gmsh ended before the drawing was complete\n"
+                                     "hint: take Exit out of the file",
+                                     name));
     }
     return result;
 }
@@ -294,10 +307,11 @@ fs::path find_gmsh_helper()
     for (const fs::path& place : places) {
         if (fs::exists(place)) return place.lexically_normal();
     }
-    throw InputError(
-        fmt::format("the program quicksand-gmsh, which reads .geo and .msh files, is neither {} nor {}\n"
-                    "hint: install Quicksand completely (cmake --install)",
-                    places[0].string(), places[1].lexically_normal().string()));
+    throw FileError(places[0], "cannot find the program that reads .geo and .msh files",
+                    fmt::format("it is neither here nor at {}\n"
+                                "hint: install Quicksand completely (cmake --install)",
+                                places[1].lexically_normal().string()),
+                    "");
 }
 
 Section read_gmsh_file(const GmshRequest& request)

@@ -21,10 +21,11 @@ struct GmshRequest {
     double time_limit = 120.0;       // wall time before gmsh is stopped [s]
 };
 
-/// Throws InputError with gmsh's own file and line, or with what is missing in the model.
+/// Throws InputError with gmsh's own file and line, or with what is missing in the model; FileError where the
+/// helper program or its scratch file fails.
 Section read_gmsh_file(const GmshRequest& request);
 
-/// The helper program: beside the running executable or in the installed libexec folder.
+/// The helper program: beside the running executable or in the installed libexec folder. Throws FileError.
 std::filesystem::path find_gmsh_helper();
 
 } // namespace quicksand

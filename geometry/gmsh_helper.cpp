@@ -5,12 +5,14 @@
 // A tolerance of 0 stands for 1e-4 of the model's size, a quad size of 0 for outlines only. Everything wrong
 // with the file goes into RESULT; the exit code is 0 once RESULT is written. Only Quicksand calls this
 // program, and it stops this program at its time limit.
+#include "geometry/execution_guard.hpp"
 #include "geometry/gmsh_model.hpp"
 
 #include <nlohmann/json.hpp>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -27,6 +29,7 @@ namespace {
 using nlohmann::json;
 
 constexpr rlim_t most_memory = rlim_t(8) << 30; // a loop without end stops here [bytes]
+constexpr int highest_tag = 1'000'000;          // of a physical group; names are looked for up to it [-]
 constexpr int most_quads = 4'000'000;
 constexpr const char* group_words[] = {"Physical Point", "Physical Curve", "Physical Surface"};
 
@@ -82,13 +85,19 @@ void check_groups(int dimension, const gmsh::vectorpair& groups, json& faults)
         if (group_dimension != dimension) continue;
         std::string name;
         gmsh::model::getPhysicalName(dimension, tag, name);
-        if (!name.empty()) continue;
         const std::string number = std::to_string(tag);
-        faults.push_back(word + "(" + number + ") has no name; write " + word + "(\"name\", " + number +
-                         ") = {...};");
+        if (name.empty()) {
+            faults.push_back(word + "(" + number + ") has no name; write " + word + "(\"name\", " + number +
+                             ") = {...};");
+        } else if (tag > highest_tag) {
+            faults.push_back(word + "(\"" + name + "\", " + number + ") has a tag above " +
+                             std::to_string(highest_tag) + "; leave it out: " + word + "(\"" + name +
+                             "\") = {...};");
+        }
     }
     // gmsh drops a group whose entities do not exist, but keeps its name
-    for (int tag = 1; tag <= highest + 1000; ++tag) {
+    const int last = std::min(highest, highest_tag) + 1000;
+    for (int tag = 1; tag <= last; ++tag) {
         std::string name;
         gmsh::model::getPhysicalName(dimension, tag, name);
         std::vector<int> entities;
@@ -363,6 +372,7 @@ int main(int argument_count, char** arguments)
     const rlimit memory = {quicksand::most_memory, quicksand::most_memory};
     setrlimit(RLIMIT_AS, &memory);
 #endif
+    quicksand::forbid_other_programs();
     const nlohmann::json result = quicksand::read_file(argument_count, arguments);
     std::ofstream file(arguments[2]);
     // error texts may quote bytes of a file that is not text

@@ -7,8 +7,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
 namespace quicksand {
@@ -74,16 +72,6 @@ void write_durably(const fs::path& path, std::string_view bytes)
     synchronize(temporary_name(path));
     replace_file(path);
     synchronize(fs::absolute(path).parent_path());
-}
-
-std::string read_text(const fs::path& path)
-{
-    errno = 0;
-    std::ifstream stream(path, std::ios::binary);
-    if (!stream) throw FileError(path, "cannot read", system_reason(errno), "");
-    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (stream.bad()) throw FileError(path, "cannot read", system_reason(errno), "");
-    return text;
 }
 
 } // namespace quicksand

@@ -1,6 +1,8 @@
 // Files that are replaced as a whole: a reader sees the old text or the new one, never a half.
 #pragma once
 
+#include "geometry/text_file.hpp" // read_text()
+
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -18,8 +20,5 @@ void write_atomically(const std::filesystem::path& path, std::string_view text);
 
 /// As write_atomically(), and on the disk itself when it returns: it survives a power cut. Throws FileError.
 void write_durably(const std::filesystem::path& path, std::string_view bytes);
-
-/// The whole text of a file. Throws FileError.
-std::string read_text(const std::filesystem::path& path);
 
 } // namespace quicksand

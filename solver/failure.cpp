@@ -1,6 +1,7 @@
 #include "solver/failure.hpp"
 
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 namespace quicksand {
@@ -21,11 +22,31 @@ std::string describe(const FailureRecord& record)
     return text.str();
 }
 
+std::string complete_text(const std::filesystem::path& path, const std::string& problem,
+                          const std::string& reason, const std::string& still_good)
+{
+    std::string text = path.string() + ": " + problem;
+    if (!reason.empty()) text += ": " + reason;
+    if (!still_good.empty()) text += "; " + still_good;
+    return text;
+}
+
 } // namespace
 
 NumericalError::NumericalError(FailureRecord record_)
     : std::runtime_error(describe(record_)), record(std::move(record_))
 {
+}
+
+FileError::FileError(std::filesystem::path path_, const std::string& problem, const std::string& reason,
+                     const std::string& still_good)
+    : std::runtime_error(complete_text(path_, problem, reason, still_good)), path(std::move(path_))
+{
+}
+
+std::string system_reason(int error_number)
+{
+    return error_number == 0 ? std::string() : std::generic_category().message(error_number);
 }
 
 void fail_invariant(const char* expression, std::source_location where)

@@ -1,10 +1,11 @@
-// The three kinds of failure: the user's input (InputError), a run that went bad (NumericalError) and
-// our own bug (ENSURE). Files and disk have io's FileError.
+// The kinds of failure: the user's input (InputError), a run that went bad (NumericalError), files and disk
+// (FileError) and our own bug (ENSURE).
 #pragma once
 
 #include "solver/conventions.hpp"
 
 #include <cstdint>
+#include <filesystem>
 #include <source_location>
 #include <stdexcept>
 #include <string>
@@ -35,6 +36,19 @@ public:
     explicit NumericalError(FailureRecord record_);
     FailureRecord record;
 };
+
+/// A file could not be written or read. The text names the path, the system's reason and what is still good.
+class FileError : public std::runtime_error {
+public:
+    /// `problem` is what was tried ("cannot write"), `reason` why it failed, `still_good` what can be relied
+    /// on ("earlier frames are complete"); the last two may be empty.
+    FileError(std::filesystem::path path_, const std::string& problem, const std::string& reason,
+              const std::string& still_good);
+    std::filesystem::path path;
+};
+
+/// The system's text for an errno value, "" for 0.
+std::string system_reason(int error_number);
 
 /// Our own bug: an invariant of the program does not hold.
 class InternalError : public std::logic_error {

@@ -2,7 +2,12 @@
 #include "solver/failure.hpp"
 #include "tests/unit/geometry/scratch_files.hpp"
 
+#include <sys/resource.h>
+
 #include <algorithm>
+#include <csignal>
+#include <cstdlib>
+#include <optional>
 
 namespace quicksand {
 namespace {
@@ -121,6 +126,23 @@ INSTANTIATE_TEST_SUITE_P(
                 "dike.geo",
                 square + surface + named + "Physical Curve(\"base\") = {17};\n",
                 {"Physical Curve(\"base\") is empty", "does not exist"}},
+        Mistake{"tag_too_large",
+                "dike.geo",
+                square + surface + "Physical Surface(\"sand\", 2000000000) = {1};\n",
+                {"Physical Surface(\"sand\", 2000000000) has a tag above 1000000; leave it out: "
+                 "Physical Surface(\"sand\") = {...};"}},
+        Mistake{"largest_tag",
+                "dike.geo",
+                square + surface + "Physical Surface(\"sand\", 2147483647) = {1};\n",
+                {"Physical Surface(\"sand\", 2147483647) has a tag above 1000000"}},
+        Mistake{"includes_a_folder",
+                "dike.geo",
+                square + "Include \"..\";\n",
+                {"dike.geo:3: Include \"..\" is a folder or a device, not a file"}},
+        Mistake{"ends_gmsh",
+                "dike.geo",
+                "Exit;\n",
+                {"gmsh ended before the drawing was complete", "take Exit out"}},
         Mistake{"out_of_plane",
                 "dike.geo",
                 "Point(1) = {0,0,0}; Point(2) = {1,0,0}; Point(3) = {1,0,1};\n"
@@ -211,6 +233,66 @@ TEST(FileMessages, NameAFolder)
     GmshRequest request;
     request.file = folder.path();
     expect_parts(message_of(request), {folder.path().string(), "is a folder, not a .geo or .msh file"});
+}
+
+/// While it lives, another folder takes the temporary files and none of them can grow beyond `bytes`.
+class ScratchLimits {
+public:
+    ScratchLimits(const std::string& folder, rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN))
+    {
+        getrlimit(RLIMIT_FSIZE, &former_);
+        const rlimit limit{bytes, former_.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &limit);
+        if (const char* former = std::getenv("TMPDIR")) former_folder_ = former;
+        setenv("TMPDIR", folder.c_str(), 1);
+    }
+    ~ScratchLimits()
+    {
+        if (former_folder_) {
+            setenv("TMPDIR", former_folder_->c_str(), 1);
+        } else {
+            unsetenv("TMPDIR");
+        }
+        setrlimit(RLIMIT_FSIZE, &former_);
+        std::signal(SIGXFSZ, handler_);
+    }
+    ScratchLimits(const ScratchLimits&) = delete;
+    ScratchLimits& operator=(const ScratchLimits&) = delete;
+
+private:
+    void (*handler_)(int);
+    rlimit former_{};
+    std::optional<std::string> former_folder_;
+};
+
+/// What is said of a good drawing in `folder` when the temporary folder is at fault.
+std::string message_of_disk(const ScratchFolder& folder, const std::string& temporary_folder, rlim_t bytes)
+{
+    GmshRequest request;
+    request.file = folder.write("dike.geo", square + surface + named);
+    const ScratchLimits limits(temporary_folder, bytes);
+    try {
+        read_gmsh_file(request);
+    } catch (const FileError& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+TEST(FileMessages, TakeAFullTemporaryFolderForADiskFault)
+{
+    const ScratchFolder folder;
+    const std::string path = folder.path().string();
+    expect_parts(message_of_disk(folder, path, 16),
+                 {path + "/quicksand-gmsh-",
+                  "gmsh gave no result for " + path + "/dike.geo (exit code 1): is " + path + " full?"});
+}
+
+TEST(FileMessages, TakeATemporaryFolderThatCannotBeWrittenForADiskFault)
+{
+    const ScratchFolder folder;
+    expect_parts(message_of_disk(folder, "/proc", RLIM_INFINITY),
+                 {"/proc: no scratch file can be made here: "});
 }
 
 TEST(FileMessages, NameATruncatedFixture)

@@ -29,7 +29,14 @@ TEST(ChildProcess, StopsAtTheTimeLimit)
 
 TEST(ChildProcess, SaysWhenAProgramCannotBeStarted)
 {
-    EXPECT_THROW(run_program("/nowhere/program", {}, 1.0), InputError);
+    try {
+        run_program("/nowhere/program", {}, 1.0);
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.path, "/nowhere/program");
+        EXPECT_STREQ(error.what(), "/nowhere/program: cannot be started: No such file or directory\n"
+                                   "hint: is Quicksand installed completely?");
+    }
 }
 
 } // namespace

@@ -10,6 +10,23 @@ TEST(GeoScript, BlanksCommentsAndStringsInPlace)
     EXPECT_EQ(blank_comments_and_strings("a // b\nc"), "a     \nc");
     EXPECT_EQ(blank_comments_and_strings("a /* b\nc */ d"), "a     \n     d");
     EXPECT_EQ(blank_comments_and_strings("f(\"// x\"); g"), "f(\"    \"); g");
+    EXPECT_EQ(blank_comments_and_strings("a = '\"'; b = \"'\"; c"), "a = ' '; b = \" \"; c");
+}
+
+std::string message_of(const std::filesystem::path& file)
+{
+    try {
+        refuse_side_effects(file);
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "nothing";
+}
+
+std::string refusal(const std::filesystem::path& file, const std::string& what)
+{
+    return file.string() + ":" + what +
+           "; Quicksand refuses to open the file\nhint: a section needs geometry only; take the line out";
 }
 
 TEST(GeoScript, ListsDeclaredParametersOfIncludedFilesToo)
@@ -42,7 +59,9 @@ TEST_P(Harmless, IsNotRefused)
 INSTANTIATE_TEST_SUITE_P(Texts, Harmless,
                          testing::Values("// SystemCall \"ls\";\n", "Printf(\"Save > Print\");\n",
                                          "Print.Text = 1;\n", "Mesh.SaveAll = 1;\n", "Save = 3;\n",
-                                         "SystemCalls = 1;\n", "Printf(\"%g\", 3 > 2);\n"));
+                                         "SystemCalls = 1;\n", "Printf(\"%g\", 3 > 2);\n",
+                                         "a = 'SystemCall';\n", "ExternalProcess = 3;\n",
+                                         "Merge \"nowhere.geo\";\n"));
 
 class Harmful : public testing::TestWithParam<const char*> {};
 
@@ -63,13 +82,87 @@ INSTANTIATE_TEST_SUITE_P(Texts, Harmful,
                                          "Printf(\"(%g\", 1) >> \"file\";", "Save \"a.msh\";",
                                          "Print \"a.png\";", "OnelabRun(\"a\", \"b\");", "Parse[\"x\"];",
                                          "Plugin(MathEval).Run;", "CreateDir \"a\";",
-                                         "Include StrCat(\"a\", \".geo\");"));
+                                         "Include StrCat(\"a\", \".geo\");", "a = '\"'; SystemCall \"ls\";",
+                                         "a = \"'\"; SystemCall 'ls';", "Field[1] = ExternalProcess;",
+                                         "Include \"/dev\";", "Merge '/dev/null';"));
 
 TEST(GeoScript, RefusesWhatAnIncludedFileWouldDo)
 {
     const ScratchFolder folder;
     folder.write("inner.geo", "SystemCall \"ls\";\n");
     EXPECT_THROW(refuse_side_effects(folder.write("outer.geo", "Include \"inner.geo\";\n")), InputError);
+    EXPECT_THROW(refuse_side_effects(folder.write("quoted.geo", "Include 'inner.geo';\n")), InputError);
+}
+
+TEST(GeoScript, KnowsStringsInSingleQuotes)
+{
+    const ScratchFolder folder;
+    const auto file = folder.write("dike.geo", "a = '\"';\nSystemCall \"ls\";\n");
+    EXPECT_EQ(message_of(file), refusal(file, "2: SystemCall starts another program"));
+}
+
+TEST(GeoScript, RefusesAFieldThatStartsAProgram)
+{
+    const ScratchFolder folder;
+    const auto file =
+        folder.write("dike.geo", "Field[1] = ExternalProcess;\nField[1].CommandLine = \"ls\";\n");
+    EXPECT_EQ(message_of(file), refusal(file, "1: ExternalProcess starts another program"));
+}
+
+TEST(GeoScript, TakesAnIncludedFileForAScriptWhateverItLooksLike)
+{
+    const ScratchFolder folder;
+    const auto mesh = folder.write("mesh.geo", "$MeshFormat\n;SystemCall \"ls\";\n");
+    const auto drawing = folder.write("part.step", "SystemCall \"ls\";\n");
+    EXPECT_EQ(message_of(folder.write("merging.geo", "Merge \"mesh.geo\";\nMerge \"part.step\";\n")),
+              "nothing");
+    EXPECT_EQ(message_of(folder.write("outer.geo", "Merge \"mesh.geo\";\nInclude \"mesh.geo\";\n")),
+              refusal(mesh, "2: SystemCall starts another program"));
+    EXPECT_EQ(message_of(folder.write("cad.geo", "Include \"part.step\";\n")),
+              refusal(drawing, "1: SystemCall starts another program"));
+}
+
+TEST(GeoScript, TakesAMergedFileForAScriptUnlessGmshKnowsItsExtension)
+{
+    const ScratchFolder folder;
+    const auto drawing = folder.write("part.StEp", "SystemCall \"ls\";\n");
+    EXPECT_EQ(message_of(folder.write("outer.geo", "Merge \"part.StEp\";\n")),
+              refusal(drawing, "1: SystemCall starts another program"));
+}
+
+TEST(GeoScript, LooksAtTheOptionsThatGmshRunsWithAFile)
+{
+    const ScratchFolder folder;
+    for (const char* name : {"dike.geo", "dike.msh"}) {
+        const auto file = folder.write(name, name == std::string("dike.msh") ? "$MeshFormat\n" : "x = 1;\n");
+        EXPECT_EQ(message_of(file), "nothing");
+        const auto options =
+            folder.write(std::string(name) + ".opt", "Print.Text = 1;\nSystemCall \"ls\";\n");
+        EXPECT_EQ(message_of(file), refusal(options, "2: SystemCall starts another program"));
+    }
+}
+
+TEST(GeoScript, RefusesStringsThatGmshWouldCutOff)
+{
+    const ScratchFolder folder;
+    const auto with_string = [&](const std::string& text) {
+        return folder.write("dike.geo", "x = 1;\na = \"" + text + "\";\n");
+    };
+    EXPECT_EQ(message_of(with_string(std::string(1023, 'x'))), "nothing");
+    const auto file = with_string(std::string(1024, 'x') + "; SystemCall 'ls'; ");
+    EXPECT_EQ(message_of(file), file.string() + ":2: the string is longer than the 1023 characters of gmsh\n"
+                                                "hint: is its closing quote missing?");
+    EXPECT_EQ(message_of(with_string(std::string("x\0; SystemCall 'ls'; ", 21))),
+              file.string() + ": is not a text file");
+}
+
+TEST(GeoScript, RefusesAFolderInPlaceOfAFile)
+{
+    const ScratchFolder folder;
+    std::filesystem::create_directory(folder.path() / "parts");
+    const auto file = folder.write("dike.geo", "x = 1;\nInclude \"parts\";\n");
+    EXPECT_EQ(message_of(file), file.string() + ":2: Include \"parts\" is a folder or a device, not a file\n"
+                                                "hint: name a file, such as \"layers.geo\"");
 }
 
 } // namespace

@@ -1,0 +1,42 @@
+#include "io/atomic_file.hpp"
+#include "io/file_error.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quicksand {
+namespace {
+
+using fixtures::TemporaryFolder;
+
+TEST(AtomicFile, ReadsWhatWasWritten)
+{
+    const TemporaryFolder folder;
+    // longer than a block of the reader, with every byte
+    std::string text(150'000, '\0');
+    for (std::size_t k = 0; k < text.size(); ++k) text[k] = static_cast<char>(k % 251);
+    for (const std::string& content : {std::string(), std::string("a\r\nb"), text}) {
+        write_atomically(folder / "a.txt", content);
+        EXPECT_TRUE(read_text(folder / "a.txt") == content) << content.size();
+    }
+}
+
+TEST(AtomicFile, ReadingAFolderIsAFileError)
+{
+    const TemporaryFolder folder;
+    try {
+        read_text(folder.path());
+        FAIL();
+    } catch (const FileError& error) {
+        EXPECT_EQ(std::string(error.what()), folder.path().string() + ": cannot read: Is a directory");
+    }
+}
+
+TEST(AtomicFile, ReadingAMissingFileIsAFileError)
+{
+    const TemporaryFolder folder;
+    EXPECT_THROW(read_text(folder / "missing.txt"), FileError);
+}
+
+} // namespace
+} // namespace quicksand
