@@ -60,7 +60,7 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.say(describe_initial_state(assembled));
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
     journal.say(describe_time_step(assembled));
-    const Forecast forecast = forecast_run(assembled, folder.directory / "trial");
+    const Forecast forecast = forecast_run(assembled, folder.directory);
     journal.say(describe_cost(forecast));
     journal.say(describe_left_out(assembled));
     write_initial_frame(assembled, folder);

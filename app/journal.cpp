@@ -10,6 +10,7 @@ namespace quicksand {
 void Journal::keep(const std::filesystem::path& file, bool append)
 {
     errno = 0;
+    path_ = file;
     file_.open(file, append ? std::ios::app : std::ios::trunc);
     if (!file_) throw FileError(file, "cannot write", system_reason(errno), "");
 }
@@ -22,6 +23,13 @@ void Journal::say(const std::string& text)
 
 void Journal::note(const std::string& text)
 {
+    errno = 0;
+    note_failure(text);
+    if (!file_) throw FileError(path_, "cannot write", system_reason(errno), "");
+}
+
+void Journal::note_failure(const std::string& text)
+{
     if (file_.is_open()) file_ << text << std::endl;
 }
 
@@ -29,7 +37,7 @@ void Journal::complain(const std::string& text)
 {
     std::cout.flush();
     std::cerr << text << std::endl;
-    note(text);
+    note_failure(text);
 }
 
 } // namespace quicksand

@@ -15,14 +15,18 @@ public:
     /// Also write to the file from now on; `append` goes on with it. Throws FileError.
     void keep(const std::filesystem::path& file, bool append);
 
-    /// A line, or several, for the terminal and the file.
+    /// A line, or several, for the terminal and the file. Throws FileError when the file cannot be written.
     void say(const std::string& text);
-    /// For the file only.
+    /// For the file only. Throws FileError.
     void note(const std::string& text);
-    /// To standard error and the file.
+    /// For the file only: a failure that is told elsewhere. That of the file itself is dropped beside it; the
+    /// next `say` or `note` throws it.
+    void note_failure(const std::string& text);
+    /// To standard error and, as `note_failure`, to the file.
     void complain(const std::string& text);
 
 private:
+    std::filesystem::path path_;
     std::ofstream file_;
 };
 

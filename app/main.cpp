@@ -47,10 +47,18 @@ ExitCode execute(int argument_count, char** arguments)
     }
 }
 
+/// A full disk under the standard output may show only now. A failure that has been told goes before it.
+ExitCode require_output(ExitCode code)
+{
+    std::cout.flush();
+    if (std::cout || code != ExitCode::good) return code;
+    return report("standard output cannot be written: what was to be told is not complete", ExitCode::files);
+}
+
 } // namespace
 
 int main(int argument_count, char** arguments)
 {
     quicksand::apply_process_settings(arguments);
-    return static_cast<int>(execute(argument_count, arguments));
+    return static_cast<int>(require_output(execute(argument_count, arguments)));
 }

@@ -189,10 +189,26 @@ void shake(Session& session, bool begins)
                                     duration_text(seconds), short_number(work / seconds, 2)));
 }
 
+/// Open the log and say what is run. The manifest is there already: a folder with a log alone would belong to
+/// nobody, and neither `run` nor `run --overwrite` would take it.
+void introduce(Session& session)
+{
+    const Scene& scene = session.scene;
+    session.journal.keep(session.folder.log(), session.resume);
+    session.journal.say(fmt::format(
+        "{}{}\n{} particles, {} x {} cells of {} m, {} threads; results in {}",
+        session.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
+        grouped(static_cast<long long>(session.state.particles.size())), session.problem.grid.cells_x,
+        session.problem.grid.cells_y, short_number(session.problem.grid.cell_size), thread_count(),
+        session.folder.directory.string()));
+    if (session.column) session.journal.say(describe_column(*session.column));
+}
+
 /// Returns whether the run came to its end.
 bool run_stages(Session& session)
 {
     const StopSignal signal;
+    introduce(session);
     try {
         const bool begins = !session.resume || session.state.stage == Stage::relaxation;
         if (begins) settle(session);
@@ -233,7 +249,7 @@ ExitCode run_guarded(Session& session, bool& finished)
         return ExitCode::numerical;
     } catch (const std::exception& error) {
         session.manifest.end_quietly(error.what());
-        session.journal.note(error.what());
+        session.journal.note_failure(error.what());
         throw;
     }
 }
@@ -250,31 +266,30 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
     SessionOutcome outcome;
     outcome.folder = prepare_results_folder(directory, scene, use);
     std::optional<State> kept;
-    if (choice.resume) kept = read_checkpoint(outcome.folder.checkpoint(), setup.hash);
+    const std::vector<InputFile> inputs = input_files(scene, setup.keys);
+    if (choice.resume) {
+        kept = read_checkpoint(outcome.folder.checkpoint(), setup.hash);
+        require_same_inputs(outcome.folder.manifest(), inputs);
+    }
     const Problem& body = setup.assembled.problem;
     std::optional<SoilColumn> column = choose_column(setup.assembled, kept);
     const Problem& problem = column ? column->problem : body;
     State& state = column ? column->state : setup.assembled.state;
     if (kept) state = std::move(*kept);
-    journal.keep(outcome.folder.log(), choice.resume);
 
     RunManifest manifest =
         begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
+    manifest.inputs = inputs;
     const bool shakes_on = choice.resume && state.stage == Stage::shaking;
     if (shakes_on) manifest.resumed_at = state.time;
     if (shakes_on && state.time >= scene.end_time) {
+        journal.keep(outcome.folder.log(), true);
         journal.say(
             fmt::format("Nothing to do: the results reach t = {} s already.", short_number(state.time, 6)));
         outcome.finished = true;
         return outcome;
     }
-    journal.say(fmt::format(
-        "{}{}\n{} particles, {} x {} cells of {} m, {} threads; results in {}",
-        choice.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
-        grouped(static_cast<long long>(state.particles.size())), problem.grid.cells_x, problem.grid.cells_y,
-        short_number(problem.grid.cell_size), thread_count(), directory.string()));
     ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
-    if (column) journal.say(describe_column(*column));
     const SoilColumn* narrow = column ? &*column : nullptr;
     Session session{scene,      body,           narrow,        problem, state,
                     setup.hash, outcome.folder, choice.resume, journal, keeper};

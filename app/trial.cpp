@@ -1,6 +1,7 @@
 #include "app/trial.hpp"
 
 #include "app/stop_signal.hpp"
+#include "io/file_error.hpp"
 #include "io/observation_clock.hpp"
 #include "io/output_observers.hpp"
 #include "solver/ledger.hpp"
@@ -8,13 +9,17 @@
 #include "solver/soil_column.hpp"
 #include "solver/threads.hpp"
 
+#include <stdlib.h>
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -125,6 +130,30 @@ RelaxationForecast forecast_relaxation(const AssembledCase& assembled)
     return forecast;
 }
 
+/// A new folder with a name of its own, for none of the user's may be touched; removed at the end.
+class ScratchFolder {
+public:
+    explicit ScratchFolder(const fs::path& parent)
+    {
+        std::string name = (parent / "trial_XXXXXX").string();
+        if (mkdtemp(name.data()) == nullptr)
+            throw FileError(parent, "cannot make a folder in it", system_reason(errno), "");
+        path_ = name;
+    }
+    ~ScratchFolder()
+    {
+        std::error_code ignored;
+        fs::remove_all(path_, ignored);
+    }
+    ScratchFolder(const ScratchFolder&) = delete;
+    ScratchFolder& operator=(const ScratchFolder&) = delete;
+
+    const fs::path& path() const { return path_; }
+
+private:
+    fs::path path_;
+};
+
 double folder_bytes(const fs::path& folder)
 {
     double bytes = 0.0;
@@ -163,21 +192,19 @@ void measure_writer(Observer& writer, const Problem& problem, State& state, doub
     forecast.bytes += all_looks * (folder_bytes(scratch) - bytes_before) / looks;
 }
 
-OutputForecast forecast_output(const AssembledCase& assembled, const fs::path& scratch)
+OutputForecast forecast_output(const AssembledCase& assembled, const fs::path& directory)
 {
     OutputForecast forecast;
     forecast.has_own_core = static_cast<unsigned>(thread_count()) < std::thread::hardware_concurrency();
     State state = assembled.state;
     begin_shaking(assembled.problem, state);
     open_ledger(assembled.problem, state);
-    fs::remove_all(scratch);
-    fs::create_directories(scratch);
+    const ScratchFolder scratch(directory);
     const auto writers =
-        make_output_observers(assembled.scene, assembled.problem, state, {scratch, "", false});
+        make_output_observers(assembled.scene, assembled.problem, state, {scratch.path(), "", false});
     for (const auto& writer : writers) {
-        measure_writer(*writer, assembled.problem, state, assembled.scene.end_time, scratch, forecast);
+        measure_writer(*writer, assembled.problem, state, assembled.scene.end_time, scratch.path(), forecast);
     }
-    fs::remove_all(scratch);
     forecast.bytes += static_cast<double>(memory_bytes(state.particles)); // the checkpoint
     forecast.frames = static_cast<std::int64_t>(
         observation_times(assembled.scene.output.frame_interval, assembled.scene.end_time).size());
@@ -210,7 +237,7 @@ std::int64_t count_steps(const Scene& scene, double dt)
     return steps;
 }
 
-Forecast forecast_run(const AssembledCase& assembled, const fs::path& scratch)
+Forecast forecast_run(const AssembledCase& assembled, const fs::path& directory)
 {
     AssembledCase computed = assembled;
     if (assembled.scene.columns == ColumnsComputed::one) {
@@ -224,7 +251,7 @@ Forecast forecast_run(const AssembledCase& assembled, const fs::path& scratch)
         count_steps(assembled.scene, stable_time_step(assembled.problem, assembled.state.particles).dt);
     forecast.step_seconds = measure_step(computed);
     forecast.relaxation = forecast_relaxation(computed);
-    forecast.output = forecast_output(assembled, scratch);
+    forecast.output = forecast_output(assembled, directory);
     forecast.memory = peak_memory();
     return forecast;
 }

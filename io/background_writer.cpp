@@ -29,4 +29,9 @@ void BackgroundWriter::finish()
     if (under_way_.valid()) under_way_.get();
 }
 
+void BackgroundWriter::wait() const
+{
+    if (under_way_.valid()) under_way_.wait();
+}
+
 } // namespace quicksand

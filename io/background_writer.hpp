@@ -25,6 +25,9 @@ public:
     /// Wait for the job under way and throw its failure.
     void finish();
 
+    /// Wait for the job under way and keep its failure for who asks next.
+    void wait() const;
+
 private:
     State copy_;
     std::future<void> under_way_; // after the copy: its end is waited for before the copy goes

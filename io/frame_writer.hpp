@@ -22,9 +22,14 @@ struct FrameSeries {
 class FrameWriter : public Observer {
 public:
     /// `start_time` is the time of the state with which the run begins or goes on [s]. The problem given to
-    /// `observe` must outlive `finish`.
+    /// `observe` must outlive the writer.
     FrameWriter(std::vector<FrameSeries> all_series, const ObservationClock& clock, double start_time,
                 std::shared_ptr<BackgroundWriter> background);
+    /// Waits for a frame under way, which is written from the series kept here: a run that fails does not
+    /// call `finish`, and others may hold the background writer for longer.
+    ~FrameWriter() override { background_->wait(); }
+    FrameWriter(const FrameWriter&) = delete;
+    FrameWriter& operator=(const FrameWriter&) = delete;
 
     double next_time() const override;
     void observe(const Problem& problem, const State& state, const StepReport& report) override;

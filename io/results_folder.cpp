@@ -16,8 +16,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array single_files{"run_manifest.json", "fields.pvd", "grid.pvd",           "history.csv",
-                                  "steps.csv",         "log.txt",    "checkpoint/state.h5"};
+/// In the order of their removal. The manifest goes last, for --overwrite cleans no folder without it: a kill
+/// in between leaves one that can be overwritten.
+constexpr std::array single_files{"fields.pvd",       "grid.pvd", "history.csv",
+                                  "steps.csv",        "log.txt",  "checkpoint/state.h5",
+                                  "run_manifest.json"};
 
 /// First file or folder of a former run, "" when there is none.
 std::string trace_of_former_run(const fs::path& directory)
@@ -73,11 +76,20 @@ void remove_former_run(const ResultsFolder& folder)
     remove_in(directory / "probes", is_probe);
     remove_in(directory / "checkpoint",
               [](const fs::path& file) { return file.filename().string().starts_with("state.h5"); });
-    for (const char* name : single_files) {
-        remove_file(directory / name);
-        remove_file(temporary_name(directory / name));
-    }
     remove_file(folder.scene_copy());
+    for (const char* name : single_files) {
+        remove_file(temporary_name(directory / name));
+        remove_file(directory / name);
+    }
+}
+
+/// What can be done about a former run: --resume needs its checkpoint, --overwrite its manifest.
+std::string advice(const ResultsFolder& folder)
+{
+    std::string text = "Choose another folder";
+    if (fs::exists(folder.checkpoint())) text += ", or run with --resume to go on with it";
+    if (fs::exists(folder.manifest())) text += ", or run with --overwrite to replace it";
+    return text;
 }
 
 void require_empty(const ResultsFolder& folder, const Scene& scene)
@@ -85,9 +97,8 @@ void require_empty(const ResultsFolder& folder, const Scene& scene)
     std::string trace = trace_of_former_run(folder.directory);
     if (trace.empty() && holds_other_scene(folder, scene)) trace = "scene.toml";
     if (!trace.empty())
-        throw InputError(
-            folder.directory.string() + " holds a former run (" + trace +
-            "). Choose another folder, or --resume to go on with it, or --overwrite to replace it");
+        throw InputError(folder.directory.string() + " holds a former run (" + trace + "). " +
+                         advice(folder));
 }
 
 /// Only a folder with a manifest is surely ours to clean.

@@ -2,6 +2,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/output_observers.hpp"
+#include "solver/failure.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -64,6 +65,13 @@ std::string compiler_name()
 #endif
 }
 
+/// Whether the key names a file that the run depends on.
+bool names_input(std::string_view key)
+{
+    return key == "geometry.file" || key == "motion.file" ||
+           (key.starts_with("boundaries.") && key.ends_with(".history"));
+}
+
 double particle_steps_per_second(const RunManifest& manifest)
 {
     if (manifest.wall_time <= 0.0) return 0.0;
@@ -91,6 +99,32 @@ std::string scene_hash(std::string_view text, const std::vector<std::string>& ov
         add_to_hash(hash, override_text);
     }
     return fmt::format("{:016x}", hash);
+}
+
+std::vector<InputFile> input_files(const Scene& scene, const std::vector<ResolvedKey>& keys)
+{
+    std::vector<InputFile> inputs;
+    for (const ResolvedKey& key : keys) {
+        if (!key.given || !names_input(key.path)) continue;
+        const std::filesystem::path file = scene.file.parent_path() / key.value;
+        inputs.push_back({key.path, file, text_hash(read_text(file))});
+    }
+    return inputs;
+}
+
+void require_same_inputs(const std::filesystem::path& manifest, const std::vector<InputFile>& inputs)
+{
+    if (!std::filesystem::exists(manifest)) return;
+    const auto json = nlohmann::json::parse(read_text(manifest), nullptr, false);
+    if (!json.is_object() || !json.contains("input_hashes")) return;
+    const nlohmann::json& hashes = json["input_hashes"];
+    for (const InputFile& input : inputs) {
+        const auto former = hashes.find(input.key);
+        if (former == hashes.end() || *former == input.hash) continue;
+        throw InputError(input.file.string() + ": the file has changed since the run began (" + input.key +
+                         ", hash " + input.hash + "; " + manifest.string() + " has " + former->dump() +
+                         "). Resume with the unchanged file, or begin anew with --overwrite");
+    }
 }
 
 std::string utc_now()
@@ -128,6 +162,8 @@ void write_run_manifest(const std::filesystem::path& path, const RunManifest& ma
     json["scene_hash"] = manifest.scene_hash;
     json["scene_hash_kind"] = "FNV-1a 64 of the text and the overrides";
     json["overrides"] = manifest.overrides;
+    json["input_hashes"] = nlohmann::ordered_json::object();
+    for (const InputFile& input : manifest.inputs) json["input_hashes"][input.key] = input.hash;
     json["threads"] = manifest.threads;
     if (manifest.resumed_at) json["resumed_at_s"] = *manifest.resumed_at;
     json["start_time"] = manifest.start_time;

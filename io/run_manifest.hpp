@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/scene.hpp"
+#include "io/scene_file.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -25,6 +26,21 @@ std::string scene_hash(std::string_view text, const std::vector<std::string>& ov
 /// Present time as ISO 8601 in UTC.
 std::string utc_now();
 
+/// A file that a key of the scene names, and what it held.
+struct InputFile {
+    std::string key;            // "geometry.file"
+    std::filesystem::path file; // resolved against the scene's folder
+    std::string hash;           // text_hash() of its bytes
+};
+
+/// The drawing, the record of the base motion and the histories of boundaries, as they are now. Files that a
+/// drawing includes are not among them. Throws FileError.
+std::vector<InputFile> input_files(const Scene& scene, const std::vector<ResolvedKey>& keys);
+
+/// Throws InputError where a file is not what it was when the run of this manifest began. A manifest that
+/// tells nothing of a file lets it pass.
+void require_same_inputs(const std::filesystem::path& manifest, const std::vector<InputFile>& inputs);
+
 enum class RunStatus { running, finished, failed, stopped };
 
 struct RunManifest {
@@ -33,6 +49,7 @@ struct RunManifest {
     std::filesystem::path scene_file;
     std::string scene_hash;
     std::vector<std::string> overrides; // path=value, as given
+    std::vector<InputFile> inputs;
     int threads = 1;
     std::optional<double> resumed_at; // t of the checkpoint [s]
     std::string start_time;           // UTC; filled by begin_manifest()

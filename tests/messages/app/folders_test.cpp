@@ -57,6 +57,55 @@ TEST(ResultsFolder, AFolderThatCannotBeMadeIsAFileError)
     expect_mention(outcome, "/proc/quicksand/results");
 }
 
+TEST(ResultsFolder, OfARunWithoutALogCanBeOverwritten)
+{
+    const WorkFolder folder;
+    const std::string results = (folder / "results").string();
+    std::filesystem::create_directory(results);
+    std::filesystem::create_symlink("/proc/quicksand/log.txt", results + "/log.txt");
+    const Outcome outcome = run_program(short_column + results);
+    EXPECT_EQ(outcome.code, 4);
+    expect_mention(outcome, "log.txt: cannot write");
+    EXPECT_NE(read_file(results + "/run_manifest.json").find("\"status\": \"failed\""), std::string::npos);
+    EXPECT_EQ(run_program(short_column + results + " --overwrite").code, 0);
+}
+
+TEST(ResultsFolder, AUsersFolderSurvivesACheck)
+{
+    const WorkFolder folder;
+    std::filesystem::create_directory(folder / "trial");
+    std::ofstream(folder / "trial/notes.txt") << "mine";
+    const Outcome outcome = run_program("check " + example("column") + " --until 1e-3 -o " + folder.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_EQ(read_file(folder / "trial/notes.txt"), "mine");
+    for (const auto& item : std::filesystem::directory_iterator(folder.string())) {
+        const std::string name = item.path().filename().string();
+        EXPECT_TRUE(name == "trial" || !name.starts_with("trial")) << name << " is left over";
+    }
+}
+
+TEST(FullDisk, CutsNoPlanOffSilently)
+{
+    const WorkFolder folder;
+    std::filesystem::create_symlink("/dev/full", folder / "check.txt");
+    const Outcome outcome = run_program("check " + example("column") + " --until 1e-3 -o " + folder.string());
+    EXPECT_EQ(outcome.code, 4) << outcome.output;
+    expect_mention(outcome, "check.txt: cannot write");
+}
+
+TEST(FullDisk, CutsNoLogOffSilently)
+{
+    const WorkFolder folder;
+    const std::string results = (folder / "results").string();
+    ASSERT_EQ(run_program(short_column + results).code, 0);
+    std::filesystem::remove(results + "/log.txt");
+    std::filesystem::create_symlink("/dev/full", results + "/log.txt");
+    const Outcome outcome = run_program("run " + example("column") + " --until 1e-5 --resume -o " + results);
+    EXPECT_EQ(outcome.code, 4) << outcome.output;
+    expect_mention(outcome, "log.txt: cannot write");
+    EXPECT_NE(read_file(results + "/run_manifest.json").find("\"status\": \"failed\""), std::string::npos);
+}
+
 TEST(ResultsFolder, AFileIsNoFolder)
 {
     const WorkFolder folder;

@@ -96,6 +96,15 @@ TEST(BackgroundWriter, ReportsNoFailureOfAJobUnderWay)
     EXPECT_THROW(writer.finish(), FileError);
 }
 
+TEST(BackgroundWriter, KeepsTheFailureOfAJobThatWasWaitedFor)
+{
+    BackgroundWriter writer;
+    writer.write(State{}, fail);
+    EXPECT_NO_THROW(writer.wait());
+    EXPECT_THROW(writer.finish(), FileError);
+    EXPECT_NO_THROW(writer.wait()) << "nothing is under way";
+}
+
 TEST(BackgroundWriter, IsWaitedForAtItsEnd)
 {
     bool done = false;

@@ -100,6 +100,30 @@ TEST(ResultsFolder, OverwriteRemovesOnlyWhatQuicksandWrote)
     EXPECT_EQ(fixtures::text_of(folder / "scene.toml"), fixtures::small_scene().text);
 }
 
+TEST(ResultsFolder, OverwriteRemovesTheManifestLast)
+{
+    const TemporaryFolder folder;
+    pretend_former_run(folder);
+    touch(folder / "log.txt/mine"); // a folder that cannot be removed: it ends the removal as a kill would
+    EXPECT_THROW(prepare_results_folder(folder.path(), fixtures::small_scene(), FolderUse::overwrite),
+                 FileError);
+    EXPECT_FALSE(std::filesystem::exists(folder / "fields.pvd"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "run_manifest.json"));
+    std::filesystem::remove_all(folder / "log.txt");
+    EXPECT_NE(refusal(folder, FolderUse::fresh).find("--overwrite"), std::string::npos);
+    EXPECT_EQ(refusal(folder, FolderUse::overwrite), "");
+}
+
+TEST(ResultsFolder, AdvisesNothingThatItWouldRefuse)
+{
+    const TemporaryFolder folder;
+    touch(folder / "log.txt");
+    const std::string message = refusal(folder, FolderUse::fresh);
+    EXPECT_NE(message.find("Choose another folder"), std::string::npos) << message;
+    EXPECT_EQ(message.find("--overwrite"), std::string::npos) << message;
+    EXPECT_EQ(message.find("--resume"), std::string::npos) << message;
+}
+
 TEST(ResultsFolder, OverwriteLeavesAForeignFolderAlone)
 {
     const TemporaryFolder folder;

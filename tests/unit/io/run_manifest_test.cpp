@@ -1,4 +1,5 @@
 #include "io/run_manifest.hpp"
+#include "solver/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -45,6 +46,41 @@ TEST(RunManifest, TellsWhatTheRunWasAndHowItEnded)
     EXPECT_EQ(json["overrides"][0], "time.end=2");
     EXPECT_EQ(std::string(json["end_time"]).size(), std::string("2025-01-01T00:00:00Z").size());
     EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
+}
+
+TEST(RunManifest, TellsWhichInputHasChanged)
+{
+    const fixtures::TemporaryFolder folder;
+    Scene scene = fixtures::small_scene();
+    scene.file = folder / "scene.toml";
+    const auto given = [](const char* path, const char* value) {
+        return ResolvedKey{path, value, "", "", true};
+    };
+    const std::vector<ResolvedKey> keys = {given("title", "no file"), given("geometry.file", "a.geo"),
+                                           given("motion.file", "record.csv"),
+                                           given("boundaries.\"a b\".history", "load.csv")};
+    for (const char* name : {"a.geo", "record.csv", "load.csv"}) std::ofstream(folder / name) << name;
+    RunManifest manifest = begin_manifest(scene, {}, 1, 1);
+    const std::filesystem::path file = folder / "run_manifest.json";
+    EXPECT_NO_THROW(require_same_inputs(file, input_files(scene, keys))); // there is none yet
+    write_run_manifest(file, manifest);
+    EXPECT_NO_THROW(require_same_inputs(file, input_files(scene, keys))); // it tells of no files
+    manifest.inputs = input_files(scene, keys);
+    ASSERT_EQ(manifest.inputs.size(), 3U);
+    write_run_manifest(file, manifest);
+    EXPECT_NO_THROW(require_same_inputs(file, input_files(scene, keys)));
+    for (const char* name : {"a.geo", "record.csv", "load.csv"}) {
+        std::ofstream(folder / name) << "edited";
+        try {
+            require_same_inputs(file, input_files(scene, keys));
+            ADD_FAILURE() << name << " may change";
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find(std::string(name) + ": the file has changed"),
+                      std::string::npos)
+                << error.what();
+        }
+        std::ofstream(folder / name) << name;
+    }
 }
 
 TEST(RunManifest, SurvivesAFileNameThatIsNotUtf8)
