@@ -5,6 +5,7 @@
 #include "app/machine.hpp"
 #include "app/number_format.hpp"
 #include "app/scene_setup.hpp"
+#include "app/stop_signal.hpp"
 #include "app/verification_runs.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv_file.hpp"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 
 namespace quicksand {
 
@@ -88,22 +90,31 @@ std::vector<Setting> step_settings()
             {"semi-implicit, quarter steps", {semi_implicit, quarter}}};
 }
 
-/// The probes of a scene against an explicit run with a fifth of the step.
-std::vector<WorkPoint> measure_scene(const std::string& scene, const BenchChoice& choice, Journal& journal)
+/// The probes of a scene against an explicit run with a fifth of the step. A setting whose run goes bad is
+/// told and left out; none where the explicit run does.
+std::optional<std::vector<WorkPoint>> measure_scene(const std::string& scene, const BenchChoice& choice,
+                                                    Journal& journal)
 {
     const std::string name = default_results(find_scene_file(scene)).filename().string();
     const std::filesystem::path folder = choice.directory / name;
     const Setting fine = {"explicit, a fifth of the step",
                           {"analysis.scheme=\"explicit\"", "analysis.step_share=0.2"}};
-    run_setting(scene, fine, choice, folder / "reference");
+    if (!run_setting(scene, fine, choice, folder / "reference")) {
+        journal.complain(name + ": left out, the explicit run to compare with went bad");
+        return std::nullopt;
+    }
     const std::vector<ProbeHistory> reference = read_probe_histories(folder / "reference");
     std::vector<WorkPoint> points;
     for (const Setting& setting : step_settings()) {
         const std::string directory = file_name_of(setting.name);
-        const double seconds = run_setting(scene, setting, choice, folder / directory);
+        const std::optional<double> seconds = run_setting(scene, setting, choice, folder / directory);
+        if (!seconds) {
+            journal.say(setting.name + ": left out, its run went bad; see " + (folder / directory).string());
+            continue;
+        }
         for (const HistoryError& each : history_errors(read_probe_histories(folder / directory), reference)) {
             journal.say(setting.name + ": " + text_of(each));
-            points.push_back({name + ", " + each.quantity, setting.name, 0, each.largest(), seconds});
+            points.push_back({name + ", " + each.quantity, setting.name, 0, each.largest(), *seconds});
         }
     }
     return points;
@@ -198,6 +209,35 @@ std::string csv_of(const std::vector<WorkPoint>& points)
     return text;
 }
 
+ExitCode measure_all(const BenchChoice& choice, Journal& journal)
+{
+    std::vector<std::string> problems = choice.words;
+    if (problems.empty())
+        problems = {"terzaghi", "periodic_column_2", "transient_column", "vortex", "cantilever"};
+    std::vector<WorkPoint> all;
+    std::string advice;
+    ExitCode code = ExitCode::good;
+    for (const std::string& problem : problems) {
+        const std::optional<std::vector<WorkPoint>> points = is_a_run(problem)
+                                                                 ? measure_scene(problem, choice, journal)
+                                                                 : measure_problem(problem, choice, journal);
+        if (!points) code = ExitCode::numerical;
+        if (!points || points->empty()) continue;
+        for (const std::vector<WorkPoint>& part : by_problem(*points)) {
+            const std::string& name = part.front().problem;
+            draw_line_plot(work_plot(name, part),
+                           choice.directory / ("error_" + file_name_of(name) + ".png"));
+            advice += '\n' + name;
+            for (const double wanted : {0.05, 0.01, 0.001}) advice += '\n' + recommendation(part, wanted);
+        }
+        all.insert(all.end(), points->begin(), points->end());
+        write_atomically(choice.directory / "error.csv", csv_of(all)); // what is done is not lost
+    }
+    journal.say("\nThe cheapest settings" + advice);
+    journal.say("\nTable and figures: " + choice.directory.string());
+    return code;
+}
+
 } // namespace
 
 ExitCode measure_errors(const BenchChoice& choice)
@@ -206,28 +246,12 @@ ExitCode measure_errors(const BenchChoice& choice)
     std::filesystem::create_directories(choice.directory);
     journal.keep(choice.directory / "error.txt", false);
     journal.say(machine_text());
-    std::vector<std::string> problems = choice.words;
-    if (problems.empty())
-        problems = {"terzaghi", "periodic_column_2", "transient_column", "vortex", "cantilever"};
-    std::vector<WorkPoint> all;
-    std::string advice;
-    for (const std::string& problem : problems) {
-        const std::vector<WorkPoint> points = is_a_run(problem) ? measure_scene(problem, choice, journal)
-                                                                : measure_problem(problem, choice, journal);
-        if (points.empty()) continue;
-        for (const std::vector<WorkPoint>& part : by_problem(points)) {
-            const std::string& name = part.front().problem;
-            draw_line_plot(work_plot(name, part),
-                           choice.directory / ("error_" + file_name_of(name) + ".png"));
-            advice += '\n' + name;
-            for (const double wanted : {0.05, 0.01, 0.001}) advice += '\n' + recommendation(part, wanted);
-        }
-        all.insert(all.end(), points.begin(), points.end());
-        write_atomically(choice.directory / "error.csv", csv_of(all)); // what is done is not lost
+    try {
+        return measure_all(choice, journal);
+    } catch (const StopRequest&) {
+        journal.say("\nStopped on request. What was measured before is in " + choice.directory.string());
+        return ExitCode::good;
     }
-    journal.say("\nThe cheapest settings" + advice);
-    journal.say("\nTable and figures: " + choice.directory.string());
-    return ExitCode::good;
 }
 
 } // namespace quicksand

@@ -6,6 +6,7 @@
 #include "app/number_format.hpp"
 #include "app/scene_setup.hpp"
 #include "app/step_cost.hpp"
+#include "app/stop_signal.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv_file.hpp"
 #include "io/line_plot.hpp"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace quicksand {
 
@@ -30,6 +32,7 @@ struct GridRun {
     double seconds = 0.0;       // wall time
     fs::path results;
     std::vector<ProbeHistory> probes = {};
+    bool went_bad = false; // a numerical failure, unlike a setting that the scene does not allow
 };
 
 std::string length_text(double metres)
@@ -65,10 +68,16 @@ bool execute(const std::string& scene, const BenchChoice& choice, const fs::path
     run.results = folder / file_name_of(run.setting.name);
     journal.say('\n' + run.setting.name);
     try {
-        run.seconds = run_setting(scene, run.setting, choice, run.results);
+        const std::optional<double> seconds = run_setting(scene, run.setting, choice, run.results);
+        run.went_bad = !seconds;
+        run.seconds = seconds.value_or(0.0);
     } catch (const InputError& error) {
         const std::string text = error.what();
         journal.say("  left out: " + text.substr(0, text.find('\n')));
+        return false;
+    }
+    if (run.went_bad) {
+        journal.say("  left out: the run went bad; see " + run.results.string());
         return false;
     }
     run.probes = read_probe_histories(run.results);
@@ -208,6 +217,25 @@ void report(const std::string& title, const std::vector<GridRun>& runs, const fs
     journal.say("\nTable and figures: " + folder.string());
 }
 
+/// Run the plan and report on the runs that reach their end.
+ExitCode compare(const SceneSetup& setup, const fs::path& scene, const BenchChoice& choice,
+                 const fs::path& folder, Journal& journal)
+{
+    std::vector<GridRun> done;
+    bool went_bad = false;
+    for (GridRun& run : planned_runs(setup.assembled.scene, setup.assembled.problem.grid)) {
+        const bool reached = execute(scene.string(), choice, folder, journal, run);
+        went_bad = went_bad || run.went_bad;
+        if (reached) done.push_back(std::move(run));
+    }
+    if (done.empty()) {
+        journal.complain("none of the runs reached its end; see " + folder.string());
+        return went_bad ? ExitCode::numerical : ExitCode::input;
+    }
+    report(setup.assembled.scene.title, done, folder, journal);
+    return ExitCode::good;
+}
+
 } // namespace
 
 ExitCode measure_grids(const BenchChoice& choice)
@@ -222,13 +250,12 @@ ExitCode measure_grids(const BenchChoice& choice)
     words.scene = scene;
     words.overrides = choice.overrides;
     const SceneSetup setup = set_up_scene(words, journal);
-    const std::string title = setup.assembled.scene.title;
-    std::vector<GridRun> done;
-    for (GridRun& run : planned_runs(setup.assembled.scene, setup.assembled.problem.grid))
-        if (execute(scene.string(), choice, folder, journal, run)) done.push_back(std::move(run));
-    if (done.empty()) throw InputError("none of the runs reached its end; see " + folder.string());
-    report(title, done, folder, journal);
-    return ExitCode::good;
+    try {
+        return compare(setup, scene, choice, folder, journal);
+    } catch (const StopRequest&) {
+        journal.say("\nStopped on request. The runs before are in " + folder.string());
+        return ExitCode::good;
+    }
 }
 
 } // namespace quicksand

@@ -1,6 +1,8 @@
 #include "app/bench_runs.hpp"
 
-#include "solver/failure.hpp"
+#include "app/journal.hpp"
+#include "app/session.hpp"
+#include "app/stop_signal.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -14,8 +16,8 @@ std::string file_name_of(std::string name)
     return name;
 }
 
-double run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
-                   const std::filesystem::path& directory)
+std::optional<double> run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
+                                  const std::filesystem::path& directory)
 {
     RunChoice run;
     run.scene.scene = scene;
@@ -26,10 +28,10 @@ double run_setting(const std::string& scene, const Setting& setting, const Bench
     run.directory = directory;
     run.overwrite = true;
     const auto start = std::chrono::steady_clock::now();
-    const ExitCode code = run_scene(run);
-    if (code != ExitCode::good)
-        throw InputError("the run with " + setting.name + " did not reach its end; see " +
-                         directory.string());
+    Journal journal;
+    const SessionOutcome outcome = run_session(run, set_up_scene(run.scene, journal), journal);
+    if (outcome.code != ExitCode::good) return std::nullopt;
+    if (!outcome.finished) throw StopRequest();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

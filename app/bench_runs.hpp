@@ -4,6 +4,7 @@
 #include "app/commands.hpp"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,9 +19,9 @@ struct Setting {
 /// A name without commas and spaces.
 std::string file_name_of(std::string name);
 
-/// Run a scene with a setting in a folder, in place of what is there; returns the wall time [s]. Throws
-/// InputError, also where the run does not reach its end.
-double run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
-                   const std::filesystem::path& directory);
+/// Run a scene with a setting in a folder, in place of what is there; returns the wall time [s], none where
+/// the run goes bad, which it tells itself. Throws InputError, and StopRequest when the user stops the run.
+std::optional<double> run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
+                                  const std::filesystem::path& directory);
 
 } // namespace quicksand

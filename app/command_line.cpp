@@ -1,5 +1,6 @@
 #include "app/command_line.hpp"
 
+#include "app/number_check.hpp"
 #include "io/diagnostics.hpp"
 #include "solver/failure.hpp"
 
@@ -51,16 +52,16 @@ std::pair<CLI::App*, std::shared_ptr<Choice>> add_command(CLI::App& program, Com
 void add_threads(CLI::App& parser, int& threads)
 {
     parser.add_option("--threads", threads, "Threads; all of the machine's when not given")
-        ->check(CLI::Range(1, 1024))
+        ->check(number_in(thread_number))
         ->type_name("N");
 }
 
-void add_overrides(CLI::App& parser, std::vector<std::string>& overrides)
+void add_overrides(CLI::App& parser, std::vector<std::string>& overrides,
+                   const std::string& about = "Replace a key of the scene: --set motion.amplitude=\"0.2 g\"")
 {
-    parser.add_option("--set", overrides, "Replace a key of the scene: --set motion.amplitude=\"0.2 g\"")
+    parser.add_option("--set", overrides, about)
         ->type_name("KEY=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+        ->allow_extra_args(false); // the word after it may be a scene
 }
 
 void add_scene(CLI::App& parser, SceneChoice& choice)
@@ -68,7 +69,7 @@ void add_scene(CLI::App& parser, SceneChoice& choice)
     parser.add_option("SCENE", choice.scene, "Scene file, or a folder that holds scene.toml")->required();
     add_threads(parser, choice.threads);
     parser.add_option("--until", choice.until, "End of the run in s, in place of run.end_time")
-        ->check(CLI::PositiveNumber)
+        ->check(number_in(positive_number))
         ->type_name("T");
     add_overrides(parser, choice.overrides);
 }
@@ -109,12 +110,12 @@ void add_stability(CLI::App& program, Commands& commands)
                      "Results folder; results/<scene>-stability when not given")
         ->type_name("DIR");
     parser->add_option("--tolerance", choice->tolerance, "Width of the bracket over the factor; 0.005")
-        ->check(CLI::Range(1e-4, 0.5))
+        ->check(number_in({.lower = 1e-4, .upper = 0.5}))
         ->type_name("W");
     parser
         ->add_option("--seismic-coefficient", choice->seismic_coefficient,
                      "Horizontal force over weight, positive towards +x (pseudo-static)")
-        ->check(CLI::Range(-2.0, 2.0))
+        ->check(number_in({.lower = -2.0, .upper = 2.0}))
         ->type_name("K");
 }
 
@@ -133,10 +134,7 @@ void add_element(CLI::App& program, Commands& commands)
         program, commands, "element", "Test a soil in the element laboratory: simple shear and others",
         run_element_tests);
     parser->add_option("TEST", choice->file, "File of tests, or a folder that holds test.toml")->required();
-    parser->add_option("--set", choice->overrides, "Replace a key of the file: --set materials.sand.n1_60=10")
-        ->type_name("KEY=VALUE")
-        ->expected(1)
-        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+    add_overrides(*parser, choice->overrides, "Replace a key of the file: --set materials.sand.n1_60=10");
     parser
         ->add_option("-o,--output", choice->directory,
                      "Results folder, replaced if there; results/<file> when not given")
@@ -163,12 +161,15 @@ void add_probe(CLI::App& program, Commands& commands)
     auto words = std::make_shared<Words>();
     parser->add_option("RESULTS", choice->results, "Results folder of a run")->required();
     parser->add_option("--at", words->at, "Place in m")
+        ->check(number_in(any_number))
         ->delimiter(',')
         ->expected(2)
+        ->allow_extra_args(false)
         ->required()
         ->type_name("X,Y");
     parser->add_option("--fields", choice->fields, "Fields, as excess_pore_pressure,ru")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->required()
         ->type_name("A,B");
     parser->add_option("--kind", words->kind, "fixed in space, or riding with the material")
@@ -195,11 +196,12 @@ void add_picture(CLI::App& program, Commands& commands)
         ->type_name("NAME");
     parser
         ->add_option("--time", choice->time, "Time in s, the nearest frame is drawn; the last when not given")
+        ->check(number_in(any_number))
         ->type_name("T");
     parser->add_option("--range", choice->range, "Limits of the colours, in the SI unit of the field")
         ->type_name("LOW:HIGH");
     parser->add_option("--exaggeration", choice->exaggeration, "Factor on the displacements drawn")
-        ->check(CLI::PositiveNumber)
+        ->check(number_in(positive_number))
         ->type_name("F");
 }
 
@@ -239,19 +241,19 @@ void add_bench(CLI::App& program, Commands& commands)
     parser->add_option(
         "WORDS", choice->words,
         "Scenes, or for error problems of verify; those that come with the program when not given");
-    parser->add_option("--set", choice->overrides, "Replace a key of the scenes")->type_name("KEY=VALUE");
+    add_overrides(*parser, choice->overrides, "Replace a key of the scenes");
     parser->add_option("-o,--output", choice->directory, "Folder of tables and figures")
         ->type_name("DIR")
         ->capture_default_str();
     parser->add_option("--until", choice->until, "End of the runs of scenes in s, for error and grid")
         ->type_name("T")
-        ->check(CLI::PositiveNumber);
+        ->check(number_in(positive_number));
     parser->add_option("--largest", choice->largest, "Particles of the largest body of scale")
-        ->check(CLI::Range(1e3, 1e8))
+        ->check(number_in({.lower = 1e3, .upper = 1e8}))
         ->type_name("N")
         ->capture_default_str();
     parser->add_option("--threads", choice->threads, "Threads; kernel measures 1 and 2 when not given")
-        ->check(CLI::Range(1, 1024))
+        ->check(number_in(thread_number))
         ->type_name("N");
     commands.push_back({parser, [subject, choice] { return subjects.at(*subject)(*choice); }});
 }
@@ -268,7 +270,7 @@ void add_verify(CLI::App& program, Commands& commands)
     parser
         ->add_option("--threads", choice->threads,
                      "Runs at the same time; all of the machine's when not given")
-        ->check(CLI::Range(1, 1024))
+        ->check(number_in(thread_number))
         ->type_name("N");
     parser
         ->add_option("-o,--output", choice->directory,

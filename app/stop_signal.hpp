@@ -1,11 +1,13 @@
-// Ctrl-C and kill, asked for between two steps instead of ending the program in the middle of one.
+// Ctrl-C, kill and a closed terminal, asked for between two steps instead of ending the program in the middle
+// of one.
 #pragma once
 
 #include <exception>
 
 namespace quicksand {
 
-/// While it lives, the first SIGINT or SIGTERM is remembered; the second one ends the program at once.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP is remembered; a second SIGINT or SIGTERM ends the
+/// program at once.
 class StopSignal {
 public:
     StopSignal();

@@ -13,9 +13,10 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <future>
+#include <map>
 #include <mutex>
 #include <numeric>
-#include <thread>
 
 namespace quicksand {
 
@@ -86,13 +87,32 @@ std::vector<std::size_t> largest_first(const std::vector<VerificationRun>& runs)
     return order;
 }
 
+/// The scenes that the words mean, each once. Tables and figures call a problem by its name: two must differ.
+std::vector<fs::path> scenes_of(const std::vector<std::string>& words)
+{
+    std::vector<fs::path> scenes;
+    std::map<fs::path, fs::path> known; // by the problem's name
+    for (const std::string& word : words) {
+        const fs::path scene = scene_of(word);
+        const auto [same, is_new] = known.emplace(default_results(scene).filename(), scene);
+        if (is_new) {
+            scenes.push_back(scene);
+        } else if (!fs::equivalent(same->second, scene)) {
+            throw InputError("two problems are called '" + same->first.string() +
+                             "': " + same->second.string() + " and " + scene.string() +
+                             "\nhint: verify them one after the other, or rename a folder");
+        }
+    }
+    return scenes;
+}
+
 } // namespace
 
 std::vector<VerificationRun> prepare_runs(const VerifyChoice& choice)
 {
     std::vector<VerificationRun> runs;
-    for (const std::string& word : choice.problems.empty() ? verification_names() : choice.problems) {
-        const fs::path scene = scene_of(word);
+    for (const fs::path& scene :
+         scenes_of(choice.problems.empty() ? verification_names() : choice.problems)) {
         const auto verification = read_scene_file(scene, choice.overrides).scene.verification;
         if (!verification) {
             throw InputError(scene.string() + " holds no table [verification]\nhint: quicksand run runs it");
@@ -119,9 +139,10 @@ void execute_runs(int threads, std::vector<VerificationRun>& runs, Journal& jour
                                     run.failure ? ", failed" : ""));
         }
     };
-    std::vector<std::thread> workers;
-    for (int k = 0; k < std::max(1, threads); ++k) workers.emplace_back(work);
-    for (std::thread& worker : workers) worker.join();
+    // Futures and not threads, for they hand on a failure of the journal.
+    std::vector<std::future<void>> workers;
+    for (int k = 0; k < std::max(1, threads); ++k) workers.push_back(std::async(std::launch::async, work));
+    for (std::future<void>& worker : workers) worker.get();
 }
 
 } // namespace quicksand

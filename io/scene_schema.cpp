@@ -1,5 +1,7 @@
 #include "io/scene_schema.hpp"
 
+#include "io/scene_document.hpp"
+
 namespace quicksand {
 
 namespace {
@@ -30,7 +32,7 @@ std::string join_path(const KeyPath& path)
     std::string text;
     for (const std::string& part : path) {
         if (!text.empty()) text += '.';
-        text += is_bare(part) ? part : '"' + part + '"';
+        text += is_bare(part) ? part : toml_text(part);
     }
     return text;
 }

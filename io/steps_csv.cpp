@@ -1,5 +1,7 @@
 #include "io/steps_csv.hpp"
 
+#include <algorithm>
+
 namespace quicksand {
 
 namespace {
@@ -12,6 +14,16 @@ std::vector<std::string> column_names(const Problem& problem)
                                    "max_velocity_m_s"};
     if (problem.water) names.emplace_back("max_ru");
     return names;
+}
+
+/// A name as a cell: what would break the row or the line is replaced, since rows are read by their commas.
+std::string cell_of(std::string name)
+{
+    const auto breaks = [](char letter) {
+        return letter == ',' || letter == '"' || static_cast<unsigned char>(letter) < 0x20U;
+    };
+    std::replace_if(name.begin(), name.end(), breaks, '_');
+    return name;
 }
 
 CsvFile open_file(const Problem& problem, double time, const RunLabel& label,
@@ -66,7 +78,7 @@ void StepsWriter::observe(const Problem& problem, const State& state, const Step
     CsvRow row{csv_number(state.time), std::to_string(report.step)};
     row.push_back(natural_step_ ? csv_number(natural_step_->dt) : "");
     row.emplace_back(natural_step_ ? name_of(natural_step_->limiter) : "");
-    row.push_back(natural_step_ ? natural_step_->material : "");
+    row.push_back(natural_step_ ? cell_of(natural_step_->material) : "");
     for (const double value : {earlier_wall_time_ + wall_time(), time_left(state.time), mass,
                                (mass - *initial_mass_) / *initial_mass_, monitors.momentum_x,
                                monitors.momentum_y, monitors.kinetic_energy, monitors.max_velocity})

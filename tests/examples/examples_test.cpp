@@ -116,7 +116,7 @@ TEST(Bench, TellsWhenNoGridReachesItsEnd)
                                         " --set grid.cell_size=0.03 --set 'grid.cells=[16,11]'"
                                         " --set relaxation.max_steps=1 -o " +
                                         (folder / "bench").string());
-    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    EXPECT_EQ(outcome.code, 3) << outcome.output;
     EXPECT_NE(outcome.output.find("none of the runs reached its end; see "), std::string::npos)
         << outcome.output;
 }

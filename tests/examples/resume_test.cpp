@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstring>
 #include <vector>
 
@@ -37,8 +38,8 @@ void expect_same_bits(const State& a, const State& b)
     });
 }
 
-/// Run the program with these words and terminate it once the shell's test holds.
-Outcome run_until(const std::string& words, const std::string& test)
+/// Run the program with these words and send it the signal once the shell's test holds.
+Outcome run_until(const std::string& words, const std::string& test, const std::string& signal = "TERM")
 {
     return run_shell("\"$QUICKSAND\" " + words +
                      " & pid=$!\n"
@@ -48,7 +49,8 @@ Outcome run_until(const std::string& words, const std::string& test)
                      " && break\n"
                      "  sleep 0.01\n"
                      "done\n"
-                     "kill -TERM $pid; wait $pid");
+                     "kill -" +
+                     signal + " $pid; wait $pid");
 }
 
 class SameBits : public ::testing::Test {
@@ -103,6 +105,28 @@ TEST_F(SameBits, AfterAKillAndAResume)
     EXPECT_NE(read_file(results + "/run_manifest.json").find("resumed_at_s"), std::string::npos);
     expect_same_bits(final_state(folder / "whole"), final_state(results));
     expect_same_files("killed");
+}
+
+TEST(Hangup, StopsARunWithACheckpoint)
+{
+    const WorkFolder folder;
+    const std::string results = (folder / "hung_up").string();
+    std::signal(SIGHUP, SIG_DFL); // for the program: under nohup it is ignored, and then stays so
+    const Outcome outcome =
+        run_until(column_run + results, "grep -q '^0.0005,' " + results + "/history.csv 2>/dev/null", "HUP");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("Stopped on request"), std::string::npos) << outcome.output;
+    EXPECT_TRUE(std::filesystem::exists(results + "/checkpoint/state.h5"));
+}
+
+TEST(Benchmark, StopsWithItsRun)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_until("bench grid " + example("column") + " -o " + folder.string(),
+                                      "[ -f " + folder.string() + "/column/*/steps.csv ]");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("Stopped on request. The runs before are in"), std::string::npos)
+        << outcome.output;
 }
 
 TEST(Settling, GoesOnWhereItWasStopped)

@@ -30,6 +30,18 @@ TEST(Verify, AnErrorAboveItsLimitIsExitCode6)
     EXPECT_NE(outcome.output.find("MISSED"), std::string::npos) << outcome.output;
 }
 
+TEST(Verify, AProblemThatIsNamedTwiceIsMeasuredOnce)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("verify --short biot_waves biot_waves " +
+                                        example("verification/biot_waves") + " -o " + folder.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    const std::string ended = "biot_waves, 20 cells: ";
+    const std::size_t first = outcome.output.find(ended);
+    ASSERT_NE(first, std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.output.find(ended, first + 1), std::string::npos) << outcome.output;
+}
+
 TEST(Verify, TheScenesRunAsOthersDo)
 {
     const WorkFolder folder;

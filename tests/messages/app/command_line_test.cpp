@@ -126,6 +126,15 @@ TEST(CommandLine, TheVersionIsPrinted)
     EXPECT_TRUE(outcome.output.starts_with("Quicksand ")) << outcome.output;
 }
 
+TEST(CommandLine, AFullDiskUnderStandardOutputIsAFileError)
+{
+    for (const std::string words : {"version", "keys", "--help"}) {
+        const Outcome outcome = run_shell("\"$QUICKSAND\" " + words + " > /dev/full");
+        EXPECT_EQ(outcome.code, 4) << words;
+        expect_mention(outcome, "standard output cannot be written");
+    }
+}
+
 TEST(Keys, APatternSelects)
 {
     const Outcome outcome = run_program("keys porosity");

@@ -27,6 +27,14 @@ TEST(Verify, ASceneWithoutAProblemIsNamed)
     expect_refusal(example("column"), "column/scene.toml holds no table [verification]");
 }
 
+TEST(Verify, TwoProblemsOfOneNameAreRefused)
+{
+    const WorkFolder folder;
+    const std::string copy = (folder / "biot_waves").string();
+    std::filesystem::copy(example("verification/biot_waves"), copy);
+    expect_refusal("biot_waves --short " + copy, "two problems are called 'biot_waves'");
+}
+
 TEST(Verify, ALimitOfAnUnknownQuantityIsNamedWithThoseMeasured)
 {
     expect_refusal("biot_waves --short --set 'verification.limits.\"slow speed\"=[1, 1, 1]'",

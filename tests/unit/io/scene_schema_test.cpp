@@ -53,6 +53,7 @@ TEST(SceneSchema, FindsKeysByThePathOfAnyName)
     EXPECT_EQ(find_key(scene_key_table(), {"grid"})->pattern, "grid");
     EXPECT_EQ(find_key(scene_key_table(), {"materials", "sand", "porosity", "x"}), nullptr);
     EXPECT_EQ(join_path({"materials", "fine sand", "porosity"}), "materials.\"fine sand\".porosity");
+    EXPECT_EQ(join_path({"materials", "a \"b\" \\ c"}), "materials.\"a \\\"b\\\" \\\\ c\"");
 }
 
 TEST(SceneSchema, DescribesAKey)

@@ -39,6 +39,20 @@ TEST(StepsWriter, TellsTheStepThatWasNotShortenedForOutput)
         << rows;
 }
 
+TEST(StepsWriter, AMaterialsNameDoesNotBreakItsRow)
+{
+    const fixtures::TemporaryFolder folder;
+    const Problem problem = fixtures::small_problem(true);
+    const State state = fixtures::small_state(problem);
+    StepsWriter writer(fixtures::small_scene(), problem, state, {"a.toml", "0"}, folder / "steps.csv", false);
+    StepReport report;
+    report.time_step = {1e-4, TimeStepLimiter::wave, "sand, \"fine\"\n"};
+    writer.after_step(report);
+    writer.observe(problem, state, report);
+    const std::string rows = rows_of(folder / "steps.csv");
+    EXPECT_NE(rows.find(",sand_ _fine__,"), std::string::npos) << rows;
+}
+
 TEST(StepsWriter, MassErrorCountsFromTheFirstRowAlsoAfterAResume)
 {
     const fixtures::TemporaryFolder folder;
