@@ -11,7 +11,7 @@ std::string short_number(double value, int digits = 3);
 /// 12s, 3m12s, 2h05m.
 std::string duration_text(double seconds);
 
-/// 800 B, 12.3 kB, 1.31 MB, 2.4 GB.
+/// 800 B, 12 kB, 1.3 MB, 2.4 GB.
 std::string bytes_text(double bytes);
 
 /// 11,344

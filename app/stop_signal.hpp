@@ -18,7 +18,7 @@ public:
     static bool received();
 };
 
-/// Leaves a stage that cannot be resumed, because a stop was asked for.
+/// Leaves what is under way, because a stop was asked for.
 class StopRequest : public std::exception {
 public:
     const char* what() const noexcept override { return "stopped on request"; }

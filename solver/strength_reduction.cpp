@@ -27,7 +27,8 @@ struct HasStrength {
     }
 };
 
-/// gamma H^2 / G of the softest material: the size of elastic displacements [m].
+/// gamma H^2 / G of the softest material, gamma that of the grains alone: the size of elastic displacements
+/// [m].
 double elastic_displacement(const Problem& problem, const Particles& particles)
 {
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
