@@ -4,7 +4,8 @@
 namespace quicksand {
 
 /// Start the program again with settings for OpenMP's and C's libraries, but for those the user has chosen;
-/// does nothing where they are made.
+/// does nothing where they are made, or with QUICKSAND_STARTED_AGAIN in the environment, as under programs
+/// that watch a process and take settings from it.
 ///
 /// Waiting threads sleep soon instead of spinning: a step has many short loops, and on a machine with other
 /// work a spinning thread keeps the very one that it waits for from running, for a factor of ten in run time.
