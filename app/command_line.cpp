@@ -1,6 +1,7 @@
 #include "app/command_line.hpp"
 
 #include "app/number_check.hpp"
+#include "geometry/nearest_name.hpp"
 #include "io/diagnostics.hpp"
 #include "solver/failure.hpp"
 

@@ -1,5 +1,7 @@
 #include "app/machine.hpp"
 
+#include "io/run_manifest.hpp"
+
 #include <fmt/format.h>
 #include <malloc.h>
 #include <unistd.h>
@@ -10,15 +12,6 @@
 namespace quicksand {
 
 namespace {
-
-std::string processor_name()
-{
-    std::ifstream file("/proc/cpuinfo");
-    for (std::string line; std::getline(file, line);) {
-        if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-    }
-    return "unknown processor";
-}
 
 /// Of those that kernels are compiled for, see solver/lanes.hpp.
 const char* widest_vectors()
@@ -31,7 +24,9 @@ const char* widest_vectors()
 
 std::string machine_text()
 {
-    return fmt::format("{}, {} threads, vectors of {}; gcc {}", processor_name(),
+    const std::string processor = processor_name();
+    return fmt::format("{}, {} threads, vectors of {}; gcc {}",
+                       processor.empty() ? "unknown processor" : processor,
                        std::thread::hardware_concurrency(), widest_vectors(), __VERSION__);
 }
 

@@ -1,5 +1,6 @@
 #include "app/commands.hpp"
 #include "app/example_folder.hpp"
+#include "geometry/nearest_name.hpp"
 #include "io/atomic_file.hpp"
 #include "io/diagnostics.hpp"
 #include "solver/failure.hpp"

@@ -3,6 +3,7 @@
 #include "app/example_folder.hpp"
 #include "app/number_format.hpp"
 #include "app/scene_setup.hpp"
+#include "geometry/nearest_name.hpp"
 #include "io/scene_verification.hpp"
 #include "solver/failure.hpp"
 #include "solver/simulation.hpp"

@@ -3,6 +3,7 @@
 #include "geometry/child_process.hpp"
 #include "geometry/geo_script.hpp"
 #include "geometry/lower_case.hpp"
+#include "geometry/nearest_name.hpp"
 #include "geometry/region_locator.hpp"
 #include "geometry/section_check.hpp"
 #include "solver/failure.hpp"
@@ -17,7 +18,6 @@
 #include <cstring>
 #include <fstream>
 #include <limits>
-#include <numeric>
 
 namespace quicksand {
 
@@ -54,22 +54,6 @@ std::string lower_case_extension(const fs::path& file)
     return lower_case(file.extension().string());
 }
 
-/// Least number of letters to insert, delete or change.
-std::size_t edit_distance(const std::string& a, const std::string& b)
-{
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t change = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({change, row[j] + 1, diagonal + 1});
-        }
-    }
-    return row.back();
-}
-
 void check_parameters(const GmshRequest& request, const std::vector<std::string>& declared)
 {
     for (const auto& [name, value] : request.parameters) {
@@ -77,12 +61,8 @@ void check_parameters(const GmshRequest& request, const std::vector<std::string>
             throw InputError(fmt::format("parameter {} = {} is not a number", name, value));
         if (std::find(declared.begin(), declared.end(), name) != declared.end()) continue;
         std::string text = fmt::format("{} declares no parameter \"{}\"", request.file.string(), name);
-        for (const std::string& other : declared) {
-            if (3 * edit_distance(name, other) <= std::max<std::size_t>(name.size(), 3)) {
-                text += fmt::format("; did you mean \"{}\"?", other);
-                break;
-            }
-        }
+        const std::string nearest = nearest_name(name, declared);
+        if (!nearest.empty()) text += fmt::format("; did you mean \"{}\"?", nearest);
         text += declared.empty() ? std::string("\nit declares none")
                                  : fmt::format("\ndeclared: {}", fmt::join(declared, ", "));
         throw InputError(

@@ -2,6 +2,7 @@
 
 #include "geometry/region_locator.hpp"
 #include "solver/cpdi2.hpp"
+#include "solver/cross_product.hpp"
 #include "solver/failure.hpp"
 
 #include <fmt/format.h>
@@ -15,11 +16,6 @@
 namespace quicksand {
 
 namespace {
-
-double cross(const Vector2& a, const Vector2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// The lattice of domain-sized boxes laid over the grid's cells.
 struct Lattice {
@@ -146,7 +142,6 @@ void correct_volumes(const Section& section, Sampling& sampling)
     for (std::size_t k = 0; k < count; ++k) {
         RegionSampling& report = sampling.regions[k];
         report.area = area(section.regions[k]);
-        report.sampled_area = sampled[k];
         if (sampled[k] <= 0.0) {
             throw InputError(
                 fmt::format("region \"{}\" ({:.4g} m2) got no particle: it is thinner than a particle\n"
@@ -164,8 +159,6 @@ void correct_volumes(const Section& section, Sampling& sampling)
         report.smallest_volume = std::min(report.smallest_volume, domain.volume);
         report.largest_volume = std::max(report.largest_volume, domain.volume);
     }
-    const std::vector<double> corrected = sum_volumes(sampling.domains, count);
-    for (std::size_t k = 0; k < count; ++k) sampling.regions[k].corrected_area = corrected[k];
 }
 
 void count_cells(const BackgroundGrid& grid, Sampling& sampling)

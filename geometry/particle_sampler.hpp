@@ -23,10 +23,8 @@ struct ParticleDomain {
 struct RegionSampling {
     std::size_t particles = 0;
     double area = 0.0;            // exact, of the region's polygons [m2]
-    double sampled_area = 0.0;    // of the domains before the correction [m2]
-    double corrected_area = 0.0;  // after it [m2]
-    double area_error = 0.0;      // (sampled_area - area) / area [-]
-    double volume_factor = 1.0;   // the correction: area / sampled_area [-]
+    double area_error = 0.0;      // of the domains before the correction, (theirs - area) / area [-]
+    double volume_factor = 1.0;   // the correction: area / area of the domains before it [-]
     double smallest_volume = 0.0; // [m2]
     double largest_volume = 0.0;  // [m2]
 };

@@ -105,13 +105,4 @@ std::vector<double> thickness_above(const Section& section, const Vector2& point
     return thickness;
 }
 
-double surface_elevation(const Section& section, double x)
-{
-    double highest = -std::numeric_limits<double>::infinity();
-    for (const std::vector<double>& heights : crossings_of_regions(section, x)) {
-        if (!heights.empty()) highest = std::max(highest, heights.back());
-    }
-    return highest;
-}
-
 } // namespace quicksand

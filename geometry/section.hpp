@@ -58,7 +58,4 @@ double area(const Region& region);
 /// Length of soil of each region on the vertical line above a point [m]; one entry per region.
 std::vector<double> thickness_above(const Section& section, const Vector2& point);
 
-/// Highest soil on the vertical line at x [m]; -infinity where there is none.
-double surface_elevation(const Section& section, double x);
-
 } // namespace quicksand

@@ -2,6 +2,7 @@
 
 #include "geometry/region_locator.hpp"
 #include "geometry/region_overlay.hpp"
+#include "solver/cross_product.hpp"
 
 #include <fmt/format.h>
 
@@ -20,11 +21,6 @@ constexpr double corner_sine = 0.35;   // a turn of 20 degrees and more makes a 
 double section_size(const Section& section)
 {
     return (section.upper - section.lower).maxCoeff();
-}
-
-double cross(const Vector2& a, const Vector2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
 }
 
 std::string place(const Vector2& point)

@@ -30,10 +30,7 @@ GmshRequest request_of(const Scene& scene)
 
 void throw_errors(const Diagnostics& findings, const Scene& scene)
 {
-    if (!findings.has_errors()) return;
-    std::string message = findings.render(scene.text);
-    if (message.ends_with('\n')) message.pop_back();
-    throw InputError(message);
+    if (findings.has_errors()) throw_findings(findings, scene.text);
 }
 
 /// Probes without a place stand at the physical point of their name.

@@ -18,30 +18,7 @@
 
 namespace quicksand {
 
-namespace {
-
 namespace fs = std::filesystem;
-
-CsvRow split(const std::string& line)
-{
-    CsvRow cells;
-    std::size_t begin = 0;
-    for (std::size_t comma = line.find(','); comma != std::string::npos; comma = line.find(',', begin)) {
-        cells.push_back(line.substr(begin, comma - begin));
-        begin = comma + 1;
-    }
-    cells.push_back(line.substr(begin));
-    return cells;
-}
-
-std::string header_text(const std::vector<std::string>& comments, const std::vector<std::string>& columns)
-{
-    std::string text;
-    for (const std::string& comment : comments) text += "# " + comment + "\n";
-    return text + fmt::format("{}\n", fmt::join(columns, ","));
-}
-
-} // namespace
 
 std::string csv_number(double value)
 {
@@ -53,6 +30,25 @@ std::string csv_text(const std::string& text)
     std::string result = "\"";
     for (const char letter : text) result += letter == '"' ? "\"\"" : std::string(1, letter);
     return result + '"';
+}
+
+std::string csv_header(const std::vector<std::string>& comments, const std::vector<std::string>& columns)
+{
+    std::string text;
+    for (const std::string& comment : comments) text += "# " + comment + "\n";
+    return text + fmt::format("{}\n", fmt::join(columns, ","));
+}
+
+CsvRow csv_cells(const std::string& line)
+{
+    CsvRow cells;
+    std::size_t begin = 0;
+    for (std::size_t comma = line.find(','); comma != std::string::npos; comma = line.find(',', begin)) {
+        cells.push_back(line.substr(begin, comma - begin));
+        begin = comma + 1;
+    }
+    cells.push_back(line.substr(begin));
+    return cells;
 }
 
 double csv_value(const std::string& cell)
@@ -74,7 +70,7 @@ CsvFile CsvFile::begin(const fs::path& path, const std::vector<std::string>& com
     std::error_code error;
     if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
     if (error) throw FileError(path.parent_path(), "cannot create the folder", error.message(), "");
-    write_atomically(path, header_text(comments, columns));
+    write_atomically(path, csv_header(comments, columns));
     return CsvFile(path, columns);
 }
 
@@ -92,7 +88,7 @@ CsvFile CsvFile::resume(const fs::path& path, const std::vector<std::string>& co
         if (line.starts_with('#')) {
             kept += line + "\n";
         } else if (!header_seen) {
-            if (torn || split(line) != columns)
+            if (torn || csv_cells(line) != columns)
                 throw FileError(path, "cannot go on with the file", "its columns are not those of this run",
                                 "use --overwrite to begin anew");
             header_seen = true;
@@ -111,7 +107,7 @@ CsvFile CsvFile::resume(const fs::path& path, const std::vector<std::string>& co
 
 void CsvFile::remember(const std::string& line)
 {
-    CsvRow row = split(line);
+    CsvRow row = csv_cells(line);
     if (!first_row_) first_row_ = row;
     if (!last_rows_.empty() && last_rows_.front().front() != row.front()) last_rows_.clear();
     last_rows_.push_back(std::move(row));

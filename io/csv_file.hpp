@@ -18,6 +18,12 @@ std::string csv_number(double value);
 /// Text in quotes, so that it may hold commas.
 std::string csv_text(const std::string& text);
 
+/// The comments, each behind a #, and the line of column names.
+std::string csv_header(const std::vector<std::string>& comments, const std::vector<std::string>& columns);
+
+/// The cells of a line, split at its commas; an empty line is one empty cell.
+CsvRow csv_cells(const std::string& line);
+
 /// The number in a cell, NaN when it is empty or none.
 double csv_value(const std::string& cell);
 

@@ -60,7 +60,7 @@ private:
     std::map<std::filesystem::path, std::string> texts_; // of files that a scene names
 };
 
-/// The name nearest to `name` within edit distance 3 (and a third of its length), "" when there is none.
-std::string nearest_name(std::string_view name, const std::vector<std::string>& names);
+/// Throws the findings as an InputError. `source` is the text they refer to, "" when there is none to quote.
+[[noreturn]] void throw_findings(const Diagnostics& findings, std::string_view source);
 
 } // namespace quicksand

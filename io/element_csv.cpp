@@ -18,9 +18,8 @@ namespace {
 class Table {
 public:
     Table(const std::vector<std::string>& comments, const std::vector<std::string>& columns)
+        : text_(csv_header(comments, columns))
     {
-        for (const std::string& comment : comments) text_ += "# " + comment + "\n";
-        text_ += fmt::format("{}\n", fmt::join(columns, ","));
     }
     void add(const std::vector<std::string>& cells) { text_ += fmt::format("{}\n", fmt::join(cells, ",")); }
     /// Seven digits: what the integration is good for.

@@ -1,5 +1,6 @@
 #include "io/element_data.hpp"
 
+#include "io/csv_file.hpp"
 #include "io/scene_text.hpp"
 #include "io/scene_units.hpp"
 
@@ -13,17 +14,11 @@ namespace {
 constexpr const char* form =
     "one line of column names with CSR and N, then rows of positive numbers, as 0.15,12";
 
-std::vector<std::string> cells_of(std::string line)
+/// The cells of a line without its blanks.
+CsvRow cells_of(std::string line)
 {
-    std::vector<std::string> cells(1);
-    for (const char c : line) {
-        if (c == ',') {
-            cells.emplace_back();
-        } else if (c != ' ' && c != '\t' && c != '\r') {
-            cells.back() += c;
-        }
-    }
-    return cells;
+    std::erase_if(line, [](char c) { return c == ' ' || c == '\t' || c == '\r'; });
+    return csv_cells(line);
 }
 
 /// Numbers of the wanted columns in the header; -1 where one is missing.

@@ -1,5 +1,6 @@
 #include "io/element_file.hpp"
 
+#include "geometry/nearest_name.hpp"
 #include "io/element_data.hpp"
 #include "io/element_keys.hpp"
 #include "io/element_variation.hpp"
@@ -184,7 +185,6 @@ ElementTest read_test(const DocumentNode& document, SceneValues& values, const N
 {
     ElementTest test;
     test.name = table.name;
-    test.place = table.place;
     check_name(table, findings);
     const NamedTable* material = find_material(values, table.path, table.place, findings);
     if (material == nullptr || findings.has_errors()) return test;
@@ -230,24 +230,17 @@ bool check_version(const DocumentNode& document, Diagnostics& findings)
     return false;
 }
 
-[[noreturn]] void throw_errors(const Diagnostics& findings, std::string_view text)
-{
-    std::string message = findings.render(text);
-    if (message.ends_with('\n')) message.pop_back();
-    throw InputError(message);
-}
-
 } // namespace
 
 ElementReading read_element_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
     Diagnostics findings(element_key_table().file);
     const auto text = read_text_file(file, {file, 0, 0}, findings);
-    if (!text) throw_errors(findings, "");
+    if (!text) throw_findings(findings, "");
     check_characters(file, *text, findings);
-    if (findings.has_errors()) throw_errors(findings, *text);
+    if (findings.has_errors()) throw_findings(findings, *text);
     const auto document = read_document(file, *text, overrides, findings);
-    if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
+    if (!document || !check_version(*document, findings)) throw_findings(findings, *text);
 
     SceneValues values = check_document(element_key_table(), *document, findings);
     const auto accepted =
@@ -258,7 +251,7 @@ ElementReading read_element_file(const std::filesystem::path& file, const std::v
     for (const NamedTable& material : tables_named(values, "materials")) {
         resolve_ubcsand(material, values, findings);
     }
-    if (findings.has_errors()) throw_errors(findings, *text);
+    if (findings.has_errors()) throw_findings(findings, *text);
     for (const NamedTable& table : tables_named(values, "tests")) {
         Diagnostics about_test;
         reading.programme.tests.push_back(
@@ -266,7 +259,7 @@ ElementReading read_element_file(const std::filesystem::path& file, const std::v
         findings.add(about_test);
     }
     findings.accept(accepted);
-    if (findings.has_errors()) throw_errors(findings, *text);
+    if (findings.has_errors()) throw_findings(findings, *text);
     reading.keys = std::move(values.keys);
     reading.warnings = std::move(findings);
     return reading;

@@ -1,11 +1,10 @@
 // What a file of element tests asks for, read and checked.
 #pragma once
 
-#include "io/scene.hpp"
 #include "solver/element_loading.hpp"
+#include "solver/ubcsand_parameters.hpp"
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,7 +43,6 @@ struct ElementTest {
     std::vector<ElementLoading> loadings;
     LiquefactionCriterion criterion = LiquefactionCriterion::ru_95;
     std::optional<StrengthData> data;
-    SourcePlace place;
 };
 
 struct ElementProgramme {

@@ -1,5 +1,6 @@
 #include "io/element_variation.hpp"
 
+#include "geometry/nearest_name.hpp"
 #include "io/element_keys.hpp"
 #include "io/scene_value_reader.hpp"
 

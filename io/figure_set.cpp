@@ -148,9 +148,7 @@ std::vector<SceneFigure> figures_of_scene(const fs::path& scene)
         if (!findings.has_errors()) figures = read_figures(values, findings);
     }
     if (!findings.has_errors()) return figures;
-    std::string message = findings.render(text ? *text : "");
-    if (message.ends_with('\n')) message.pop_back();
-    throw InputError(message);
+    throw_findings(findings, text ? *text : "");
 }
 
 std::optional<LinePlot> history_figure(const SceneFigure& figure, const std::vector<FigureProbe>& probes)

@@ -1,5 +1,6 @@
 #include "io/picture_set.hpp"
 
+#include "geometry/nearest_name.hpp"
 #include "io/atomic_file.hpp"
 #include "io/diagnostics.hpp"
 #include "io/file_error.hpp"

@@ -10,18 +10,6 @@
 namespace quicksand {
 namespace {
 
-std::vector<std::string> split(const std::string& line)
-{
-    std::vector<std::string> cells;
-    std::size_t begin = 0;
-    for (std::size_t comma = line.find(','); comma != std::string::npos; comma = line.find(',', begin)) {
-        cells.push_back(line.substr(begin, comma - begin));
-        begin = comma + 1;
-    }
-    cells.push_back(line.substr(begin));
-    return cells;
-}
-
 std::string without_mark(const std::string& comment)
 {
     const std::size_t begin = comment.find_first_not_of("# ");
@@ -30,7 +18,7 @@ std::string without_mark(const std::string& comment)
 
 void add_row(const std::string& line, PictureTable& table)
 {
-    const std::vector<std::string> cells = split(line);
+    const CsvRow cells = csv_cells(line);
     if (cells.size() != table.columns.size()) return;
     for (std::size_t c = 0; c < cells.size(); ++c) table.values[c].push_back(csv_value(cells[c]));
 }
@@ -60,7 +48,7 @@ PictureTable read_picture_table(const std::filesystem::path& file)
         if (line.front() == '#') {
             table.comments.push_back(without_mark(line));
         } else if (table.columns.empty()) {
-            table.columns = split(line);
+            table.columns = csv_cells(line);
             table.values.resize(table.columns.size());
         } else {
             add_row(line, table);

@@ -1,6 +1,7 @@
 #include "io/result_reader.hpp"
 
 #include "geometry/lower_case.hpp"
+#include "geometry/nearest_name.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv_file.hpp"
 #include "io/diagnostics.hpp"

@@ -41,15 +41,6 @@ void add_to_hash(std::uint64_t& hash, std::string_view text)
     }
 }
 
-/// "model name" of the first processor, "" when the system does not tell.
-std::string processor_name()
-{
-    std::ifstream stream("/proc/cpuinfo");
-    for (std::string line; std::getline(stream, line);)
-        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-    return {};
-}
-
 std::string host_name()
 {
     char name[256] = "";
@@ -83,6 +74,14 @@ double particle_steps_per_second(const RunManifest& manifest)
 std::string program_version()
 {
     return QUICKSAND_VERSION;
+}
+
+std::string processor_name()
+{
+    std::ifstream stream("/proc/cpuinfo");
+    for (std::string line; std::getline(stream, line);)
+        if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+    return {};
 }
 
 std::string text_hash(std::string_view text)

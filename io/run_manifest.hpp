@@ -16,6 +16,9 @@ namespace quicksand {
 /// Version of this program, e.g. "0.1.0".
 std::string program_version();
 
+/// The model of the first processor, "" when the system does not tell.
+std::string processor_name();
+
 /// FNV-1a hash (64 bits) of a text, as 16 hexadecimal digits.
 std::string text_hash(std::string_view text);
 

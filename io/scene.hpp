@@ -51,7 +51,6 @@ struct SceneBoundary {
     std::string name; // physical curve
     SoilCondition soil = SoilCondition::free;
     WaterCondition water = WaterCondition::drained;
-    std::string tied_to; // the partner curve when soil is tied
     SourcePlace place;
     std::optional<SurfaceLoad> load = {};
     std::optional<WallMotion> motion = {};

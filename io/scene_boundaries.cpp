@@ -227,7 +227,6 @@ SceneBoundary BoundaryReader::read()
     boundary.name = table_.name;
     boundary.soil = word_of(soil_words, values_.text(path("soil")));
     boundary.water = word_of(water_words, values_.text(path("water")));
-    boundary.tied_to = values_.text(path("tied_to"));
     boundary.place = table_.place;
     check_history();
     const History history = read_history();

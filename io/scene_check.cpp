@@ -1,5 +1,6 @@
 #include "io/scene_check.hpp"
 
+#include "geometry/nearest_name.hpp"
 #include "io/scene_value_reader.hpp"
 
 #include <algorithm>
@@ -214,8 +215,7 @@ void DocumentCheck::refuse_missing(const SceneKey& key, const Entry& table)
 void DocumentCheck::put(const SceneKey& key, const std::string& path, SceneValue value,
                         const DocumentNode* node)
 {
-    values_.keys.push_back({path, value_text(value), std::string(si_symbol(key.dimension)),
-                            std::string(key.doc), node != nullptr});
+    values_.keys.push_back({path, value_text(value), std::string(si_symbol(key.dimension)), node != nullptr});
     values_.by_path[path] = {std::move(value), node != nullptr,
                              node != nullptr ? node->place : SourcePlace()};
 }
@@ -233,7 +233,7 @@ void DocumentCheck::put_default(const SceneKey& key, const KeyPath& table, const
             if (word == sibling_word) put(key, path, std::string(choice), nullptr);
         }
     } else {
-        values_.keys.push_back({path, std::string(key.default_note), "", std::string(key.doc), false});
+        values_.keys.push_back({path, std::string(key.default_note), "", false});
     }
 }
 

@@ -1,5 +1,6 @@
 #include "io/scene_figures.hpp"
 
+#include "geometry/nearest_name.hpp"
 #include "io/scene_value_reader.hpp"
 #include "io/scene_words.hpp"
 

@@ -1,5 +1,6 @@
 #include "io/scene_file.hpp"
 
+#include "geometry/nearest_name.hpp"
 #include "io/scene_base.hpp"
 #include "io/scene_boundaries.hpp"
 #include "io/scene_check.hpp"
@@ -11,7 +12,6 @@
 #include "io/scene_ubcsand.hpp"
 #include "io/scene_verification.hpp"
 #include "io/scene_words.hpp"
-#include "solver/failure.hpp"
 
 #include <algorithm>
 #include <system_error>
@@ -207,28 +207,21 @@ bool check_version(const DocumentNode& document, Diagnostics& findings)
     return false;
 }
 
-[[noreturn]] void throw_errors(const Diagnostics& findings, std::string_view text)
-{
-    std::string message = findings.render(text);
-    if (message.ends_with('\n')) message.pop_back();
-    throw InputError(message);
-}
-
 } // namespace
 
 SceneReading read_scene_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {
     Diagnostics findings;
     const auto text = read_text_file(file, {file, 0, 0}, findings);
-    if (!text) throw_errors(findings, "");
+    if (!text) throw_findings(findings, "");
     check_characters(file, *text, findings);
-    if (findings.has_errors()) throw_errors(findings, *text);
+    if (findings.has_errors()) throw_findings(findings, *text);
     auto document = read_document(file, *text, overrides, findings);
-    if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
+    if (!document || !check_version(*document, findings)) throw_findings(findings, *text);
     const bool stands_alone = document->find("base") == nullptr;
     if (!stands_alone) findings.keep_text(file, *text);
     document = merge_with_base(file, std::move(*document), findings);
-    if (!document || !check_version(*document, findings)) throw_errors(findings, *text);
+    if (!document || !check_version(*document, findings)) throw_findings(findings, *text);
 
     SceneValues values = check_document(scene_key_table(), *document, findings);
     check_references(values, findings);
@@ -250,7 +243,7 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     check_geometry_file(values, scene.geometry_file, findings);
 
     findings.accept(scene.accepted);
-    if (findings.has_errors()) throw_errors(findings, *text);
+    if (findings.has_errors()) throw_findings(findings, *text);
     reading.keys = std::move(values.keys);
     reading.warnings = std::move(findings);
     return reading;

@@ -15,7 +15,6 @@ struct ResolvedKey {
     std::string path;   // "materials.sand.porosity"
     std::string value;  // in SI, as text
     std::string unit;   // "" when dimensionless
-    std::string doc;    // one line
     bool given = false; // false: the default
 };
 

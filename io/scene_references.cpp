@@ -1,6 +1,7 @@
 #include "io/scene_references.hpp"
 
 #include "geometry/lower_case.hpp"
+#include "geometry/nearest_name.hpp"
 #include "io/scene_value_reader.hpp"
 
 #include <algorithm>

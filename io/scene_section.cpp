@@ -1,5 +1,6 @@
 #include "io/scene_section.hpp"
 
+#include "geometry/nearest_name.hpp"
 #include "io/scene_schema.hpp"
 #include "io/scene_value_reader.hpp"
 

@@ -1,5 +1,6 @@
 #include "io/scene_value_reader.hpp"
 
+#include "geometry/nearest_name.hpp"
 #include "io/quantity_hints.hpp"
 
 #include <algorithm>

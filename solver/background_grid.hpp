@@ -10,6 +10,19 @@
 
 namespace quicksand {
 
+/// The cell that holds a point, counted from the rim's lower left corner, and the point's place in it.
+struct PlaceInCell {
+    int i = 0, j = 0;           // column and row of the cell, and of the node at its lower left [-]
+    double xi = 0.0, eta = 0.0; // 0..1 from that node to the right and up [-]
+};
+
+/// The place of a point that lies `cells` from the rim's lower left corner [-]; no coordinate is negative.
+inline PlaceInCell place_in_cell(const Vector2& cells)
+{
+    const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
+    return {i, j, cells.x() - i, cells.y() - j};
+}
+
 struct BackgroundGrid {
     static constexpr int ghost_cells = 4;
 
@@ -43,6 +56,11 @@ struct BackgroundGrid {
         const auto row = static_cast<std::size_t>(nodes_x());
         return node_position(static_cast<int>(node % row), static_cast<int>(node / row));
     }
+
+    std::size_t node_index(int i, int j) const { return static_cast<std::size_t>(j * nodes_x() + i); }
+
+    /// How far a point lies from the rim's lower left corner [cells].
+    Vector2 cells_from_rim(const Vector2& point) const { return (point - rim_origin()) / cell_size; }
 
     /// Upper right corner of the scene's cells [m].
     Vector2 upper_corner() const { return origin + cell_size * Vector2(cells_x, cells_y); }

@@ -1,6 +1,7 @@
 #include "solver/base_motion.hpp"
 
-#include <algorithm>
+#include "solver/overload.hpp"
+
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -8,13 +9,6 @@
 namespace quicksand {
 
 namespace {
-
-template <class... Cases>
-struct Overload : Cases... {
-    using Cases::operator()...;
-};
-template <class... Cases>
-Overload(Cases...) -> Overload<Cases...>;
 
 double sine_acceleration(const SineMotion& sine, double time)
 {
@@ -47,18 +41,6 @@ double base_acceleration(const BaseMotion& motion, double time)
                  [&](const SineMotion& sine) { return sine_acceleration(sine, time); },
                  [&](const SampledMotion& record) { return sampled_acceleration(record, time); }},
         motion);
-}
-
-double peak_acceleration(const BaseMotion& motion)
-{
-    const auto largest = [](const SampledMotion& record) {
-        double peak = 0.0;
-        for (const double a : record.accelerations) peak = std::max(peak, std::abs(a));
-        return peak;
-    };
-    return std::visit(Overload{[](const NoMotion&) { return 0.0; },
-                               [](const SineMotion& sine) { return std::abs(sine.amplitude); }, largest},
-                      motion);
 }
 
 double duration(const BaseMotion& motion)

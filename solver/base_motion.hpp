@@ -28,9 +28,6 @@ using BaseMotion = std::variant<NoMotion, SineMotion, SampledMotion>;
 /// Horizontal acceleration of the base at the time after shaking began [m/s2].
 double base_acceleration(const BaseMotion& motion, double time);
 
-/// Largest absolute acceleration of the history [m/s2].
-double peak_acceleration(const BaseMotion& motion);
-
 /// End of the shaking [s]; infinite for a sine wave without end.
 double duration(const BaseMotion& motion);
 

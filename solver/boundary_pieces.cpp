@@ -199,8 +199,7 @@ std::array<Vector2, 4> loaded_corners(const Problem& problem, const Particles& p
 
     Vector2 lower, upper;
     if (problem.interpolation == Interpolation::linear) {
-        const Vector2 cells = (x - grid.rim_origin()) / grid.cell_size;
-        lower = grid.rim_origin() + grid.cell_size * cells.array().floor().matrix();
+        lower = grid.rim_origin() + grid.cell_size * grid.cells_from_rim(x).array().floor().matrix();
         upper = lower + Vector2::Constant(grid.cell_size);
     } else {
         const bool keeps_size =

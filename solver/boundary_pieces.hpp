@@ -53,16 +53,13 @@ void for_each_loaded_node(const BackgroundGrid& grid, const PresentPiece& piece,
 template <class Add>
 void for_each_loaded_node(const BackgroundGrid& grid, const PresentPiece& piece, Add&& add)
 {
-    const auto columns = static_cast<std::size_t>(grid.nodes_x());
     for (std::size_t c = 0; c < 4; ++c) {
-        const Vector2 cells = (piece.corners[c] - grid.rim_origin()) / grid.cell_size;
-        const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
-        const double xi = cells.x() - i, eta = cells.y() - j;
-        const std::size_t node = static_cast<std::size_t>(j) * columns + static_cast<std::size_t>(i);
+        const auto [i, j, xi, eta] = place_in_cell(grid.cells_from_rim(piece.corners[c]));
+        const std::size_t node = grid.node_index(i, j), above = grid.node_index(i, j + 1);
         add(node, piece.shares[c] * (1.0 - xi) * (1.0 - eta));
         add(node + 1, piece.shares[c] * xi * (1.0 - eta));
-        add(node + columns, piece.shares[c] * (1.0 - xi) * eta);
-        add(node + columns + 1, piece.shares[c] * xi * eta);
+        add(above, piece.shares[c] * (1.0 - xi) * eta);
+        add(above + 1, piece.shares[c] * xi * eta);
     }
 }
 

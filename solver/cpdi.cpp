@@ -4,23 +4,6 @@
 
 namespace quicksand {
 
-namespace {
-
-/// A corner's cell and its place in it.
-struct Corner {
-    int i, j;
-    double xi, eta; // 0..1 from the cell's lower left node [-]
-};
-
-Corner locate(const Vector2& point, const Vector2& rim, double inverse_cell_size)
-{
-    const double x = (point.x() - rim.x()) * inverse_cell_size, y = (point.y() - rim.y()) * inverse_cell_size;
-    const int i = static_cast<int>(x), j = static_cast<int>(y); // coordinates from the rim are positive
-    return {i, j, x - i, y - j};
-}
-
-} // namespace
-
 bool limit_domain(double cell_size, ParallelogramDomain& domain)
 {
     const Vector2 reach = domain.half_edge_1.cwiseAbs() + domain.half_edge_2.cwiseAbs();
@@ -55,8 +38,8 @@ void sum_corner_weights(const BackgroundGrid& grid, const Vector2& centre, const
 {
     const Vector2 rim = grid.rim_origin();
     const double inverse = 1.0 / grid.cell_size;
-    Corner cells[4];
-    for (int c = 0; c < 4; ++c) cells[c] = locate(corners[c].position, rim, inverse);
+    PlaceInCell cells[4];
+    for (int c = 0; c < 4; ++c) cells[c] = place_in_cell((corners[c].position - rim) * inverse);
     const auto [i_min, i_max] = std::minmax({cells[0].i, cells[1].i, cells[2].i, cells[3].i});
     const auto [j_min, j_max] = std::minmax({cells[0].j, cells[1].j, cells[2].j, cells[3].j});
     patch.width = i_max - i_min + 2;
@@ -67,7 +50,7 @@ void sum_corner_weights(const BackgroundGrid& grid, const Vector2& centre, const
 
     std::fill_n(patch.weights, patch.width * patch.height, NodeWeight{0.0, 0.0, 0.0});
     for (int c = 0; c < 4; ++c) {
-        const Corner& cell = cells[c];
+        const PlaceInCell& cell = cells[c];
         const double N[2][2] = {{(1.0 - cell.xi) * (1.0 - cell.eta), cell.xi * (1.0 - cell.eta)},
                                 {(1.0 - cell.xi) * cell.eta, cell.xi * cell.eta}};
         NodeWeight* row = patch.weights + (cell.j - j_min) * patch.width + (cell.i - i_min);

@@ -1,17 +1,13 @@
 #include "solver/cpdi2.hpp"
 
 #include "solver/cpdi.hpp"
+#include "solver/cross_product.hpp"
 
 #include <algorithm>
 
 namespace quicksand {
 
 namespace {
-
-double cross(const Vector2& a, const Vector2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
 
 /// x_p - c: from the vertex mean to the centroid.
 Vector2 centroid_offset(const Vector2& r1, const Vector2& r2, const Vector2& twist)

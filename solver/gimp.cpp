@@ -53,7 +53,7 @@ bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 len
 {
     const Vector2 asked = lengths;
     lengths = limited(grid, asked);
-    const Vector2 cells = (centre - grid.rim_origin()) / grid.cell_size;
+    const Vector2 cells = grid.cells_from_rim(centre);
     const LineWeights x = line_weights(cells.x(), lengths.x() / grid.cell_size, grid.cell_size);
     const LineWeights y = line_weights(cells.y(), lengths.y() / grid.cell_size, grid.cell_size);
     patch.base = y.first * grid.nodes_x() + x.first;

@@ -1,5 +1,7 @@
 #include "solver/history.hpp"
 
+#include "solver/overload.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -8,13 +10,6 @@
 namespace quicksand {
 
 namespace {
-
-template <class... Cases>
-struct Overload : Cases... {
-    using Cases::operator()...;
-};
-template <class... Cases>
-Overload(Cases...) -> Overload<Cases...>;
 
 double sampled_value(const SampledHistory& table, double time)
 {

@@ -6,9 +6,7 @@ bool LinearInterpolation::evaluate(const BackgroundGrid& grid, const Particles& 
                                    NodePatch& patch)
 {
     const double inverse = 1.0 / grid.cell_size;
-    const Vector2 cells = (particles.position[p] - grid.rim_origin()) * inverse;
-    const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
-    const double xi = cells.x() - i, eta = cells.y() - j;
+    const auto [i, j, xi, eta] = place_in_cell((particles.position[p] - grid.rim_origin()) * inverse);
     patch.base = j * grid.nodes_x() + i;
     patch.width = patch.height = 2;
     patch.offset_x = -xi * grid.cell_size;

@@ -79,17 +79,6 @@ ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t, std::size_t,
     return {constrained_modulus(law), constrained_modulus(law)};
 }
 
-Vector3d return_to_surface(const MohrCoulomb& law, const Vector3d& trial)
-{
-    const MohrCoulombSurface surface(law);
-    return surface.excess(trial[0], trial[2]) > 0.0 ? surface.return_from(trial) : trial;
-}
-
-double yield_excess(const MohrCoulomb& law, const Vector3d& principal)
-{
-    return MohrCoulombSurface(law).excess(principal[0], principal[2]);
-}
-
 void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles)
 {

@@ -43,13 +43,6 @@ double shear_modulus(const MohrCoulomb& law);       // G [Pa]
 ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t first, std::size_t last,
                                const Particles& particles);
 
-/// The principal stresses to which an elastic trial returns, both largest tension first [Pa].
-Eigen::Vector3d return_to_surface(const MohrCoulomb& law, const Eigen::Vector3d& trial);
-
-/// How far principal stresses, largest tension first, lie outside the surface: the largest of the functions
-/// above less their limits, negative inside [Pa].
-double yield_excess(const MohrCoulomb& law, const Eigen::Vector3d& principal);
-
 /// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
 void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles);

@@ -58,29 +58,22 @@ void particle_values(const Problem& problem, const Particles& particles, std::si
     *values++ = particles.velocity_fluid.y[p];
 }
 
-/// The cell that holds a point, as the node at its lower left corner and the point's place in it.
-struct PointInCell {
-    int i = 0, j = 0;
-    double xi = 0.0, eta = 0.0; // 0..1
-
-    std::size_t node(const BackgroundGrid& grid, int k) const
-    {
-        return static_cast<std::size_t>((j + k / 2) * grid.nodes_x() + i + k % 2);
-    }
-};
-
-std::optional<PointInCell> find_cell(const BackgroundGrid& grid, const Vector2& point)
+/// The cell of a point wherever it may lie; the grid's upper and right edges belong to the last cells.
+std::optional<PlaceInCell> find_cell(const BackgroundGrid& grid, const Vector2& point)
 {
-    const Vector2 cells = (point - grid.rim_origin()) / grid.cell_size;
+    const Vector2 cells = grid.cells_from_rim(point);
     const bool in_grid = cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() <= grid.all_cells_x() &&
                          cells.y() <= grid.all_cells_y();
     if (!in_grid) return std::nullopt;
-    PointInCell place;
-    place.i = std::min(static_cast<int>(cells.x()), grid.all_cells_x() - 1);
-    place.j = std::min(static_cast<int>(cells.y()), grid.all_cells_y() - 1);
-    place.xi = cells.x() - place.i;
-    place.eta = cells.y() - place.j;
-    return place;
+    const int i = std::min(static_cast<int>(cells.x()), grid.all_cells_x() - 1),
+              j = std::min(static_cast<int>(cells.y()), grid.all_cells_y() - 1);
+    return PlaceInCell{i, j, cells.x() - i, cells.y() - j};
+}
+
+/// Node k of the four of a cell, row by row.
+std::size_t node_of(const BackgroundGrid& grid, const PlaceInCell& cell, int k)
+{
+    return grid.node_index(cell.i + k % 2, cell.j + k / 2);
 }
 
 /// Which nodes are asked for.
@@ -91,14 +84,14 @@ bool may_reach(const BackgroundGrid& grid, const ParallelogramDomain& domain, co
 {
     constexpr double rounding = 1e-6; // [cells]
     const Vector2 reach = domain.half_edge_1.cwiseAbs() + domain.half_edge_2.cwiseAbs();
-    const Vector2 centre = (domain.centre - grid.rim_origin()) / grid.cell_size;
+    const Vector2 centre = grid.cells_from_rim(domain.centre);
     const Vector2 lower = centre - reach / grid.cell_size - Vector2::Constant(rounding),
                   upper = centre + reach / grid.cell_size + Vector2::Constant(1.0 + rounding);
     const int last_i = std::min(static_cast<int>(upper.x()), grid.nodes_x() - 1),
               last_j = std::min(static_cast<int>(upper.y()), grid.nodes_y() - 1);
     for (int j = std::max(0, static_cast<int>(lower.y())); j <= last_j; ++j) {
         for (int i = std::max(0, static_cast<int>(lower.x())); i <= last_i; ++i)
-            if (wanted[static_cast<std::size_t>(j * grid.nodes_x() + i)] != 0) return true;
+            if (wanted[grid.node_index(i, j)] != 0) return true;
     }
     return false;
 }
@@ -151,7 +144,7 @@ NodalFields nodal_fields_at(const Problem& problem, const Particles& particles,
     NodeMask wanted(problem.grid.node_count(), 0);
     for (const Vector2& point : points) {
         const auto cell = find_cell(problem.grid, point);
-        for (int k = 0; cell && k < 4; ++k) wanted[cell->node(problem.grid, k)] = 1;
+        for (int k = 0; cell && k < 4; ++k) wanted[node_of(problem.grid, *cell, k)] = 1;
     }
     return average(problem, particles, wanted);
 }
@@ -163,7 +156,7 @@ PointWeights point_weights(const BackgroundGrid& grid, const NodalFields& fields
     if (!cell) return result;
     result.inside = true;
     for (int k = 0; k < 4; ++k) {
-        result.node[k] = cell->node(grid, k);
+        result.node[k] = node_of(grid, *cell, k);
         result.weight[k] =
             (k % 2 == 0 ? 1.0 - cell->xi : cell->xi) * (k / 2 == 0 ? 1.0 - cell->eta : cell->eta);
         result.inside = result.inside && fields.volume[result.node[k]] > 0.0;

@@ -45,14 +45,12 @@ void update_effective_stress(const Problem& problem, double dt, Particles& parti
 template <class Velocity>
 bool move_with_grid(const BackgroundGrid& grid, double dt, Velocity&& velocity, Vector2& x)
 {
-    const Vector2 cells = (x - grid.rim_origin()) / grid.cell_size;
+    const Vector2 cells = grid.cells_from_rim(x);
     const bool inside = cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() < grid.all_cells_x() &&
                         cells.y() < grid.all_cells_y(); // written so that NaN is outside
     if (!inside) return false;
-    const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
-    const double xi = cells.x() - i, eta = cells.y() - j;
-    const auto node = static_cast<std::size_t>(j * grid.nodes_x() + i);
-    const auto above = node + static_cast<std::size_t>(grid.nodes_x());
+    const auto [i, j, xi, eta] = place_in_cell(cells);
+    const std::size_t node = grid.node_index(i, j), above = grid.node_index(i, j + 1);
     x += dt * ((1.0 - eta) * ((1.0 - xi) * velocity(node) + xi * velocity(node + 1)) +
                eta * ((1.0 - xi) * velocity(above) + xi * velocity(above + 1)));
     return true;

@@ -18,7 +18,7 @@ struct CellField {
 
 std::size_t cell_of(const BackgroundGrid& grid, const Vector2& position)
 {
-    const Vector2 cells = (position - grid.rim_origin()) / grid.cell_size;
+    const Vector2 cells = grid.cells_from_rim(position);
     const auto column = static_cast<std::size_t>(std::clamp<double>(cells.x(), 0.0, grid.all_cells_x() - 1));
     const auto row = static_cast<std::size_t>(std::clamp<double>(cells.y(), 0.0, grid.all_cells_y() - 1));
     return row * static_cast<std::size_t>(grid.all_cells_x()) + column;

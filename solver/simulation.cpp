@@ -14,21 +14,6 @@ namespace {
 
 constexpr std::int64_t steps_between_restarts = 32;
 
-double next_event(double end_time, const std::vector<Observer*>& observers)
-{
-    double next = end_time;
-    for (const Observer* observer : observers) next = std::min(next, observer->next_time());
-    return next;
-}
-
-void observe_due(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
-                 const StepReport& report)
-{
-    for (Observer* observer : observers) {
-        if (observer->next_time() <= state.time) observer->observe(problem, state, report);
-    }
-}
-
 /// Equal steps to the next event: the step is shortened a little each time rather than much at the end.
 TimeStep divide_evenly(TimeStep stable, double remaining)
 {
@@ -41,6 +26,21 @@ TimeStep divide_evenly(TimeStep stable, double remaining)
 
 } // namespace
 
+double next_event(const std::vector<Observer*>& observers, double latest)
+{
+    double next = latest;
+    for (const Observer* observer : observers) next = std::min(next, observer->next_time());
+    return next;
+}
+
+void observe_due(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
+                 const StepReport& report)
+{
+    for (Observer* observer : observers) {
+        if (observer->next_time() <= state.time) observer->observe(problem, state, report);
+    }
+}
+
 void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
          const std::function<bool()>& stop_requested)
 {
@@ -49,7 +49,7 @@ void run(const Problem& problem, double end_time, const std::vector<Observer*>& 
     StepReport report{state.step, state.time, {}, 0, true};
     observe_due(problem, observers, state, report);
     while (state.time < end_time) {
-        const double event = next_event(end_time, observers);
+        const double event = next_event(observers, end_time);
         const TimeStep stable = stable_time_step(problem, state.particles);
         report.time_step = divide_evenly(stable, event - state.time);
         const bool arrives = report.time_step.dt >= event - state.time;

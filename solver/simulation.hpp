@@ -34,6 +34,13 @@ public:
     virtual void finish() {}
 };
 
+/// The earliest time that one of the observers waits for, `latest` when none waits for an earlier one [s].
+double next_event(const std::vector<Observer*>& observers, double latest);
+
+/// Show the state to the observers that wait for its time.
+void observe_due(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
+                 const StepReport& report);
+
 struct RelaxationControls {
     double damping = 0.7;             // local damping factor [-]
     double tolerance = 1e-6;          // out-of-balance force / body force at which the stage ends [-]

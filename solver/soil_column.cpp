@@ -325,16 +325,13 @@ StepReport ColumnObserver::report_of_body(const StepReport& report) const
 
 double ColumnObserver::next_time() const
 {
-    double next = std::numeric_limits<double>::infinity();
-    for (const Observer* observer : observers_) next = std::min(next, observer->next_time());
-    return next;
+    return next_event(observers_, std::numeric_limits<double>::infinity());
 }
 
 void ColumnObserver::observe(const Problem&, const State& state, const StepReport& report)
 {
     widen(column_, state, wide_);
-    for (Observer* observer : observers_)
-        if (observer->next_time() <= state.time) observer->observe(body_, wide_, report_of_body(report));
+    observe_due(body_, observers_, wide_, report_of_body(report));
 }
 
 void ColumnObserver::after_step(const StepReport& report)

@@ -140,15 +140,4 @@ Vector2 full_load(const Problem& problem, const State& state, const Boundary& bo
     return force;
 }
 
-std::vector<BoundaryForce> total_load(const Problem& problem, const State& state, double time)
-{
-    std::vector<BoundaryForce> forces;
-    for (const Boundary& boundary : problem.boundaries) {
-        if (!boundary.load) continue;
-        const double factor = history_value(boundary.load->history, time);
-        forces.push_back({boundary.name, factor * full_load(problem, state, boundary)});
-    }
-    return forces;
-}
-
 } // namespace quicksand

@@ -6,7 +6,6 @@
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
 
-#include <string>
 #include <vector>
 
 namespace quicksand {
@@ -36,16 +35,7 @@ void note_outer_forces(const Problem& problem, double time, const State& state, 
 /// The time at which a state's loads act: that of the shaking, 0 while the soil settles [s].
 double load_time(const State& state);
 
-/// The force of a boundary's load on the soil.
-struct BoundaryForce {
-    std::string boundary;
-    Vector2 force = Vector2::Zero(); // [N/m]
-};
-
 /// The force of a boundary's load at its full value, the factor of its history being 1 [N/m].
 Vector2 full_load(const Problem& problem, const State& state, const Boundary& boundary);
-
-/// The force of every load at `time` on the soil as it is in `state`; none where a boundary has no load.
-std::vector<BoundaryForce> total_load(const Problem& problem, const State& state, double time);
 
 } // namespace quicksand

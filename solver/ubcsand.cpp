@@ -126,11 +126,6 @@ double shear_modulus(const UbcSand& law, const UbcSandState& state)
     return present_moduli(law, state).G;
 }
 
-double plane_bulk_modulus(const UbcSand& law, const UbcSandState& state)
-{
-    return present_moduli(law, state).K;
-}
-
 double constrained_modulus(const UbcSand& law, const UbcSandState& state)
 {
     return present_moduli(law, state).E1;

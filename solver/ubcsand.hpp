@@ -107,10 +107,8 @@ void turn(double spin, UbcSandState& state);
 /// G [Pa] of unloading at the present stress.
 double shear_modulus(const UbcSand& law, const UbcSandState& state);
 
-/// K' = B + G/3 [Pa] of unloading at the present stress: d s = K' d eps_v.
-double plane_bulk_modulus(const UbcSand& law, const UbcSandState& state);
-
-/// E1 = K' + G = B + 4G/3 [Pa], the stiffest response at the present stress: unloading in one dimension.
+/// E1 = K' + G = B + 4G/3 [Pa] with d s = K' d eps_v, the stiffest response at the present stress: unloading
+/// in one dimension.
 double constrained_modulus(const UbcSand& law, const UbcSandState& state);
 
 /// Points as structure of arrays, tension positive. None of the arrays may overlap.

@@ -1,17 +1,10 @@
 #include "solver/wall_nodes.hpp"
 
+#include "solver/cross_product.hpp"
+
 #include <cmath>
 
 namespace quicksand {
-
-namespace {
-
-double cross(const Vector2& a, const Vector2& b)
-{
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-} // namespace
 
 Vector2 outward_normal(const Segment& segment)
 {

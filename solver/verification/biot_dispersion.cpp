@@ -12,15 +12,6 @@ namespace quicksand {
 
 namespace {
 
-Eigen::Matrix2d inertia(const SaturatedSoil& soil, InertiaTheory theory)
-{
-    const double r1 = soil.partial_density_solid(), r2 = soil.partial_density_fluid();
-    Eigen::Matrix2d R = Eigen::Matrix2d::Zero();
-    if (theory == InertiaTheory::full) R << r1, 0.0, 0.0, r2;
-    if (theory == InertiaTheory::u_p) R << r1, 0.0, r2, 0.0; // the water accelerates as the solid does
-    return R;
-}
-
 /// Both roots of a z^2 + b z + c, the smaller one first, without cancellation.
 std::array<Complex, 2> quadratic_roots(Complex a, Complex b, Complex c)
 {
@@ -74,30 +65,24 @@ Complex take_oscillation(std::vector<Complex>& roots)
     return root;
 }
 
-Complex decaying(Complex wave_number_squared)
-{
-    const Complex xi = std::sqrt(wave_number_squared);
-    return xi.imag() > 0.0 ? -xi : xi;
-}
-
 } // namespace
 
-std::array<LongitudinalWave, 2> longitudinal_waves(const SaturatedSoil& soil, Complex s, InertiaTheory theory)
+std::array<LongitudinalWave, 2> longitudinal_waves(const SaturatedSoil& soil, Complex s)
 {
-    const Eigen::Matrix2d K = soil.longitudinal_stiffness(), R = inertia(soil, theory);
-    const double C = soil.drag();
+    const Eigen::Matrix2d K = soil.longitudinal_stiffness();
+    const double r1 = soil.partial_density_solid(), r2 = soil.partial_density_fluid(), C = soil.drag();
     const double undrained = soil.undrained_modulus();
     const double det_K = soil.porosity * soil.constrained_modulus * soil.water_bulk_modulus;
-    const double mixed = K(0, 0) * R(1, 1) + K(1, 1) * R(0, 0) - K(0, 1) * (R(0, 1) + R(1, 0));
+    const double mixed = K(0, 0) * r2 + K(1, 1) * r1;
     // det (z K - s^2 R - s C J) / s, expanded by hand: the drag's own determinant is zero
     const Complex b = -(s * mixed + C * undrained);
-    const Complex c = s * s * (s * R.determinant() + C * R.sum());
+    const Complex c = s * s * (s * (r1 * r2) + C * (r1 + r2));
     const auto roots = quadratic_roots(det_K / s, b, c);
     std::array<LongitudinalWave, 2> waves;
     for (std::size_t i = 0; i < 2; ++i) {
         const Complex z = roots[i];
         waves[i].kappa_squared = z;
-        waves[i].mode = {z * K(0, 1) - s * s * R(0, 1) + s * C, s * s * R(0, 0) + s * C - z * K(0, 0)};
+        waves[i].mode = {z * K(0, 1) + s * C, s * s * r1 + s * C - z * K(0, 0)};
     }
     return waves;
 }
@@ -106,30 +91,6 @@ Complex shear_wave_number_squared(const SaturatedSoil& soil, Complex s, Complex 
 {
     const double r1 = soil.partial_density_solid(), r2 = soil.partial_density_fluid(), C = soil.drag();
     return -s * s * (r1 + r2 * C / (C + s * r2)) / shear_modulus;
-}
-
-WaveNumbers wave_numbers(const SaturatedSoil& soil, double angular_frequency)
-{
-    const Complex s(0.0, angular_frequency);
-    const auto waves = longitudinal_waves(soil, s);
-    return {decaying(-waves[0].kappa_squared), decaying(-waves[1].kappa_squared),
-            decaying(shear_wave_number_squared(soil, s, soil.shear_modulus))};
-}
-
-double phase_speed(Complex wave_number, double angular_frequency)
-{
-    return angular_frequency / wave_number.real();
-}
-
-double attenuation(Complex wave_number)
-{
-    return -wave_number.imag();
-}
-
-double inverse_quality_factor(Complex wave_number)
-{
-    const Complex squared = wave_number * wave_number;
-    return -squared.imag() / squared.real();
 }
 
 UndraggedSpeeds undragged_speeds(const SaturatedSoil& soil)
@@ -176,13 +137,6 @@ ShearModes shear_modes(const SaturatedSoil& soil, double wave_number)
     modes.shear = take_oscillation(roots);
     modes.relative = roots[0];
     return modes;
-}
-
-Complex longitudinal_fluid_share(const SaturatedSoil& soil, double wave_number, Complex s)
-{
-    const Eigen::Matrix2d K = soil.longitudinal_stiffness();
-    const double r1 = soil.partial_density_solid(), C = soil.drag(), xi2 = wave_number * wave_number;
-    return (s * s * r1 + s * C + xi2 * K(0, 0)) / (s * C - xi2 * K(0, 1));
 }
 
 Complex shear_fluid_share(const SaturatedSoil& soil, Complex s)

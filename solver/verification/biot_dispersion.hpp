@@ -15,10 +15,6 @@ namespace quicksand {
 
 using Complex = std::complex<double>;
 
-/// What is kept of the inertia (Zienkiewicz, Chang and Bettess 1980): none; the acceleration of the mixture
-/// but not of the water relative to the grains (u-p); all of it.
-enum class InertiaTheory { consolidation, u_p, full };
-
 /// One of the two longitudinal waves e^{s t} e^{+-kappa x} at a complex frequency s.
 struct LongitudinalWave {
     Complex kappa_squared; // [1/m2]
@@ -26,27 +22,11 @@ struct LongitudinalWave {
 };
 
 /// The fast and the slow wave, in this order, at a complex frequency s [1/s] that is not zero.
-std::array<LongitudinalWave, 2> longitudinal_waves(const SaturatedSoil& soil, Complex s,
-                                                   InertiaTheory theory = InertiaTheory::full);
+std::array<LongitudinalWave, 2> longitudinal_waves(const SaturatedSoil& soil, Complex s);
 
 /// xi^2 of the shear wave at a complex frequency s [1/m2]; the water is dragged along only. The shear modulus
 /// may be complex, for hysteretic damping [Pa].
 Complex shear_wave_number_squared(const SaturatedSoil& soil, Complex s, Complex shear_modulus);
-
-/// Complex wave numbers xi at an angular frequency, Im xi <= 0 [1/m].
-struct WaveNumbers {
-    Complex fast, slow, shear;
-};
-WaveNumbers wave_numbers(const SaturatedSoil& soil, double angular_frequency);
-
-/// omega / Re xi [m/s].
-double phase_speed(Complex wave_number, double angular_frequency);
-
-/// -Im xi, the decay of the amplitude per length [1/m].
-double attenuation(Complex wave_number);
-
-/// 1/Q = -Im xi^2 / Re xi^2 [-]; twice the damping ratio where it is small.
-double inverse_quality_factor(Complex wave_number);
 
 /// Wave speeds without drag, the limit of high frequency [m/s].
 struct UndraggedSpeeds {
@@ -69,8 +49,7 @@ struct ShearModes {
 };
 ShearModes shear_modes(const SaturatedSoil& soil, double wave_number);
 
-/// Displacement of the water over that of the solid in a standing wave of complex frequency s [-].
-Complex longitudinal_fluid_share(const SaturatedSoil& soil, double wave_number, Complex s);
+/// Displacement of the water over that of the solid in a standing shear wave of complex frequency s [-].
 Complex shear_fluid_share(const SaturatedSoil& soil, Complex s);
 
 } // namespace quicksand

@@ -1,8 +1,6 @@
 // Published scalings of collapsing columns: rough checks of flow at very large strain.
 #pragma once
 
-#include "solver/conventions.hpp"
-
 #include <optional>
 
 namespace quicksand {
@@ -17,14 +15,5 @@ std::optional<double> lube_runout_ratio(double aspect_ratio);
 
 /// Final height at the wall over the initial width, h_inf / d_i [-]: a for a < 1.15, 0.65 a^(2/5) above.
 double lube_final_height_ratio(double aspect_ratio);
-
-/// Dam-break of frictionless water on a dry bed (Ritter 1892), x from the dam towards the dry side. Shallow
-/// water, so of use once the front is several depths ahead of the dam.
-///
-/// Position of the front [m]: 2 sqrt(g h_0) t.
-double ritter_front(double depth, double time, double gravity = standard_gravity);
-
-/// Depth of the water at x [m].
-double ritter_depth(double depth, double x, double time, double gravity = standard_gravity);
 
 } // namespace quicksand

@@ -24,10 +24,10 @@ Profile profile(Complex kappa, double x, double height)
 
 } // namespace
 
-ColumnResponse::ColumnResponse(const SaturatedSoil& soil, double height, Complex s, InertiaTheory theory)
+ColumnResponse::ColumnResponse(const SaturatedSoil& soil, double height, Complex s)
     : height_(height), storage_modulus_(soil.storage_modulus())
 {
-    const auto waves = longitudinal_waves(soil, s, theory);
+    const auto waves = longitudinal_waves(soil, s);
     const double n = soil.porosity;
     std::array<Complex, 2> outflow;
     for (std::size_t j = 0; j < 2; ++j) {

@@ -17,8 +17,7 @@ struct ColumnAmplitude {
 /// skeleton, the pressure is zero.
 class ColumnResponse {
 public:
-    ColumnResponse(const SaturatedSoil& soil, double height, Complex s,
-                   InertiaTheory theory = InertiaTheory::full);
+    ColumnResponse(const SaturatedSoil& soil, double height, Complex s);
 
     /// At a height x above the base [m].
     ColumnAmplitude amplitude(double x) const;

@@ -22,11 +22,4 @@ Eigen::Matrix2d SaturatedSoil::longitudinal_stiffness() const
     return K;
 }
 
-SaturatedSoil with_elasticity(SaturatedSoil soil, double youngs_modulus, double poisson_ratio)
-{
-    soil.shear_modulus = 0.5 * youngs_modulus / (1.0 + poisson_ratio);
-    soil.constrained_modulus = 2.0 * soil.shear_modulus * (1.0 - poisson_ratio) / (1.0 - 2.0 * poisson_ratio);
-    return soil;
-}
-
 } // namespace quicksand

@@ -27,13 +27,8 @@ struct SaturatedSoil {
     double undrained_modulus() const { return constrained_modulus + storage_modulus(); } // M + K_w/n [Pa]
     /// c_v = k / [gamma_w (1/M + n/K_w)] [m2/s].
     double consolidation_coefficient() const;
-    /// p_0 / q of a load q in uniaxial strain, applied faster than the water can leave [-].
-    double undrained_pressure_ratio() const { return storage_modulus() / undrained_modulus(); }
     /// Stiffness of plane longitudinal motion of (solid, fluid): M and the storage on (1-n, n) [Pa].
     Eigen::Matrix2d longitudinal_stiffness() const;
 };
-
-/// The same soil with M and G of a Young's modulus E [Pa] and Poisson's ratio.
-SaturatedSoil with_elasticity(SaturatedSoil soil, double youngs_modulus, double poisson_ratio);
 
 } // namespace quicksand

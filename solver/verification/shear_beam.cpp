@@ -9,15 +9,8 @@ Complex shear_transfer(const ShearBeam& beam, double x, double frequency)
 {
     const double omega = 2.0 * std::numbers::pi * frequency;
     const Complex G = beam.soil.shear_modulus * Complex(1.0, 2.0 * beam.damping_ratio);
-    const Complex xi =
-        std::sqrt(beam.relative_motion ? shear_wave_number_squared(beam.soil, Complex(0.0, omega), G)
-                                       : omega * omega * beam.soil.density() / G);
+    const Complex xi = std::sqrt(shear_wave_number_squared(beam.soil, Complex(0.0, omega), G));
     return std::cos(xi * (beam.height - x)) / std::cos(xi * beam.height);
-}
-
-double shear_resonance(const ShearBeam& beam, int number, double density)
-{
-    return (2.0 * number - 1.0) * std::sqrt(beam.soil.shear_modulus / density) / (4.0 * beam.height);
 }
 
 } // namespace quicksand

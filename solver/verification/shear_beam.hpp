@@ -8,17 +8,12 @@ namespace quicksand {
 
 struct ShearBeam {
     SaturatedSoil soil;
-    double height = 1.0;         // H [m]
-    double damping_ratio = 0.0;  // D of the complex modulus G (1 + 2 i D) [-]
-    bool relative_motion = true; // false: water and grains move as one
+    double height = 1.0;        // H [m]
+    double damping_ratio = 0.0; // D of the complex modulus G (1 + 2 i D) [-]
 };
 
 /// Total motion at a height x above the base over the motion of the base, at a frequency [Hz]; complex
 /// amplitudes of e^{i omega t}: cos[xi (H - x)] / cos(xi H).
 Complex shear_transfer(const ShearBeam& beam, double x, double frequency);
-
-/// Undamped resonance number 1, 2, ... of the layer with mass density rho: (2 m - 1) sqrt(G/rho) / (4 H)
-/// [Hz]. rho is the mixture's where water and grains move as one, (1-n) rho_s of the dry layer.
-double shear_resonance(const ShearBeam& beam, int number, double density);
 
 } // namespace quicksand

@@ -99,7 +99,7 @@ StudyError resonance(const Problem& given, const Layer& layer, int number, State
 
 StudyError transfer(const Problem& given, const Layer& layer, double ratio, double frequency, State state)
 {
-    const ShearBeam beam{layer.soil, layer.height(), 0.0, true};
+    const ShearBeam beam{layer.soil, layer.height(), 0.0};
     const double omega = 2.0 * pi * frequency, amplitude = 1e-6; // of the base's acceleration [m/s2]
     const Complex i(0.0, 1.0), water = shear_fluid_share(layer.soil, i * omega);
     const double base = -amplitude / (omega * omega); // displacement of the base, Im(base e^{i omega t}) [m]

@@ -3,19 +3,9 @@
 
 #include "solver/verification/column_response.hpp"
 
-#include <functional>
 #include <vector>
 
 namespace quicksand {
-
-/// Settlement of a half space at a depth z [m], water and grains both incompressible (de Boer, Ehlers and Liu
-/// 1993); positive downward. `load` is the pressure on the skeleton's surface by time [Pa], smooth on the
-/// scale of t/100; the water bulk modulus of the soil is not used.
-double half_space_settlement(const SaturatedSoil& soil, const std::function<double(double)>& load,
-                             double depth, double time);
-
-/// Speed of the front in the half space [m/s].
-double half_space_front_speed(const SaturatedSoil& soil);
 
 /// A column of finite height with compressible water, at rest until its top is loaded by
 ///   q(t) = q/2 [1 - cos(pi t / t_r)] until t_r, then q.

@@ -62,7 +62,8 @@ void shear_at_constant_mean_stress(double gamma, double s, Specimen& specimen)
         specimen = before;
         strain(0.5 * volumetric, 0.5 * volumetric, gamma, specimen);
         const double error = s - 0.5 * (specimen.state.sigma_x + specimen.state.sigma_y);
-        volumetric += error / plane_bulk_modulus(specimen.law, specimen.state);
+        volumetric += error / (constrained_modulus(specimen.law, specimen.state) -
+                               shear_modulus(specimen.law, specimen.state));
     }
 }
 

@@ -2,8 +2,6 @@
 #include "geometry/section.hpp"
 #include "tests/unit/geometry/scratch_files.hpp"
 
-#include <cmath>
-
 namespace quicksand {
 namespace {
 
@@ -53,16 +51,6 @@ INSTANTIATE_TEST_SUITE_P(Places, Thickness,
                                          ThicknessCase{{10.0, 0.0}, 1.0, 0.0},  // at the right end
                                          ThicknessCase{{11.0, 0.0}, 0.0, 0.0},  // beside the soil
                                          ThicknessCase{{5.0, 9.0}, 0.0, 0.0})); // above it
-
-TEST(Section, SurfaceElevationIsTheHighestSoil)
-{
-    const Section section = dike_on_foundation();
-    EXPECT_DOUBLE_EQ(surface_elevation(section, 1.0), 1.0);
-    EXPECT_DOUBLE_EQ(surface_elevation(section, 3.0), 2.0);
-    EXPECT_DOUBLE_EQ(surface_elevation(section, 5.0), 3.0);
-    EXPECT_DOUBLE_EQ(surface_elevation(section, 10.0), 1.0);
-    EXPECT_TRUE(std::isinf(surface_elevation(section, -0.1)) && surface_elevation(section, -0.1) < 0.0);
-}
 
 TEST(RegionLocator, GivesAPointOnASharedEdgeToExactlyOneRegion)
 {

@@ -53,9 +53,7 @@ TEST(RunManifest, TellsWhichInputHasChanged)
     const fixtures::TemporaryFolder folder;
     Scene scene = fixtures::small_scene();
     scene.file = folder / "scene.toml";
-    const auto given = [](const char* path, const char* value) {
-        return ResolvedKey{path, value, "", "", true};
-    };
+    const auto given = [](const char* path, const char* value) { return ResolvedKey{path, value, "", true}; };
     const std::vector<ResolvedKey> keys = {given("title", "no file"), given("geometry.file", "a.geo"),
                                            given("motion.file", "record.csv"),
                                            given("boundaries.\"a b\".history", "load.csv")};

@@ -53,7 +53,6 @@ TEST(SceneFile, SealsWallsAndDrainsFreeSurfaces)
     const SceneFolder folder;
     const Scene scene = folder.read(replaced(column_scene, "soil = \"free\"", "soil = \"roller\"")).scene;
     EXPECT_EQ(scene.boundaries.at(0).water, WaterCondition::impervious);
-    EXPECT_EQ(scene.boundaries.at(1).tied_to, "right");
     EXPECT_EQ(scene.boundaries.at(3).water, WaterCondition::impervious);
     EXPECT_EQ(folder.read(column_scene).scene.boundaries.at(3).water, WaterCondition::drained);
     const std::string drained =

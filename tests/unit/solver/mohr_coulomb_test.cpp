@@ -1,6 +1,7 @@
 // The Mohr-Coulomb law at a point: the return to every part of the surface against closed forms, invariants
 // of random paths, and the stress of known tests.
 #include "solver/mohr_coulomb.hpp"
+#include "solver/mohr_coulomb_surface.hpp"
 #include "solver/particle_motion.hpp"
 
 #include <gtest/gtest.h>
@@ -21,6 +22,18 @@ constexpr double degree = std::numbers::pi / 180.0;
 MohrCoulomb silty_sand()
 {
     return {10e6, 0.3, 8e3, 32.0 * degree, 7.0 * degree, 5e3};
+}
+
+/// How far principal stresses, largest tension first, lie outside the surface, negative inside [Pa].
+double yield_excess(const MohrCoulomb& law, const Vector3d& principal)
+{
+    return MohrCoulombSurface(law).excess(principal[0], principal[2]);
+}
+
+/// The principal stresses to which an elastic trial returns, both largest tension first [Pa].
+Vector3d return_to_surface(const MohrCoulomb& law, const Vector3d& trial)
+{
+    return yield_excess(law, trial) > 0.0 ? MohrCoulombSurface(law).return_from(trial) : trial;
 }
 
 /// One particle at rest with a stress xx, yy, zz, xy [Pa].

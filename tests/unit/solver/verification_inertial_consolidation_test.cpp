@@ -1,17 +1,15 @@
-#include "solver/verification/biot_dispersion.hpp"
 #include "solver/verification/inertial_consolidation.hpp"
 #include "solver/verification/terzaghi.hpp"
+#include "tests/fixtures/closed_forms.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace quicksand {
 namespace {
 
 SaturatedSoil layer_soil(double conductivity)
 {
-    SaturatedSoil soil = with_elasticity({}, 10e6, 0.0);
+    SaturatedSoil soil = fixtures::elastic_soil(10e6, 0.0);
     soil.porosity = 0.3;
     soil.hydraulic_conductivity = conductivity;
     return soil;

@@ -1,8 +1,7 @@
 #include "solver/verification/mandel.hpp"
+#include "tests/fixtures/closed_forms.hpp"
 
 #include <gtest/gtest.h>
-
-#include <cmath>
 
 namespace quicksand {
 namespace {
@@ -11,7 +10,7 @@ namespace {
 MandelSlab slab()
 {
     MandelSlab slab;
-    slab.soil = with_elasticity({}, 24e6, 0.2);
+    slab.soil = fixtures::elastic_soil(24e6, 0.2);
     slab.soil.porosity = 0.4;
     slab.half_width = 2.0;
     slab.force = 5e3;

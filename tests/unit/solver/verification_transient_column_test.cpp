@@ -1,5 +1,7 @@
 #include "solver/verification/terzaghi.hpp"
 #include "solver/verification/transient_column.hpp"
+#include "tests/fixtures/closed_forms.hpp"
+#include "tests/fixtures/half_space.hpp"
 
 #include <gtest/gtest.h>
 
@@ -46,8 +48,9 @@ TEST(HalfSpace, SettlementIsPublished)
                                {1.0, 0.05, 0.056113}, {1.0, 0.1, 0.105923}, {1.0, 0.2, 0.180603},
                                {5.0, 0.05, 0.0},      {5.0, 0.1, 0.000618}, {5.0, 0.2, 0.014339}};
     for (const auto& [z, t, u] : table)
-        EXPECT_NEAR(1e3 * half_space_settlement(half_space_soil(), load, z, t), u, 5.1e-7) << z << " " << t;
-    EXPECT_NEAR(half_space_front_speed(half_space_soil()), 90.94, 5e-3);
+        EXPECT_NEAR(1e3 * fixtures::half_space_settlement(half_space_soil(), load, z, t), u, 5.1e-7)
+            << z << " " << t;
+    EXPECT_NEAR(fixtures::half_space_front_speed(half_space_soil()), 90.94, 5e-3);
 }
 
 TEST(HalfSpace, WithoutDragTheLoadTravelsUnchanged)
@@ -55,9 +58,9 @@ TEST(HalfSpace, WithoutDragTheLoadTravelsUnchanged)
     SaturatedSoil soil = half_space_soil();
     soil.hydraulic_conductivity = 1e9;
     const auto load = [](double t) { return 1e3 * t; };
-    const double c = half_space_front_speed(soil), z = 2.0, t = 0.1;
+    const double c = fixtures::half_space_front_speed(soil), z = 2.0, t = 0.1;
     const double expected = c / soil.constrained_modulus * 0.5e3 * (t - z / c) * (t - z / c);
-    EXPECT_NEAR(half_space_settlement(soil, load, z, t) / expected, 1.0, 1e-6);
+    EXPECT_NEAR(fixtures::half_space_settlement(soil, load, z, t) / expected, 1.0, 1e-6);
 }
 
 TEST(TransientColumn, IncompressibleColumnIsTheHalfSpaceBeforeItsReflection)
@@ -73,7 +76,7 @@ TEST(TransientColumn, IncompressibleColumnIsTheHalfSpaceBeforeItsReflection)
     for (const double z : {0.0, 1.0, 5.0}) {
         const auto motion = column_motion(column, 10.0 - z, times);
         for (std::size_t i = 0; i < times.size(); ++i) {
-            const double exact = half_space_settlement(column.soil, load, z, times[i]);
+            const double exact = fixtures::half_space_settlement(column.soil, load, z, times[i]);
             EXPECT_NEAR(-motion[i].displacement_solid, exact, 1e-10) << z << " " << times[i];
         }
     }
@@ -84,7 +87,7 @@ TEST(TransientColumn, LateMotionIsConsolidation)
     const TransientColumn column = column_of(1e-6, 0.05); // 66 periods of the fast wave: no ringing
     const SaturatedSoil& soil = column.soil;
     const double t = 0.6, T = time_factor(soil, column.height, t - 0.5 * column.ramp_duration);
-    const double p0 = soil.undrained_pressure_ratio();
+    const double p0 = fixtures::undrained_pressure_ratio(soil);
     for (const double Z : {0.3, 1.0}) {
         const auto motion = column_motion(column, column.height * (1.0 - Z), {t});
         EXPECT_NEAR(motion[0].pore_pressure, p0 * terzaghi_pressure_ratio(Z, T), 1e-4) << Z;
@@ -103,7 +106,8 @@ TEST(TransientColumn, EarlyMotionIsTheUndrainedWave)
     const std::vector<double> times = {0.9 * arrival, arrival + 1e-5, arrival + 2.5e-5, arrival + 8e-5};
     const auto motion = column_motion(column, x, times); // the reflection comes 2 x / c = 0.24 ms later
     for (std::size_t i = 0; i < times.size(); ++i) {
-        const double expected = column.soil.undrained_pressure_ratio() * ramp_of(column, times[i] - arrival);
+        const double expected =
+            fixtures::undrained_pressure_ratio(column.soil) * ramp_of(column, times[i] - arrival);
         EXPECT_NEAR(motion[i].pore_pressure, expected, 3e-3) << i;
     }
     EXPECT_NEAR(motion[0].pore_pressure, 0.0, 1e-5); // nothing outruns the front
