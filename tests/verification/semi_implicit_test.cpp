@@ -43,6 +43,20 @@ TEST(SemiImplicitStep, RandomMotionDecaysForEveryPermeability)
         EXPECT_LT(energy_growth(semi_implicit_patch(conductivity), 1.0), 1e-2) << conductivity;
 }
 
+TEST(SemiImplicitStep, AnUnsolvedPressureIsANumericalFailure)
+{
+    const Problem problem = semi_implicit_patch(1e-4);
+    State state = restless(problem);
+    SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
+    work.controls.max_iterations = 1;
+    try {
+        advance_semi_implicit_step(problem, stable_time_step(problem, state.particles).dt, state, work);
+        FAIL() << "no error";
+    } catch (const NumericalError& error) {
+        EXPECT_EQ(error.record.what, "the pressure of the cells does not converge in 1 iterations");
+    }
+}
+
 TEST(SemiImplicitStep, AStiffParticleCountsByItsShareOfTheCell)
 {
     for (const double ratio : {9.0, 36.0}) {

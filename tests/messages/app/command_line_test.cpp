@@ -60,6 +60,14 @@ TEST(CommandLine, OneBenchTakesOneScene)
     }
 }
 
+TEST(CommandLine, ABenchOfNothingKnownListsItsSubjects)
+{
+    const Outcome outcome = run_program("bench speed");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "SUBJECT: speed not in {kernel,error,grid,scale,skip}");
+    expect_mention(outcome, "hint: quicksand bench --help shows what is allowed");
+}
+
 TEST(CommandLine, AMisspeltOptionIsGuessed)
 {
     const Outcome outcome = run_program("run " + example("dike") + " --thread 2");
@@ -87,7 +95,7 @@ TEST(CommandLine, AFurtherWordIsRefused)
 {
     const Outcome outcome = run_program("version now");
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "version knows no further word 'now'");
+    expect_mention(outcome, "version knows no further word 'now'\nexpected: quicksand version --help shows");
 }
 
 TEST(CommandLine, ThreadsHaveARange)
@@ -135,6 +143,19 @@ TEST(CommandLine, AFullDiskUnderStandardOutputIsAFileError)
     }
 }
 
+TEST(Installation, WithoutItsReaderOfDrawingsIsNamed)
+{
+    const WorkFolder folder;
+    std::filesystem::create_directory(folder / "bin");
+    const Outcome outcome =
+        run_shell("cp \"$QUICKSAND\" " + folder.string() + "/bin/quicksand && " + folder.string() +
+                  "/bin/quicksand check " + example("column") + " -o " + folder.string() + "/out");
+    EXPECT_EQ(outcome.code, 4) << outcome.output;
+    expect_mention(outcome,
+                   "cannot find the program that reads .geo and .msh files: it is neither here nor ");
+    expect_mention(outcome, "hint: install Quicksand completely");
+}
+
 TEST(Keys, APatternSelects)
 {
     const Outcome outcome = run_program("keys porosity");
@@ -155,7 +176,17 @@ TEST(New, AnUnknownKindIsGuessed)
     const WorkFolder folder;
     const Outcome outcome = run_program("new dyke " + (folder / "mine").string());
     EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "there is no kind of scene 'dyke'\nexpected: column, dike\n");
     expect_mention(outcome, "did you mean dike?");
+}
+
+TEST(New, ANameThatNoFileCanHaveIsRefused)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("new dike " + folder.string() + "/'my\"dike'");
+    EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "my\"dike' cannot be the name of a scene: it must be a plain folder name");
+    EXPECT_TRUE(std::filesystem::is_empty(folder.string()));
 }
 
 TEST(New, AnExistingFolderIsLeftAlone)

@@ -41,7 +41,7 @@ TEST(Element, AFolderWithoutTestsIsRefused)
     const WorkFolder folder;
     const Outcome outcome = run_program("element " + folder.string());
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "holds no test.toml");
+    expect_mention(outcome, "holds no test.toml\nhint: name the test file itself");
 }
 
 TEST(Element, AMistakeInTheFileIsShownInItsPlaceAndNothingIsWritten)
@@ -86,6 +86,15 @@ TEST(Element, ResultsOfSomethingElseAreLeftAlone)
         run_program("element " + folder.string() + " -o " + (folder / "out/run_manifest.json").string());
     EXPECT_EQ(other.code, 2);
     expect_mention(other, "is a file, not a folder for results");
+}
+
+TEST(Element, AFolderThatCannotBeMadeIsAFileError)
+{
+    const WorkFolder folder;
+    write(folder / "test.toml", shear_test);
+    const Outcome outcome = run_program("element " + folder.string() + " -o /proc/quicksand/out");
+    EXPECT_EQ(outcome.code, 4) << outcome.output;
+    expect_mention(outcome, "/proc/quicksand/out: cannot create the folder: ");
 }
 
 TEST(Element, AnOverrideWithoutValueIsRefused)

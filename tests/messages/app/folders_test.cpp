@@ -20,7 +20,7 @@ TEST(SceneFolder, AMissingSceneIsNamed)
 {
     const Outcome outcome = run_program("run no/such/scene.toml");
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "there is no scene no/such/scene.toml");
+    expect_mention(outcome, "there is no scene no/such/scene.toml\nhint: name a scene file or its folder");
 }
 
 TEST(SceneFolder, AFolderWithoutASceneIsNamed)
@@ -28,7 +28,7 @@ TEST(SceneFolder, AFolderWithoutASceneIsNamed)
     const WorkFolder folder;
     const Outcome outcome = run_program("check " + folder.string());
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "holds no scene.toml");
+    expect_mention(outcome, "holds no scene.toml\nhint: name the scene file itself");
 }
 
 TEST(SceneFolder, AWrongOverrideIsGuessed)
@@ -54,7 +54,7 @@ TEST(ResultsFolder, AFolderThatCannotBeMadeIsAFileError)
 {
     const Outcome outcome = run_program(short_column + "/proc/quicksand/results");
     EXPECT_EQ(outcome.code, 4);
-    expect_mention(outcome, "/proc/quicksand/results");
+    expect_mention(outcome, "/proc/quicksand/results: cannot create the folder: ");
 }
 
 TEST(ResultsFolder, OfARunWithoutALogCanBeOverwritten)
@@ -132,14 +132,35 @@ TEST(ResultsFolder, AnotherSceneCannotResume)
         run_program("run " + example("column") + " --set initial.k0=0.6 --resume --until 1e-5 -o " +
                     (folder / "a").string());
     EXPECT_EQ(outcome.code, 2);
+    expect_mention(outcome, "checkpoint/state.h5: the checkpoint is of another scene (hash ");
+    expect_mention(outcome, "Resume with the unchanged scene file and the same --set values");
+}
+
+TEST(ResultsFolder, OfAFinishedRunHasNothingToResume)
+{
+    const WorkFolder folder;
+    const std::string run = short_column + (folder / "results").string();
+    ASSERT_EQ(run_program(run).code, 0);
+    const Outcome again = run_program(run + " --resume");
+    EXPECT_EQ(again.code, 0) << again.output;
+    expect_mention(again, "Nothing to do: the results reach t = 5e-6 s already.");
+}
+
+TEST(Probes, OneOutsideTheSoilIsNamedWithTheNearestParticle)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program(short_column + (folder / "results").string() +
+                                        " --set 'probes.far.kind=\"material\"' --set 'probes.far.at=[5, 5]'");
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    expect_mention(outcome, "probe 'far' at (5, 5) m lies outside the soil: the nearest particle is at ");
 }
 
 TEST(ResultsFolder, APictureNeedsResults)
 {
     const WorkFolder folder;
     const Outcome outcome = run_program("picture " + folder.string());
-    EXPECT_NE(outcome.code, 0);
-    EXPECT_NE(outcome.code, 5) << outcome.output;
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    expect_mention(outcome, "fields.pvd: there is no such series. Is this the results folder of a run?");
 }
 
 TEST(ResultsFolder, AProbeNeedsResults)
@@ -163,6 +184,33 @@ TEST(NumericalFailure, IsToldKeptAndCoded)
     EXPECT_NE(read_file(folder / "results/run_manifest.json").find("\"status\": \"failed\""),
               std::string::npos);
     EXPECT_NE(read_file(folder / "results/log.txt").find("does not settle"), std::string::npos);
+}
+
+TEST(NumericalFailure, TellsWhatIsStillGood)
+{
+    const WorkFolder folder;
+    const std::string results = (folder / "results").string();
+    const Outcome outcome = run_program("run " + example("column") +
+                                        " --until 2e-4 --set output.frame_interval=2e-5"
+                                        " --set 'boundaries.surface.traction=[0, 1e9]' -o " +
+                                        results);
+    EXPECT_EQ(outcome.code, 3) << outcome.output;
+    expect_mention(outcome, "a particle has left the grid");
+    expect_mention(outcome, "last good frame: " + results + "/fields/frame_00000");
+    expect_mention(outcome,
+                   "last checkpoint: " + results + "/checkpoint/state.h5 (go on from it with --resume)");
+}
+
+TEST(NumericalFailure, OfABodyThatNothingHoldsIsTold)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("stability " + example("verification/griffiths_lane") +
+                                        " --set grid.cell_size=2 --set boundaries.base.soil=free"
+                                        " --set boundaries.right.soil=free -o " +
+                                        (folder / "results").string());
+    EXPECT_EQ(outcome.code, 3) << outcome.output;
+    expect_mention(outcome, "the body does not stand, however strong its soil");
+    expect_mention(outcome, "likely causes: a wall is missing among the boundaries");
 }
 
 } // namespace

@@ -57,15 +57,56 @@ GmshRequest with_limit(double seconds)
     return request;
 }
 
-GmshRequest with_quads(double size)
+GmshRequest with_quads(double size, double time_limit = GmshRequest().time_limit)
 {
-    GmshRequest request;
+    GmshRequest request = with_limit(time_limit);
     request.quad_size = size;
     return request;
 }
 
 const std::string mesh_2_2 = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 const std::string two_nodes = "$Nodes\n3\n1 0 0 0\n2 1 0 0\n3 0 1 0\n$EndNodes\n";
+const std::string empty_groups = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 2 "base"
+2 1 "sand"
+$EndPhysicalNames
+$Entities
+2 1 1 0
+1 0 0 0 0
+2 1 0 0 0
+1 0 0 0 1 0 0 1 2 2 1 -2
+1 0 0 0 1 1 0 1 1 1 1
+$EndEntities
+$Nodes
+1 2 1 2
+2 1 0 2
+1
+2
+0 0 0
+1 0 0
+$EndNodes
+)";
+const std::string sand_of_two_triangles = R"($PhysicalNames
+1
+2 1 "sand"
+$EndPhysicalNames
+$Nodes
+4
+1 0 0 0
+2 1 0 0
+3 0 1 0
+4 1 1 0
+$EndNodes
+$Elements
+2
+1 2 2 1 1 1 2 3
+2 2 2 1 1 1 2 4
+$EndElements
+)";
 
 class FileMessages : public testing::TestWithParam<Mistake> {};
 
@@ -87,10 +128,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "dike.geo",
                 square + "Plane Surface(1) = {1}\n" + named,
                 {"'dike.geo', line 4: syntax error", "a ; missing in the line before"}},
-        Mistake{"unknown_variable",
-                "dike.geo",
-                "Point(1) = {0, hight, 0};\n",
-                {"line 1: Unknown variable 'hight'"}},
+        Mistake{
+            "unknown_variable",
+            "dike.geo",
+            "Point(1) = {0, hight, 0};\n",
+            {"line 1: Unknown variable 'hight'", "hint: the first line is usually the cause of the others"}},
         Mistake{"missing_curve",
                 "dike.geo",
                 square + "Curve Loop(1) = {1, 2, 4}; Plane Surface(1) = {1};\n" + named,
@@ -122,6 +164,14 @@ INSTANTIATE_TEST_SUITE_P(
                 "dike.geo",
                 square + surface + named + "Physical Curve(3) = {1};\n",
                 {"Physical Curve(3) has no name"}},
+        Mistake{"many_unnamed_curves",
+                "dike.geo",
+                square + surface + named + "For k In {1:9}\n Physical Curve(k) = {1};\nEndFor\n",
+                {"Physical Curve(6) has no name", "\n  and 3 more\nhint: name soil"}},
+        Mistake{"open_outline",
+                "dike.geo",
+                square + "Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1};\n" + named,
+                {"the outline of surface 1 is not closed: nothing goes on from (0.000000, 1.000000)"}},
         Mistake{"group_of_nothing",
                 "dike.geo",
                 square + surface + named + "Physical Curve(\"base\") = {17};\n",
@@ -173,6 +223,11 @@ INSTANTIATE_TEST_SUITE_P(
                 "Macro deeper\n x = 1;\n Call deeper;\nReturn\nCall deeper;\n",
                 {"gmsh was stopped after 1 s", "loop or macro without end"},
                 with_limit(1.0)},
+        Mistake{"too_slow_when_meshed",
+                "dike.geo",
+                square + surface + named,
+                {"gmsh was stopped after 1e-09 s", "loop or macro without end, or ask for larger quad"},
+                with_quads(0.1, 1e-9)},
         Mistake{"misspelt_parameter",
                 "dike.geo",
                 "DefineConstant[ crest_width = 3, slope = 2 ];\n" + square + surface + named,
@@ -191,6 +246,17 @@ INSTANTIATE_TEST_SUITE_P(
                     surface + named,
                 {"cannot mesh the section", "meets itself at (0.5, 0.5)"},
                 with_quads(0.1)},
+        Mistake{"not_to_be_meshed",
+                "dike.geo",
+                square + surface + named +
+                    "Transfinite Curve{1} = 3; Transfinite Curve{3} = 5; Transfinite Surface{1};\n",
+                {"gmsh cannot mesh the section", "hint: try another size of the quadrilaterals"},
+                with_quads(0.3)},
+        Mistake{"hidden_when_meshed",
+                "dike.geo",
+                square + surface + named + "Mesh.MeshOnlyVisible = 1; Hide { Surface{1}; }\n",
+                {"Physical Surface(\"sand\") was left without elements"},
+                with_quads(0.3)},
         Mistake{"too_many_quads",
                 "dike.geo",
                 square + surface + named,
@@ -215,6 +281,15 @@ INSTANTIATE_TEST_SUITE_P(
                 "dike.msh",
                 mesh_2_2 + two_nodes + "$Elements\n1\n1 2 2 5 1 1 2 3\n$EndElements\n",
                 {"Physical Surface(5) has no name"}},
+        Mistake{"groups_without_elements",
+                "dike.msh",
+                empty_groups,
+                {"Physical Surface(\"sand\") has no elements",
+                 "Physical Curve(\"base\") has no line elements; save the mesh with its physical curves"}},
+        Mistake{"overlapping_elements",
+                "dike.msh",
+                mesh_2_2 + sand_of_two_triangles,
+                {"the elements of \"sand\" have no closed outline"}},
         Mistake{
             "parameter", "dike.msh", mesh_2_2, {"declares no parameter \"width\""}, with_parameter("width")},
         Mistake{"other_format", "dike.stl", "solid\n", {"a section is a .geo, .geo_unrolled or .msh file"}}),
@@ -225,6 +300,13 @@ TEST(FileMessages, NameAMissingFile)
     GmshRequest request;
     request.file = "nowhere/dike.geo";
     expect_parts(message_of(request), {"nowhere/dike.geo: there is no such file"});
+}
+
+TEST(FileMessages, NameADevice)
+{
+    GmshRequest request;
+    request.file = "/dev/null";
+    expect_parts(message_of(request), {"/dev/null: is not a regular file"});
 }
 
 TEST(FileMessages, NameAFolder)

@@ -31,6 +31,14 @@ Section with_names(const std::string& first, const std::string& second)
     return section;
 }
 
+Section with_two_curves_and_points_of_one_name()
+{
+    Section section = with_curve({{0, 0}, {2, 0}});
+    section.curves.push_back({"base", {Segment{{0, 2}, {2, 2}}}});
+    section.points = {{"toe", {0, 0}}, {"toe", {2, 0}}};
+    return section;
+}
+
 Section single(const Polygon& polygon)
 {
     return make_section({{"sand", {polygon}}});
@@ -70,6 +78,14 @@ INSTANTIATE_TEST_SUITE_P(
                 two_layers(1.1, 1.0),
                 covering,
                 {"regions \"clay\" and \"sand\" overlap by 0.2 m2 between (0, 1) and (2, 1.1)"}},
+        Mistake{"overlap_in_one_region",
+                make_section({{"sand", {rectangle(0, 0, 2, 1.1), rectangle(0, 1, 2, 2)}}}),
+                covering,
+                {"two surfaces of region \"sand\" overlap by 0.2 m2 between (0, 1) and (2, 1.1)"}},
+        Mistake{"flat",
+                single({{{0, 0}, {2, 0}}, {}}),
+                covering,
+                {"region \"sand\" has an outline without area at (0, 0)"}},
         Mistake{"gap",
                 make_section({{"clay", {{{{0, 0}, {2, 0}, {2, 1}, {1, 0.9}, {0, 1}}, {}}}},
                               {"sand", {rectangle(0, 1, 2, 2)}}}),
@@ -99,6 +115,13 @@ INSTANTIATE_TEST_SUITE_P(
                 make_grid(0.25, 0, 0.25, 8, 8),
                 {"does not cover region \"clay\""}}),
     [](const auto& named) { return named.param.name; });
+
+TEST(SectionMessages, CountCurvesAndPointsOfOneName)
+{
+    EXPECT_EQ(check_section(with_two_curves_and_points_of_one_name(), covering),
+              (std::vector<std::string>{"2 curves are called \"base\"; give each its own name.",
+                                        "2 points are called \"toe\"; give each its own name."}));
+}
 
 TEST(SectionMessages, LeaveAFloorAloneThatGoesOnBeyondTheSoil)
 {

@@ -133,6 +133,17 @@ TEST(Assembly, RefusesTiedSidesOfUnequalHeight)
               std::string::npos);
 }
 
+TEST(Assembly, RefusesTiedCurvesOnOneSide)
+{
+    Section section = column_section();
+    section.curves[1].segments = section.curves[3].segments;
+    const std::string message = SceneFolder().assembly_message(column_scene, section);
+    EXPECT_NE(message.find("error[tied]: the tied curves \"left\" and \"right\" are at the same x = 0 m"),
+              std::string::npos)
+        << message;
+    EXPECT_NE(message.find("expected: two opposite sides"), std::string::npos) << message;
+}
+
 TEST(Assembly, RefusesTiedCurvesThatAreNotVertical)
 {
     Section section = column_section();

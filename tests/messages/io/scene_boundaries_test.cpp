@@ -15,6 +15,7 @@ TEST_P(SceneBoundaries, AreReportedWithPlaceAndCure)
     folder.write("late.csv", "time,factor\n0.5,0\n0.6,1\n");
     folder.write("back.csv", "0,0\n0.2,1\n0.1,2\n");
     folder.write("words.csv", "time,factor\n0,0\nlater,1\n");
+    folder.write("one.csv", "time,factor\n0,0\n");
     folder.write("good.csv", "0,0\n0.2,1\n");
     const std::string text = fixtures::replaced(fixtures::column_scene, mistake.sound, mistake.mistaken);
     EXPECT_EQ(folder.message(text), mistake.message.substr(1)); // after the line break that opens it
@@ -206,6 +207,15 @@ R"_(
 scene.toml:44:11: error[history]: 'back.csv': its time does not increase at line 3
    44 | history = "back.csv"
       |           ^~~~~~~~~~
+expected: rows `time_s, factor` from time 0 on, at most one header line
+)_"},
+SceneMistake{"HistoryOfOneRow",
+    "soil = \"free\"",
+    "soil = \"free\"\npressure = 1e4\nhistory = \"one.csv\"",
+R"_(
+scene.toml:44:11: error[history]: 'one.csv': it holds fewer than two rows of two numbers
+   44 | history = "one.csv"
+      |           ^~~~~~~~~
 expected: rows `time_s, factor` from time 0 on, at most one header line
 )_"},
 SceneMistake{"HistoryOfWords",

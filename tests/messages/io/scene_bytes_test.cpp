@@ -35,6 +35,16 @@ TEST(SceneFile, DeviceIsNoScene)
     EXPECT_EQ(refusal_of("/dev/zero"), "/dev/zero: error[file]: is not a regular file");
 }
 
+TEST(SceneFile, OneBeyondAllScenesIsNotRead)
+{
+    const fixtures::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "scene.toml";
+    std::ofstream(file) << column_scene;
+    std::filesystem::resize_file(file, (std::uintmax_t(64) << 20) + 1);
+    EXPECT_EQ(refusal_of(file),
+              file.string() + ": error[file]: is larger than 64 MiB\nhint: is it the right file?");
+}
+
 TEST(SceneFile, BinaryIsNoScene)
 {
     const SceneFolder folder;
@@ -145,6 +155,14 @@ TEST(SceneOverride, OfAnUnknownKeyIsRefused)
 expected: end_time
 hint: did you mean end_time?
 )");
+}
+
+TEST(SceneOverride, OfTwoLinesIsRefused)
+{
+    const SceneFolder folder;
+    EXPECT_EQ(folder.message(column_scene, {"title=\"a\nb\""}),
+              "--set 'title=\"a\nb\"': error[set]: it is not a single line of text\n"
+              "expected: path=value, as materials.sand.porosity=0.4\n");
 }
 
 TEST(SceneOverride, WithoutPathOrValueIsRefused)

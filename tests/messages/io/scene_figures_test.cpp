@@ -42,6 +42,14 @@ scene.toml:56:10: error[figure]: the figure is of 0 probes
       |          ^~
 expected: one probe or more
 )_"},
+SceneMistake{"TwoProfiles", "",
+    "[probes.a]\nkind = \"profile\"\nat = [0.03, 0]\nto = [0.03, 0.3]\n[probes.b]\nkind = \"profile\"\nat = [0.03, 0]\nto = [0.03, 0.3]\n[figures.a]\nkind = \"isochrones\"\nprobes = [\"a\", \"b\"]\nquantity = \"ru\"\n",
+R"_(
+scene.toml:65:10: error[figure]: the figure is of 2 probes
+   65 | probes = ["a", "b"]
+      |          ^~~~~~~~~~
+expected: one profile
+)_"},
 SceneMistake{"RangeUpsideDown", "",
     "[figures.a]\nkind = \"field\"\nfield = \"displacement\"\nrange = [1.0, 0.0]\n",
 R"_(

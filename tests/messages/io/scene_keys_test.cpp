@@ -106,6 +106,16 @@ scene.toml:1:17: error[version]: scene_version 2 is not known to this program
 expected: scene_version = 1
 hint: the scene is for a newer version of Quicksand
 )_"},
+SceneMistake{"VersionBeforeTheFirst",
+    "scene_version = 1",
+    "scene_version = 0",
+R"_(
+scene.toml:1:17: error[version]: scene_version 0 is not known to this program
+    1 | scene_version = 0
+      |                 ^
+expected: scene_version = 1
+hint: the first version is 1
+)_"},
 SceneMistake{"KeyOfAnotherKind",
     "kind = \"sine\"",
     "kind = \"none\"",
@@ -214,6 +224,23 @@ scene.toml:52:1: error[missing-key]: [probes.crest] has no to
    52 | [probes.crest]
       | ^~~~~~~~~~~~~~
 expected: to [m]: End of a profile.
+)_"},
+SceneMistake{"ProfileWithoutLength",
+    "kind = \"surface\"\nat = [0.03, 0.3]",
+    "kind = \"profile\"\nat = [0.03, 0.3]\nto = [0.03, 0.3]",
+R"_(
+scene.toml:55:6: error[range]: the profile has no length
+   55 | to = [0.03, 0.3]
+      |      ^~~~~~~~~~~
+expected: a point other than at
+)_"},
+SceneMistake{"ProbesThatShareTheirFile",
+    "[probes.crest]",
+    "[probes.Crest]\nkind = \"surface\"\nat = [0.01, 0.3]\n\n[probes.crest]",
+R"_(
+scene.toml:56:1: error[name]: the probes "Crest" and "crest" differ in capitals only
+   56 | [probes.crest]
+      | ^~~~~~~~~~~~~~
 )_"},
 SceneMistake{"ProbeNameNoFile",
     "[probes.crest]",

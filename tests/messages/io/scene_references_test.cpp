@@ -76,6 +76,20 @@ scene.toml:35:11: error[tied]: "left" is tied to itself
       |           ^~~~~~
 hint: name the opposite curve
 )_"},
+SceneMistake{"ThreeTiedCurves",
+    "soil = \"free\"",
+    "soil = \"tied\"\ntied_to = \"left\"",
+R"_(
+scene.toml:41:1: error[tied]: a scene has at most one pair of tied curves
+   41 | [boundaries.surface]
+      | ^~~~~~~~~~~~~~~~~~~~
+expected: two boundaries with soil = "tied"
+scene.toml:43:11: error[tied]: "left" is tied to "right", not to "surface"
+   43 | tied_to = "left"
+      |           ^~~~~~
+expected: two curves tied to each other
+hint: write soil = "tied" and tied_to = "surface" in [boundaries.left]
+)_"},
 SceneMistake{"MissingDrawing",
     "file = \"column.geo\"",
     "file = \"colunm.geo\"",
@@ -95,6 +109,15 @@ scene.toml:5:8: error[file]: '.' is a folder
       |        ^~~
 expected: a drawing
 hint: name the file in it
+)_"},
+SceneMistake{"FileThatIsNoDrawing",
+    "file = \"column.geo\"",
+    "file = \"scene.toml\"",
+R"_(
+scene.toml:5:8: error[file]: 'scene.toml' is not a drawing that can be read
+    5 | file = "scene.toml"
+      |        ^~~~~~~~~~~~
+expected: a file .geo, .geo_unrolled or .msh
 )_"},
 SceneMistake{"RecordMissing",
     "kind = \"sine\"\namplitude = \"24 g\"\nfrequency = 180",

@@ -81,6 +81,24 @@ scene.toml:50:10: error[syntax]: expected '=', saw '0'
       |          ^
 hint: a line is `key = value`, `[table]` or `# comment`
 )_"},
+SceneMistake{"NoDigitAfterThePoint",
+    "end_time = 0.2",
+    "end_time = 0.",
+R"_(
+scene.toml:50:14: error[syntax]: expected decimal digit, saw '\n'
+   50 | end_time = 0.
+      |              ^
+hint: write a digit on both sides of the point: 0.5
+)_"},
+SceneMistake{"NoValue",
+    "end_time = 0.2",
+    "end_time =",
+R"_(
+scene.toml:50:11: error[syntax]: expected value, saw '\n'
+   50 | end_time =
+      |           ^
+hint: give the key a value, or put # before the line
+)_"},
 SceneMistake{"LoneBracket",
     "title = \"column\"",
     "[",
@@ -102,6 +120,32 @@ scene.toml:2:16: error[syntax]: the character '”' is allowed in quotes and com
     2 | title = “column”
       |                ^
 hint: typographic quotes are no quotes here: use "
+)_"},
+SceneMistake{"MinusSignOfTypography",
+    "level = 0.3175",
+    "level = −0.3",
+R"_(
+scene.toml:17:9: error[syntax]: the character '−' is allowed in quotes and comments only
+   17 | level = −0.3
+      |         ^
+hint: use the plain minus sign -
+)_"},
+SceneMistake{"SpaceWithoutBreak",
+    "level = 0.3175",
+    "level =\u00a00.3",
+"\n"
+"scene.toml:17:8: error[syntax]: the character '\u00a0' is allowed in quotes and comments only\n"
+"   17 | level =\u00a00.3\n"
+"      |        ^\n"
+"hint: use a plain space\n"},
+SceneMistake{"UmlautInAKey",
+    "level = 0.3175",
+    "lövel = 0.3",
+R"_(
+scene.toml:17:2: error[syntax]: the character 'ö' is allowed in quotes and comments only
+   17 | lövel = 0.3
+      |  ^
+hint: put names with such characters in quotes
 )_"}), fixtures::name_of);
 // clang-format on
 

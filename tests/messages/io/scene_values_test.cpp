@@ -73,6 +73,52 @@ scene.toml:11:26: error[type]: sampling.particles_per_cell = 2.5 is not a whole 
       |                          ^~~
 expected: a whole number, 1 to 10
 )_"},
+SceneMistake{"WholeNumberWithAPoint",
+    "particles_per_cell = [3, 3]",
+    "particles_per_cell = [3, 2.0]",
+R"_(
+scene.toml:11:26: error[type]: sampling.particles_per_cell = 2 is not a whole number
+   11 | particles_per_cell = [3, 2.0]
+      |                          ^~~
+expected: a whole number, 1 to 10
+hint: write it without the decimal point
+)_"},
+SceneMistake{"NumberInsteadOfPair",
+    "particles_per_cell = [3, 3]",
+    "particles_per_cell = 3",
+R"_(
+scene.toml:11:22: error[type]: sampling.particles_per_cell is a number
+   11 | particles_per_cell = 3
+      |                      ^
+expected: two whole numbers, as [3, 3]
+)_"},
+SceneMistake{"NumberInsteadOfTable",
+    "file = \"column.geo\"",
+    "file = \"column.geo\"\nparameters = 3",
+R"_(
+scene.toml:6:14: error[type]: geometry.parameters is a number
+    6 | parameters = 3
+      |              ^
+expected: a table of numbers, as { crest_width = 0.15 }
+)_"},
+SceneMistake{"TextInsteadOfList",
+    "title = \"column\"",
+    "accept = \"materials.sand.porosity\"",
+R"_(
+scene.toml:2:10: error[type]: accept is text
+    2 | accept = "materials.sand.porosity"
+      |          ^~~~~~~~~~~~~~~~~~~~~~~~~
+expected: a list of texts in quotes, as ["materials.sand.porosity"]
+)_"},
+SceneMistake{"EmptyText",
+    "material = \"sand\"",
+    "material = \"\"",
+R"_(
+scene.toml:28:12: error[range]: regions.sand.material is empty
+   28 | material = ""
+      |            ^~
+expected: text in quotes
+)_"},
 SceneMistake{"WrongLength",
     "at = [0.03, 0.3]",
     "at = [0.03, 0.3, 0]",
@@ -138,6 +184,15 @@ scene.toml:17:9: error[not-finite]: water.level = inf is not a finite number
       |         ^~~
 expected: a number in m, or a quantity in quotes as "1 cm"
 )_"},
+SceneMistake{"BeyondAllNumbersInItsUnit",
+    "shear_modulus = \"60 MPa\"",
+    "shear_modulus = \"1e308 MPa\"",
+R"_(
+scene.toml:21:17: error[not-finite]: materials.sand.shear_modulus is not a finite number
+   21 | shear_modulus = "1e308 MPa"
+      |                 ^~~~~~~~~~~
+expected: a number in Pa, or a quantity in quotes as "1 kPa"
+)_"},
 SceneMistake{"NotANumber",
     "porosity = 0.405",
     "porosity = nan",
@@ -156,6 +211,15 @@ scene.toml:20:9: error[word]: materials.sand.model = "linear-elastic" is not kno
       |         ^~~~~~~~~~~~~~~~
 expected: one of linear_elastic, mohr_coulomb, ubcsand, neo_hookean
 hint: did you mean "linear_elastic"?
+)_"},
+SceneMistake{"RampLongerThanTheShaking",
+    "frequency = 180",
+    "frequency = 180\ncycles = 3\nramp_cycles = 5",
+R"_(
+scene.toml:49:15: warning[motion]: the amplitude rises over 5 cycles but there are only 3
+   49 | ramp_cycles = 5
+      |               ^
+to accept it: accept = ["motion.ramp_cycles"] at the top of the scene
 )_"},
 SceneMistake{"KilopascalGivenAsPascal",
     "shear_modulus = \"60 MPa\"",

@@ -94,6 +94,29 @@ TEST(GeoScript, RefusesWhatAnIncludedFileWouldDo)
     EXPECT_THROW(refuse_side_effects(folder.write("quoted.geo", "Include 'inner.geo';\n")), InputError);
 }
 
+TEST(GeoScript, SaysWhatACommandWouldDo)
+{
+    const ScratchFolder folder;
+    const std::pair<const char*, const char*> commands[] = {
+        {"Plugin(MathEval).Run;\n", "1: Plugin may write files"},
+        {"Parse[\"x\"];\n", "1: Parse runs text that cannot be looked at beforehand"},
+        {"Save \"a.msh\";\n", "1: Save writes a file"},
+        {"CreateDir \"a\";\n", "1: CreateDir makes a folder"}};
+    for (const auto& [text, what] : commands) {
+        const auto file = folder.write("dike.geo", text);
+        EXPECT_EQ(message_of(file), refusal(file, what));
+    }
+}
+
+TEST(GeoScript, CannotFollowAFileNamedByAnExpression)
+{
+    const ScratchFolder folder;
+    const auto file = folder.write("dike.geo", "Include StrCat(\"a\", \".geo\");\n");
+    EXPECT_EQ(message_of(file), file.string() +
+                                    ":1: Include names its file by an expression, which cannot be followed\n"
+                                    "hint: write the file's name itself: Include \"layers.geo\";");
+}
+
 TEST(GeoScript, KnowsStringsInSingleQuotes)
 {
     const ScratchFolder folder;

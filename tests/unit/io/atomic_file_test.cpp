@@ -21,6 +21,26 @@ TEST(AtomicFile, ReadsWhatWasWritten)
     }
 }
 
+TEST(AtomicFile, WritingSaysThatTheFormerContentIsUntouched)
+{
+    const TemporaryFolder folder;
+    const auto failure_of = [](const std::filesystem::path& path) {
+        try {
+            write_atomically(path, "text");
+        } catch (const FileError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(failure_of(folder / "missing/a.txt"),
+              (folder / "missing/a.txt").string() +
+                  ": cannot write: No such file or directory; its former content is untouched");
+    std::filesystem::create_directory(folder / "a.txt");
+    EXPECT_EQ(failure_of(folder / "a.txt"),
+              (folder / "a.txt").string() +
+                  ": cannot replace the file: Is a directory; its former content is untouched");
+}
+
 TEST(AtomicFile, ReadingAFolderIsAFileError)
 {
     const TemporaryFolder folder;

@@ -1,5 +1,6 @@
 #include "io/checkpoint.hpp"
 #include "io/file_error.hpp"
+#include "io/run_manifest.hpp"
 #include "solver/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
@@ -64,6 +65,18 @@ void write_text(const std::filesystem::path& path, const std::string& text)
     std::ofstream(path, std::ios::binary) << text;
 }
 
+/// What is said of a checkpoint that cannot be read.
+template <class Failure>
+std::string refusal(const std::filesystem::path& path)
+{
+    try {
+        read_checkpoint(path, "abc");
+    } catch (const Failure& failure) {
+        return failure.what();
+    }
+    return "";
+}
+
 } // namespace
 
 TEST(Checkpoint, ReadsBackToTheSameBits)
@@ -107,7 +120,8 @@ TEST(Checkpoint, KeepsTheArraysOfEveryFlowOfWater)
 
 TEST(Checkpoint, AMissingFileIsTheUsers)
 {
-    EXPECT_THROW(read_checkpoint("/nowhere/state.h5", "abc"), InputError);
+    EXPECT_EQ(refusal<InputError>("/nowhere/state.h5"),
+              "/nowhere/state.h5: there is no checkpoint to resume from");
 }
 
 TEST(Checkpoint, AnotherScenesIsRefused)
@@ -130,8 +144,20 @@ TEST(Checkpoint, ATruncatedFileIsAFileError)
     const std::string text = fixtures::text_of(folder / "state.h5");
     for (const std::size_t size : {std::size_t(0), std::size_t(100), text.size() / 2, text.size() - 1}) {
         write_text(folder / "state.h5", text.substr(0, size));
-        EXPECT_THROW(read_checkpoint(folder / "state.h5", "abc"), FileError) << size;
+        EXPECT_EQ(refusal<FileError>(folder / "state.h5"),
+                  (folder / "state.h5").string() + ": cannot read the checkpoint: it is damaged at: " +
+                      (size == 0 ? "its end, it is cut off" : "its checksum") +
+                      "; start the run anew with --overwrite")
+            << size;
     }
+}
+
+TEST(Checkpoint, AFileOfAnotherKindIsAFileError)
+{
+    const TemporaryFolder folder;
+    write_text(folder / "state.h5", "notes" + text_hash("notes"));
+    EXPECT_NE(refusal<FileError>(folder / "state.h5").find("it is damaged at: opening the file"),
+              std::string::npos);
 }
 
 TEST(Checkpoint, AFlippedByteIsAFileErrorWhereverItIs)

@@ -56,7 +56,14 @@ TEST(CsvFile, ResumeRefusesOtherColumns)
 {
     const TemporaryFolder folder;
     std::ofstream(folder / "a.csv") << "time_s,x_m\n0,1\n";
-    EXPECT_THROW(CsvFile::resume(folder / "a.csv", {}, {"time_s", "y_m"}, 1.0), FileError);
+    try {
+        CsvFile::resume(folder / "a.csv", {}, {"time_s", "y_m"}, 1.0);
+        FAIL() << "no error";
+    } catch (const FileError& error) {
+        EXPECT_EQ(std::string(error.what()), (folder / "a.csv").string() +
+                                                 ": cannot go on with the file: its columns are not those of "
+                                                 "this run; use --overwrite to begin anew");
+    }
 }
 
 TEST(CsvFile, AFullDiskIsAFileErrorThatNamesTheFile)
@@ -70,7 +77,9 @@ TEST(CsvFile, AFullDiskIsAFileErrorThatNamesTheFile)
         FAIL() << "no error";
     } catch (const FileError& error) {
         EXPECT_EQ(error.path, folder / "a.csv");
-        EXPECT_NE(std::string(error.what()).find("File too large"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("File too large; the rows before are complete"),
+                  std::string::npos)
+            << error.what();
     }
 }
 
@@ -80,6 +89,17 @@ TEST(CsvFile, ADeviceThatTakesNothingIsAFileError)
     std::filesystem::create_symlink("/dev/full", folder / "a.csv.tmp");
     EXPECT_THROW(CsvFile::begin(folder / "a.csv", {}, {"time_s"}), FileError);
     EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
+}
+
+TEST(CsvFile, AFolderThatCannotBeMadeIsNamed)
+{
+    try {
+        CsvFile::begin("/proc/quicksand/a.csv", {}, {"time_s"});
+        FAIL() << "no error";
+    } catch (const FileError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "/proc/quicksand: cannot create the folder: No such file or directory");
+    }
 }
 
 } // namespace quicksand

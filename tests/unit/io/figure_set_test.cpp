@@ -1,5 +1,7 @@
 // The figures of a scene: which curves they hold, in which units and scale.
 #include "io/figure_set.hpp"
+#include "solver/failure.hpp"
+#include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -73,6 +75,48 @@ TEST(IsochroneFigure, TakesTheProfilesNearestToItsTimes)
     EXPECT_EQ(panel.curves[1].name, "t = 2 s");
     EXPECT_DOUBLE_EQ(panel.curves[1].x[0], 7.0);
     EXPECT_DOUBLE_EQ(panel.curves[1].y[1], 30.0);
+}
+
+TEST(DrawFigures, NamesTheProbeThatTheRunHadNot)
+{
+    const fixtures::TemporaryFolder folder;
+    SceneFigure figure = figure_of("settlement", 1.0);
+    figure.name = "crest";
+    figure.probes = {"gauge"};
+    try {
+        draw_figures(folder.path(), {figure}, folder / "figures", [](const std::string&) {});
+        FAIL() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "figure crest: the results have no " + (folder / "probes/gauge.csv").string() +
+                      "\nhint: the scene of the run had no such probe; run it again");
+    }
+}
+
+TEST(DrawFigures, LeavesAFigureWithoutValuesOutAndSaysSo)
+{
+    const fixtures::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "probes");
+    std::ofstream(folder / "probes/gauge.csv") << "time_s,ux_m\n0,0\n0.1,0\n";
+    SceneFigure figure = figure_of("ru", 1.0);
+    figure.name = "ratio";
+    figure.probes = {"gauge"};
+    std::string remark;
+    const auto files = draw_figures(folder.path(), {figure}, folder / "figures",
+                                    [&](const std::string& text) { remark = text; });
+    EXPECT_TRUE(files.empty());
+    EXPECT_EQ(remark, "figure ratio: the results have no values of it");
+}
+
+TEST(DrawFigures, NeedAFolder)
+{
+    try {
+        draw_figures("results", {}, "/proc/quicksand/figures", [](const std::string&) {});
+        FAIL() << "no error";
+    } catch (const FileError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "/proc/quicksand/figures: cannot make the folder: No such file or directory");
+    }
 }
 
 } // namespace

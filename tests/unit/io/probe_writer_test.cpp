@@ -143,10 +143,22 @@ TEST(ProbeWriter, RefusesAMaterialProbeOutsideTheSoilAndOneWithoutAPlace)
     const Problem problem = fixtures::small_problem(true);
     const State state = fixtures::small_state(problem);
     Scene scene = fixtures::small_scene();
+    const auto refusal = [&] {
+        try {
+            const ProbeWriter writer(scene, problem, state, label, folder.path(), false);
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
     scene.probes[0].at = Vector2(50.0, 0.0);
-    EXPECT_THROW(ProbeWriter(scene, problem, state, label, folder.path(), false), InputError);
+    EXPECT_EQ(refusal(), "probe 'rider' at (50, 0) m lies outside the soil: the nearest particle is at "
+                         "(1.875, 0.125) m");
     scene.probes[0].at.reset();
-    EXPECT_THROW(ProbeWriter(scene, problem, state, label, folder.path(), false), InputError);
+    EXPECT_EQ(refusal(), "probe 'rider' has no place: give it `at`");
+    scene = fixtures::small_scene();
+    scene.probes[3].to.reset();
+    EXPECT_EQ(refusal(), "probe 'line' is a profile and has no end: give it `to`");
 }
 
 TEST(ProbeWriter, GoesOnAfterAKillBetweenTwoFiles)

@@ -82,7 +82,9 @@ TEST(ResultReader, AnUnknownFieldGetsASuggestionAndTheList)
     const TemporaryFolder folder;
     write_results(folder);
     const std::string text = refusal(folder.path(), {{1.0, 1.0}, {"pore_presure"}, ProbeKind::fixed});
-    EXPECT_NE(text.find("did you mean 'pore_pressure'?"), std::string::npos) << text;
+    EXPECT_NE(text.find("there is no field 'pore_presure' in the results; did you mean 'pore_pressure'?"),
+              std::string::npos)
+        << text;
     EXPECT_NE(text.find("Available: displacement, "), std::string::npos) << text;
 }
 
@@ -103,6 +105,13 @@ TEST(ResultReader, AFolderWithoutResultsIsTheUsers)
     const VtkSeries empty(folder / "grid.pvd");
     EXPECT_NE(refusal(folder.path(), {{0.0, 0.0}, {"ru"}, ProbeKind::fixed}).find("no frames yet"),
               std::string::npos);
+}
+
+TEST(ResultReader, TakesNoPointsOfTheSurface)
+{
+    const TemporaryFolder folder;
+    EXPECT_EQ(refusal(folder.path(), {{0.0, 0.0}, {"ru"}, ProbeKind::surface}),
+              "only fixed and material points can be extracted from the frames");
 }
 
 TEST(ResultReader, ParticleFrameHasOneNumberAQuad)

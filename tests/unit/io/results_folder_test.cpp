@@ -53,7 +53,10 @@ TEST(ResultsFolder, RefusesAFormerRun)
 {
     const TemporaryFolder folder;
     pretend_former_run(folder);
-    EXPECT_NE(refusal(folder, FolderUse::fresh).find("--overwrite"), std::string::npos);
+    EXPECT_EQ(refusal(folder, FolderUse::fresh),
+              folder.path().string() +
+                  " holds a former run (fields.pvd). Choose another folder, or run with --resume to go on "
+                  "with it, or run with --overwrite to replace it");
     EXPECT_TRUE(std::filesystem::exists(folder / "fields/frame_000000.vtu"));
 }
 
@@ -105,8 +108,14 @@ TEST(ResultsFolder, OverwriteRemovesTheManifestLast)
     const TemporaryFolder folder;
     pretend_former_run(folder);
     touch(folder / "log.txt/mine"); // a folder that cannot be removed: it ends the removal as a kill would
-    EXPECT_THROW(prepare_results_folder(folder.path(), fixtures::small_scene(), FolderUse::overwrite),
-                 FileError);
+    try {
+        prepare_results_folder(folder.path(), fixtures::small_scene(), FolderUse::overwrite);
+        ADD_FAILURE() << "no error";
+    } catch (const FileError& error) {
+        EXPECT_NE(std::string(error.what()).find("log.txt: cannot remove the file of the former run: "),
+                  std::string::npos)
+            << error.what();
+    }
     EXPECT_FALSE(std::filesystem::exists(folder / "fields.pvd"));
     EXPECT_TRUE(std::filesystem::exists(folder / "run_manifest.json"));
     std::filesystem::remove_all(folder / "log.txt");
@@ -138,7 +147,13 @@ TEST(ResultsFolder, NeverReplacesTheSceneItself)
     Scene scene = fixtures::small_scene();
     scene.file = folder / "scene.toml";
     touch(scene.file, scene.text);
-    EXPECT_THROW(prepare_results_folder(folder.path(), scene, FolderUse::overwrite), InputError);
+    try {
+        prepare_results_folder(folder.path(), scene, FolderUse::overwrite);
+        ADD_FAILURE() << "no error";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  folder.path().string() + " is the scene's own folder: choose another one for the results");
+    }
     EXPECT_TRUE(std::filesystem::exists(scene.file));
 }
 

@@ -84,8 +84,19 @@ TEST(VtkFrame, ADamagedFileIsAFileError)
     write_frame(folder / "a.vtu", two_quads());
     const std::string text = fixtures::text_of(folder / "a.vtu");
     std::ofstream(folder / "a.vtu", std::ios::binary) << text.substr(0, text.size() / 3);
-    EXPECT_THROW(read_frame(folder / "a.vtu"), FileError);
-    EXPECT_THROW(read_frame(folder / "missing.vtu"), FileError);
+    const auto failure_of = [](const std::filesystem::path& path) {
+        try {
+            read_frame(path);
+        } catch (const FileError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    EXPECT_EQ(failure_of(folder / "a.vtu"),
+              (folder / "a.vtu").string() +
+                  ": cannot read the frame: it is damaged or not written by Quicksand");
+    EXPECT_EQ(failure_of(folder / "missing.vtu"),
+              (folder / "missing.vtu").string() + ": cannot read the frame: no such file");
 }
 
 TEST(VtkFrame, AnEmptyFrameReadsBack)

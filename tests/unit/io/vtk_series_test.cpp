@@ -30,6 +30,18 @@ std::vector<double> times_in(const std::filesystem::path& index)
     return times;
 }
 
+/// What is said of an index that cannot be read, without its path.
+template <class Failure>
+std::string failure_of(const std::filesystem::path& index)
+{
+    try {
+        read_series_index(index);
+    } catch (const Failure& failure) {
+        return std::string(failure.what()).substr(index.string().size() + 2);
+    }
+    return "";
+}
+
 } // namespace
 
 TEST(VtkSeries, IsReadableAndCleanAfterEveryFrame)
@@ -92,11 +104,14 @@ TEST(VtkSeries, AFullDiskKeepsTheFramesBefore)
 TEST(VtkSeries, AMissingIndexIsTheUsersAndADamagedOneTheDisks)
 {
     const TemporaryFolder folder;
-    EXPECT_THROW(read_series_index(folder / "fields.pvd"), InputError);
+    EXPECT_EQ(failure_of<InputError>(folder / "fields.pvd"),
+              "there is no such series. Is this the results folder of a run?");
     std::ofstream(folder / "cut.pvd") << "<VTKFile><Collection><DataSet timestep=\"0\" file=\"a";
-    EXPECT_THROW(read_series_index(folder / "cut.pvd"), FileError);
+    EXPECT_EQ(failure_of<FileError>(folder / "cut.pvd"),
+              "cannot read the index: it is cut off or not a .pvd file");
     std::ofstream(folder / "odd.pvd") << "<VTKFile><DataSet timestep=\"zero\" file=\"a\"/></VTKFile>";
-    EXPECT_THROW(read_series_index(folder / "odd.pvd"), FileError);
+    EXPECT_EQ(failure_of<FileError>(folder / "odd.pvd"),
+              "cannot read the index: damaged entry: <DataSet timestep=\"zero\" file=\"a\"/");
 }
 
 } // namespace quicksand

@@ -33,6 +33,27 @@ TEST(ElementTest, ASpecimenThatFailsInConsolidationIsRefused)
     EXPECT_THROW(compress_in_oedometer(nevada(), {}, {-5e3}), InputError);
 }
 
+TEST(ElementTest, ANumberThatMustBePositiveIsNamed)
+{
+    const auto complaint = [](auto&& test) {
+        try {
+            test();
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const UbcSand law = nevada();
+    EXPECT_EQ(complaint([&] { consolidate(law, {-1.0}); }),
+              "element test: vertical_stress and k0 must be positive");
+    EXPECT_EQ(complaint([&] { shear_cyclically(law, {}, StressCycles{0.0}); }),
+              "element test: csr must be positive");
+    EXPECT_EQ(complaint([&] { shear_cyclically(law, {}, StrainCycles{0.0}); }),
+              "element test: gamma must be positive");
+    EXPECT_EQ(complaint([&] { compress_in_oedometer(law, {}, {-5e3}); }),
+              "element test: a stress to compress to must be positive");
+}
+
 TEST(ElementTest, IsotropicCompressionIsTheIntegralOfTheModulus)
 {
     // ds = K' d eps_v with K' = K'_atm (s/P_a)^1/2: eps_v = 2 P_a/K'_atm [(s/P_a)^1/2 - (s_0/P_a)^1/2]

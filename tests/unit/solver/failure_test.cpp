@@ -75,6 +75,17 @@ TEST(NumericalFailure, AParticleThatLeavesTheGridIsReported)
     EXPECT_NE(text.find("enlarge grid.cells"), std::string::npos) << text;
 }
 
+TEST(NumericalFailure, APositionThatIsNoNumberIsReported)
+{
+    const Problem problem = centrifuge_column();
+    State state = column(problem);
+    CellLists lists = make_cell_lists(problem.grid);
+    state.particles.position.y[3] = std::numeric_limits<double>::quiet_NaN();
+    const std::string text = message_of([&] { sort_particles(problem.grid, 2e-6, state, lists); });
+    EXPECT_NE(text.find("a particle's position is not a number"), std::string::npos) << text;
+    EXPECT_NE(text.find("look at the last good frame"), std::string::npos) << text;
+}
+
 TEST(Ensure, AViolatedInvariantNamesItsExpressionAndPlace)
 {
     try {

@@ -81,6 +81,30 @@ TEST(UbcSandParameters, WhatMakesNoSoilIsNamed)
     EXPECT_THROW(ubcsand_from_relative_density(55.0), InputError);
 }
 
+TEST(UbcSandParameters, EachOutOfItsRangeIsToldWhatItMustBe)
+{
+    struct Row {
+        double UbcSandParameters::*number;
+        double value;
+        const char* complaint; // after "UBCSAND: "
+    };
+    using M = UbcSandParameters;
+    const Row rows[] = {
+        {&M::elastic_bulk_exponent, 1.5, "an exponent of the stress = 1.5, but it must be from 0 to 1"},
+        {&M::constant_volume_friction_deg, 60.0,
+         "constant_volume_friction_deg = 60, but it must be above 0 and below 60"},
+        {&M::peak_friction_deg, -1.0, "peak_friction_deg = -1, but it must be above 0 and below 60"},
+        {&M::cohesion, -1.0, "cohesion = -1, but it must be zero or positive"},
+        {&M::static_poisson_ratio, 0.5, "static_poisson_ratio = 0.5, but it must be from 0 to below 0.5"},
+        {&M::smallest_specific_volume, -1.0,
+         "smallest_specific_volume = -1, but it must be not negative, below the largest"}};
+    for (const Row& row : rows) {
+        UbcSandParameters m;
+        m.*row.number = row.value;
+        EXPECT_EQ(complaint(m), std::string("UBCSAND: ") + row.complaint);
+    }
+}
+
 TEST(UbcSandPower, AgreesWithTheLibraryToRounding)
 {
     for (double x = 1e-6; x < 1e5; x *= 1.00237) {

@@ -52,7 +52,12 @@ TEST(GriffithsLaneStudy, RefusesOtherProblems)
     EXPECT_THROW(slope_of(level), InputError);
     Problem twice = drawn_slope();
     twice.boundaries.push_back(twice.boundaries[1]);
-    EXPECT_THROW(slope_of(twice), InputError);
+    try {
+        slope_of(twice);
+        ADD_FAILURE() << "two faces";
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "the slope has more than one inclined free face");
+    }
     Problem floating = drawn_slope();
     floating.boundaries.erase(floating.boundaries.begin());
     EXPECT_THROW(slope_of(floating), InputError);

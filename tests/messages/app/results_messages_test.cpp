@@ -1,0 +1,80 @@
+// What picture, figures and probe say when the results do not have what is asked for.
+#include "tests/examples/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quicksand {
+
+namespace {
+
+using namespace testing_program;
+
+/// A folder with the results of a few steps of the column in out/.
+class Results : public testing::Test {
+protected:
+    void SetUp() override
+    {
+        const Outcome run = run_program("run " + example("column") + " --until 5e-6 -o " + results);
+        ASSERT_EQ(run.code, 0) << run.output;
+    }
+    void expect_refusal(const std::string& arguments, const std::string& text, int code = 2) const
+    {
+        const Outcome outcome = run_program(arguments);
+        EXPECT_EQ(outcome.code, code) << arguments << '\n' << outcome.output;
+        EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n"
+                                                                << outcome.output;
+    }
+
+    WorkFolder folder;
+    const std::string results = (folder / "out").string();
+};
+
+TEST_F(Results, AreDrawnInFieldsThatTheyHave)
+{
+    expect_refusal("picture " + results + " --field ruu",
+                   "there is no field 'ruu' in the results; did you mean 'ru'? Available: ");
+    expect_refusal("picture " + results + " --field ru -o /proc/quicksand/ru.png",
+                   "/proc/quicksand: cannot make the folder: No such file or directory", 4);
+    expect_refusal("picture " + results + " -o " + (folder / "a.png").string(),
+                   "a.png is one file, and the default set has several: name a folder, or one --field");
+}
+
+TEST_F(Results, AreDrawnInARangeOfOneField)
+{
+    expect_refusal("picture " + results + " --field ru --range 1",
+                   "'1' is no range: write two numbers in SI units with a colon between, as in 0:9e3");
+    expect_refusal("picture " + results + " --field ru --range 1:0",
+                   "the range 1:0 is empty: its first value must be the smaller one");
+    expect_refusal("picture " + results + " --range 0:1", "--range is for one field: name it with --field");
+}
+
+TEST_F(Results, HaveTheFiguresThatTheSceneAsksFor)
+{
+    const std::string tables =
+        " asks for no figures\nexpected: tables [figures.NAME]\nhint: quicksand picture draws "
+        "the usual set without them";
+    expect_refusal("figures " + results, "the scene " + results + "/scene.toml" + tables);
+    expect_refusal("figures " + example("column") + " --results " + results,
+                   "the scene " + example("column") + "/scene.toml" + tables);
+    expect_refusal("figures " + example("column") + " --results " + results + "/none",
+                   "there are no results in " + results + "/none\nhint: quicksand run " + example("column") +
+                       " makes them; --results names another folder");
+}
+
+TEST_F(Results, HaveHistoriesOfTheirFieldsInTheirSoil)
+{
+    const std::string probe = "probe " + results + " -o " + (folder / "a.csv").string();
+    expect_refusal(probe + " --at 0.01,0.1 --fields ruu",
+                   "there is no field 'ruu' in the results; did you mean 'ru'?");
+    expect_refusal(probe + " --at 5,0.1 --fields ru",
+                   "the point (5, 0.1) m is never inside the soil, which reaches from (0, 0) to ");
+    expect_refusal(probe + " --at 0.01,0.1 --fields ru --kind rider",
+                   "--kind: rider not in {fixed,material}");
+    expect_refusal("probe " + results + " --at 0.01,0.1 --fields ru -o " + (folder / "none/a.csv").string(),
+                   "none/a.csv: cannot write: No such file or directory", 4);
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
+}
+
+} // namespace
+
+} // namespace quicksand
