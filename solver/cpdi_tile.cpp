@@ -35,10 +35,11 @@ inline void write_row(const DomainRows& domain, int b, double* value, double* gr
     store_lanes(domain.g1_y * across_1 + domain.g2_y * across_2, gradient_y);
 }
 
-/// Corner coordinates of one axis relative to the centre, in the order of the corners.
-inline Lanes corner_offsets(double r1, double r2)
+/// Corner coordinates of one axis relative to the centre, in the order of the corners, from r_1 + r_2 and
+/// r_1 - r_2.
+inline Lanes corner_offsets(double sum, double apart)
 {
-    return Lanes{-r1 - r2, r1 - r2, r1 + r2, r2 - r1};
+    return Lanes{-sum, apart, sum, -apart};
 }
 
 /// Where the rows of a patch start and how far they go, along one axis.
@@ -55,6 +56,44 @@ inline Extent extent(double coordinate, double rim, double inverse, double reach
     return {centre, first, last - first + 2};
 }
 
+/// The parts of a domain with the half edges r_1 and r_2.
+inline DomainRows rows_of(double r1_x, double r1_y, double r2_x, double r2_y, double inverse,
+                          const Extent& along, const Extent& up)
+{
+    const double sum_x = r1_x + r2_x, sum_y = r1_y + r2_y, apart_x = r1_x - r2_x, apart_y = r1_y - r2_y;
+    const double scale = 0.25 / (r1_x * r2_y - r1_y * r2_x); // 1 / V
+    const Lanes nodes = {0.0, 1.0, 2.0, 3.0};
+    DomainRows domain;
+    domain.g1_x = scale * apart_y, domain.g1_y = scale * -apart_x;
+    domain.g2_x = scale * sum_y, domain.g2_y = scale * -sum_x;
+    const Lanes corners_x = (along.centre - along.first) + inverse * corner_offsets(sum_x, apart_x);
+    domain.corners_y = (up.centre - up.first) + inverse * corner_offsets(sum_y, apart_y);
+    for (int c = 0; c < 4; ++c) domain.along_x[c] = hats(corners_x[c] - nodes);
+    return domain;
+}
+
+/// Where the weights of a store stand, and how many it has room for.
+struct WeightArrays {
+    double *value, *gradient_x, *gradient_y;
+    std::size_t room;
+};
+
+inline WeightArrays arrays_of(PatchStore& store)
+{
+    return {store.value.data(), store.gradient_x.data(), store.gradient_y.data(), store.value.size()};
+}
+
+/// Store the patch of a domain of any size as that of the particle `k` of the tile; returns whether the
+/// domain was scaled down. Apart from the loop over the usual ones, which so keeps its numbers in registers.
+[[gnu::noinline]] bool put_large_domain(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
+                                        std::size_t k, PatchStore& store)
+{
+    NodePatch patch;
+    const bool limited = Cpdi::evaluate(grid, particles, p, patch);
+    store.put(k, patch);
+    return limited;
+}
+
 } // namespace
 
 VECTOR_KERNEL
@@ -62,45 +101,47 @@ std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& p
                                   const CellLists& lists, const Tile& tile, PatchStore& store)
 {
     constexpr int widest = 4; // nodes that a row of lanes covers
-    const Vector2 rim = grid.rim_origin();
+    const double rim_x = grid.rim_origin().x(), rim_y = grid.rim_origin().y();
     const double h = grid.cell_size, inverse = 1.0 / h;
     const int columns = grid.nodes_x();
-    const Lanes nodes = {0.0, 1.0, 2.0, 3.0};
+    const std::size_t first = lists.first_entry(tile), last = lists.last_entry(tile);
     std::int64_t limited = 0;
-    store.clear_for(lists.last_entry(tile) - lists.first_entry(tile));
-    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k) {
-        const auto p = static_cast<std::size_t>(lists.order[k]);
+    store.clear_for(last - first);
+    StoredPatch* const patches = store.patches.data();
+    WeightArrays arrays = arrays_of(store);
+    std::size_t used = 0;
+    for (std::size_t k = 0; k < last - first; ++k) {
+        const auto p = static_cast<std::size_t>(lists.order[first + k]);
         const double r1_x = particles.half_edge_1.x[p], r1_y = particles.half_edge_1.y[p];
         const double r2_x = particles.half_edge_2.x[p], r2_y = particles.half_edge_2.y[p];
         const double x = particles.position.x[p], y = particles.position.y[p];
-        const Extent along = extent(x, rim.x(), inverse, inverse * (std::abs(r1_x) + std::abs(r2_x)));
-        const Extent up = extent(y, rim.y(), inverse, inverse * (std::abs(r1_y) + std::abs(r2_y)));
+        const Extent along = extent(x, rim_x, inverse, inverse * (std::abs(r1_x) + std::abs(r2_x)));
+        const Extent up = extent(y, rim_y, inverse, inverse * (std::abs(r1_y) + std::abs(r2_y)));
         if (along.nodes > widest || up.nodes > widest) {
-            NodePatch patch;
-            limited += Cpdi::evaluate(grid, particles, p, patch);
-            store.push_back(patch);
+            store.used = used;
+            limited += put_large_domain(grid, particles, p, k, store);
+            used = store.used;
+            arrays = arrays_of(store);
             continue;
         }
-
-        const double scale = 0.25 / (r1_x * r2_y - r1_y * r2_x); // 1 / V
-        DomainRows domain;
-        domain.g1_x = scale * (r1_y - r2_y), domain.g1_y = scale * (r2_x - r1_x);
-        domain.g2_x = scale * (r1_y + r2_y), domain.g2_y = -scale * (r1_x + r2_x);
-        const Lanes corners_x = (along.centre - along.first) + inverse * corner_offsets(r1_x, r2_x);
-        domain.corners_y = (up.centre - up.first) + inverse * corner_offsets(r1_y, r2_y);
-        for (int c = 0; c < 4; ++c) domain.along_x[c] = hats(corners_x[c] - nodes);
-
-        const int count = along.nodes * up.nodes;
-        store.extend(static_cast<std::size_t>(count));
-        store.patches.push_back({up.first * columns + along.first, static_cast<std::int16_t>(along.nodes),
-                                 static_cast<std::int16_t>(up.nodes), static_cast<std::int32_t>(store.used),
-                                 rim.x() + along.first * h - x, rim.y() + up.first * h - y});
-        for (int b = 0; b < up.nodes; ++b) {
-            const std::size_t at = store.used + static_cast<std::size_t>(b * along.nodes);
-            write_row(domain, b, &store.value[at], &store.gradient_x[at], &store.gradient_y[at]);
+        const auto count = static_cast<std::size_t>(along.nodes * up.nodes);
+        if (used + count + PatchStore::lanes > arrays.room) {
+            store.used = used;
+            store.extend(count);
+            arrays = arrays_of(store);
         }
-        store.used += static_cast<std::size_t>(count);
+
+        const DomainRows domain = rows_of(r1_x, r1_y, r2_x, r2_y, inverse, along, up);
+        patches[k] = {up.first * columns + along.first,    static_cast<std::int16_t>(along.nodes),
+                      static_cast<std::int16_t>(up.nodes), static_cast<std::int32_t>(used),
+                      rim_x + along.first * h - x,         rim_y + up.first * h - y};
+        for (int b = 0; b < up.nodes; ++b) {
+            const std::size_t at = used + static_cast<std::size_t>(b * along.nodes);
+            write_row(domain, b, arrays.value + at, arrays.gradient_x + at, arrays.gradient_y + at);
+        }
+        used += count;
     }
+    store.used = used;
     return limited;
 }
 

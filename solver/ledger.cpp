@@ -146,15 +146,15 @@ void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& no
 }
 
 /// sum value(p) over the particles, four sums side by side: one alone would wait for each addition.
-template <class Sum, class Value>
-Sum sum_particles(std::size_t count, const Sum& zero, Value&& value)
+template <class Value>
+double sum_particles(std::size_t count, Value&& value)
 {
-    return ordered_sum(count, zero, [&](std::size_t first, std::size_t last) {
-        std::array<Sum, 4> lanes{zero, zero, zero, zero};
+    return ordered_sum(count, 0.0, [&](std::size_t first, std::size_t last) {
+        std::array<double, 4> lanes{};
         for (; first + 4 <= last; first += 4)
             for (std::size_t k = 0; k < 4; ++k) lanes[k] += value(first + k);
         for (; first < last; ++first) lanes[0] += value(first);
-        return Sum((lanes[0] + lanes[1]) + (lanes[2] + lanes[3]));
+        return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
     });
 }
 
@@ -225,7 +225,7 @@ void enter_outflow(const Problem& problem, double dt, const Particles& particles
         if (!is_wet(p)) return 0.0;
         return particles.volume[p] * (flux_divergence[p] - (L.xx[p] + L.yy[p]));
     };
-    ledger.outflow += dt * sum_particles(particles.size(), 0.0, outflow);
+    ledger.outflow += dt * sum_particles(particles.size(), outflow);
 }
 
 void enter_exchange(const Problem& problem, double dt, const Particles& particles, Ledger& ledger)
@@ -234,14 +234,17 @@ void enter_exchange(const Problem& problem, double dt, const Particles& particle
     if (!problem.water || pores_are_constant || water_flow(problem) == WaterFlow::undrained) return;
     const Gradients& L = particles.velocity_gradient_solid;
     const auto is_wet = wetness(problem, particles);
-    const auto exchange = [&](std::size_t p) -> Vector2 {
-        if (!is_wet(p)) return Vector2::Zero();
+    const double density = problem.water->density;
+    const auto added_mass = [&](std::size_t p) {
+        if (!is_wet(p)) return 0.0;
         const double growth = dt * (L.xx[p] + L.yy[p]) + dt * dt * (L.xx[p] * L.yy[p] - L.xy[p] * L.yx[p]);
-        return problem.water->density * particles.volume[p] * growth * velocity_of_water(particles, p);
+        return density * particles.volume[p] * growth;
     };
-    const Vector2 sum = sum_particles<Vector2>(particles.size(), Vector2::Zero(), exchange);
-    ledger.exchange_x += sum.x();
-    ledger.exchange_y += sum.y();
+    const Vectors& water =
+        particles.velocity_fluid.x.empty() ? particles.velocity_solid : particles.velocity_fluid;
+    const std::size_t count = particles.size();
+    ledger.exchange_x += sum_particles(count, [&](std::size_t p) { return added_mass(p) * water.x[p]; });
+    ledger.exchange_y += sum_particles(count, [&](std::size_t p) { return added_mass(p) * water.y[p]; });
 }
 
 LedgerBalance balance(const Problem& problem, const State& state)

@@ -55,11 +55,10 @@ struct PatchStore {
     std::vector<double> value, gradient_x, gradient_y; // as NodeWeight; longer than what is in use
     std::size_t used = 0;                              // weights of the patches so far
 
-    /// Empty the store for the patches of so many particles.
+    /// Room for the patches of so many particles, none of them with weights yet.
     void clear_for(std::size_t particles)
     {
-        patches.clear();
-        patches.reserve(particles);
+        patches.resize(particles);
         used = 0;
     }
 
@@ -71,13 +70,17 @@ struct PatchStore {
         for (std::vector<double>* part : {&value, &gradient_x, &gradient_y}) make_room(*part, needed);
     }
 
-    void push_back(const NodePatch& patch)
+    /// Store the patch of a particle, counted in the tile, after those of the particles before it.
+    void put(std::size_t particle, const NodePatch& patch)
     {
         const int count = patch.width * patch.height;
         extend(static_cast<std::size_t>(count));
-        patches.push_back({patch.base, static_cast<std::int16_t>(patch.width),
-                           static_cast<std::int16_t>(patch.height), static_cast<std::int32_t>(used),
-                           patch.offset_x, patch.offset_y});
+        patches[particle] = {patch.base,
+                             static_cast<std::int16_t>(patch.width),
+                             static_cast<std::int16_t>(patch.height),
+                             static_cast<std::int32_t>(used),
+                             patch.offset_x,
+                             patch.offset_y};
         for (int k = 0; k < count; ++k, ++used) {
             value[used] = patch.weights[k].value;
             gradient_x[used] = patch.weights[k].gradient_x;

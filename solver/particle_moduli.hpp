@@ -16,12 +16,21 @@ struct ParticleModuli {
 template <class Modulus>
 ParticleModuli collect_moduli(std::size_t first, std::size_t last, const double* volume, Modulus&& modulus)
 {
+    constexpr std::size_t block = 8; // evaluated side by side
+    double M[block];
     double stiffest = 0.0, sum = 0.0, whole = 0.0;
-    for (std::size_t p = first; p < last; ++p) {
-        const double M = modulus(p);
-        stiffest = std::max(stiffest, M);
-        sum += volume[p] * M;
-        whole += volume[p];
+    for (std::size_t start = first; start < last; start += block) {
+        const std::size_t count = std::min(block, last - start);
+        if (count == block) {
+            for (std::size_t k = 0; k < block; ++k) M[k] = modulus(start + k);
+        } else {
+            for (std::size_t k = 0; k < count; ++k) M[k] = modulus(start + k);
+        }
+        for (std::size_t k = 0; k < count; ++k) {
+            stiffest = std::max(stiffest, M[k]);
+            sum += volume[start + k] * M[k];
+            whole += volume[start + k];
+        }
     }
     return {sum / whole, stiffest};
 }

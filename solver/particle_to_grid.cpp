@@ -87,9 +87,10 @@ std::int64_t evaluate_tile(const BackgroundGrid& grid, const Particles& particle
     store.clear_for(lists.last_entry(tile) - lists.first_entry(tile));
     std::int64_t limited = 0;
     NodePatch patch;
-    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k) {
+    const std::size_t first = lists.first_entry(tile);
+    for (std::size_t k = first; k < lists.last_entry(tile); ++k) {
         limited += Member::evaluate(grid, particles, static_cast<std::size_t>(lists.order[k]), patch);
-        store.push_back(patch);
+        store.put(k - first, patch);
     }
     return limited;
 }

@@ -1,8 +1,10 @@
 #include "solver/settling_sand.hpp"
 
+#include "solver/lanes.hpp"
+#include "solver/ubcsand_choices.hpp"
 #include "solver/ubcsand_particles.hpp"
+#include "solver/ubcsand_power.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 namespace quicksand {
@@ -17,7 +19,7 @@ double constrained_over_shear(const UbcSand& sand)
 
 double shear_modulus_at(const UbcSand& sand, double s)
 {
-    return sand.G_atm * std::pow(std::max(s, sand.s_min) / atmospheric_pressure, sand.ne);
+    return sand.G_atm * ubcsand::power(ubcsand::larger(s, sand.s_min) / atmospheric_pressure, sand.ne);
 }
 
 } // namespace
@@ -39,6 +41,7 @@ double shear_modulus(const SettlingSand& law)
     return law.sand.G_atm;
 }
 
+VECTOR_KERNEL
 ParticleModuli particle_moduli(const SettlingSand& law, std::size_t first, std::size_t last,
                                const Particles& particles)
 {
@@ -48,27 +51,32 @@ ParticleModuli particle_moduli(const SettlingSand& law, std::size_t first, std::
     });
 }
 
+VECTOR_KERNEL
 void update_stress(const SettlingSand& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles)
 {
     // ds = (M - G) d eps_v, dq = G (d eps_xx - d eps_yy, d gamma_xy), d sigma_zz = (M - 2 G) d eps_v; t is
     // then cut back to the failure limit
-    const UbcSand& sand = law.sand;
+    using namespace ubcsand; // its choices without branches
+    const UbcSand sand = law.sand;
+    const double surface_stress = law.surface_stress;
     const double M_over_G = constrained_over_shear(sand);
     const Gradients& L = particles.velocity_gradient_solid;
     SymmetricTensors& stress = particles.stress;
+#pragma GCC ivdep // the arrays do not overlap
     for (std::size_t p = first; p < last; ++p) {
         const double mean = -0.5 * (stress.xx[p] + stress.yy[p]); // s, compression positive
         const double G_dt = shear_modulus_at(sand, mean) * dt;
         const double volumetric = L.xx[p] + L.yy[p];
-        const double s = std::max(mean - (M_over_G - 1.0) * G_dt * volumetric, sand.s_min);
+        const double s = larger(mean - (M_over_G - 1.0) * G_dt * volumetric, sand.s_min);
         const double q_x = 0.5 * (stress.xx[p] - stress.yy[p]) + G_dt * (L.xx[p] - L.yy[p]);
         const double q_y = stress.xy[p] + G_dt * (L.xy[p] + L.yx[p]);
-        const double t = std::hypot(q_x, q_y), limit = failure_shear(sand, std::max(s, law.surface_stress));
-        const double share = t > limit ? limit / t : 1.0;
+        const double t = std::sqrt(q_x * q_x + q_y * q_y);
+        const double limit = failure_shear(sand, larger(s, surface_stress));
+        const double share = limit / larger(t, limit);
         stress.xx[p] = -s + share * q_x;
         stress.yy[p] = -s - share * q_x;
-        stress.zz[p] = std::min(stress.zz[p] + (M_over_G - 2.0) * G_dt * volumetric, -0.2 * sand.s_min);
+        stress.zz[p] = smaller(stress.zz[p] + (M_over_G - 2.0) * G_dt * volumetric, -0.2 * sand.s_min);
         stress.xy[p] = share * q_y;
     }
 }

@@ -47,7 +47,7 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
     const bool pressed = carries_pressure(state);
     const auto scatter = pressed ? scatter_total_stress : scatter_single_phase;
     compute_carried_masses(problem, state, work.masses);
-    for_each_index(work.sums.size(), [&](std::size_t i) { work.sums[i] = {}; });
+    set_to_zero(work.sums);
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
         const PatchStore& store = work.patches_of(tile);
         scatter(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);

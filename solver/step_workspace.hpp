@@ -9,10 +9,13 @@
 #include "solver/phase_timers.hpp"
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
+#include "solver/threads.hpp"
 #include "solver/viscous_boundary.hpp"
 #include "solver/volumetric_average.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -52,6 +55,15 @@ void place_boundaries(const Problem& problem, double dt, const State& state, Ste
 /// Bring the cell lists up to date, and the arrays of a step to the particles' number. In small strain lists
 /// and weights are found once, on the reference shape. Throws NumericalError.
 void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work);
+
+/// Clear the sums of all nodes.
+template <class Sums>
+void set_to_zero(std::vector<Sums>& sums)
+{
+    const auto at = [&](std::size_t i) { return sums.begin() + static_cast<std::ptrdiff_t>(i); };
+    for_each_chunk(sums.size(),
+                   [&](std::size_t first, std::size_t last) { std::fill(at(first), at(last), Sums{}); });
+}
 
 /// Call scatter_tile(tile) for every tile, tiles of one colour at the same time, with the weights of its
 /// particles in work.patches.

@@ -23,7 +23,7 @@ namespace {
 void scatter(const Problem& problem, double dt, double time, const State& state, TwoPhaseWorkspace& work)
 {
     const Particles& particles = state.particles;
-    for_each_index(work.sums.size(), [&](std::size_t i) { work.sums[i] = {}; });
+    set_to_zero(work.sums);
     work.outer.assign(work.outer.size(), OuterForce{});
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
         scatter_two_phase(problem, particles, work.lists, tile, work.patches_of(tile), work.sums);

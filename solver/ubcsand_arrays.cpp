@@ -309,6 +309,7 @@ void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, 
     }
 }
 
+VECTOR_KERNEL
 ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
                                const double* stress_xx, const double* stress_yy, const double* volume)
 {
