@@ -151,7 +151,7 @@ void add_opened(const Script& script, std::string_view word, std::vector<OpenedF
     }
 }
 
-/// The file and everything that it includes or merges, each once.
+/// The file and everything that it includes or merges, each once; data without its text.
 std::vector<Script> read_scripts(const std::filesystem::path& file)
 {
     std::vector<Script> scripts;
@@ -168,7 +168,10 @@ std::vector<Script> read_scripts(const std::filesystem::path& file)
         if (next.may_hold_data && std::filesystem::exists(options, ignored))
             waiting.push_back({options, true, options.string()});
         Script script{next.file, read_opened(next), {}};
-        if (next.may_hold_data && holds_data(script)) continue;
+        if (next.may_hold_data && holds_data(script)) {
+            scripts.push_back({next.file, {}, {}});
+            continue;
+        }
         script.code = blank_comments_and_strings(script.text);
         for (const std::string_view word : {"Include", "Merge", "MergeWithBoundingBox", "ShapeFromFile"})
             add_opened(script, word, waiting);
@@ -306,6 +309,16 @@ std::vector<std::string> declared_parameters(const std::filesystem::path& file)
     names.erase(std::unique(names.begin(), names.end()), names.end());
     std::erase(names, "");
     return names;
+}
+
+std::vector<std::filesystem::path> opened_files(const std::filesystem::path& file)
+{
+    std::vector<std::filesystem::path> files;
+    for (const Script& script : read_scripts(file)) {
+        std::error_code ignored;
+        if (std::filesystem::exists(script.file, ignored)) files.push_back(script.file);
+    }
+    return files;
 }
 
 void refuse_side_effects(const std::filesystem::path& file)

@@ -16,6 +16,9 @@ std::string blank_comments_and_strings(std::string_view text);
 /// Names in the file's and its included files' DefineConstant, and those asked for with Exists().
 std::vector<std::string> declared_parameters(const std::filesystem::path& file);
 
+/// The file and those that it includes or merges, as far as they are there. Throws InputError.
+std::vector<std::filesystem::path> opened_files(const std::filesystem::path& file);
+
 /// Throws InputError where the file, one that it includes or merges, or gmsh options beside them (NAME.opt)
 /// would start a program or write a file.
 void refuse_side_effects(const std::filesystem::path& file);

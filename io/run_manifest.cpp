@@ -1,5 +1,6 @@
 #include "io/run_manifest.hpp"
 
+#include "geometry/geo_script.hpp"
 #include "io/atomic_file.hpp"
 #include "io/output_observers.hpp"
 #include "solver/failure.hpp"
@@ -106,7 +107,12 @@ std::vector<InputFile> input_files(const Scene& scene, const std::vector<Resolve
     for (const ResolvedKey& key : keys) {
         if (!key.given || !names_input(key.path)) continue;
         const std::filesystem::path file = scene.file.parent_path() / key.value;
-        inputs.push_back({key.path, file, text_hash(read_text(file))});
+        const bool is_drawing = file.extension() == ".geo" || file.extension() == ".geo_unrolled";
+        for (const std::filesystem::path& opened : is_drawing ? opened_files(file) : std::vector{file}) {
+            const std::filesystem::path name = opened.lexically_relative(file.parent_path());
+            const std::string key_of_opened = opened == file ? key.path : key.path + " > " + name.string();
+            inputs.push_back({key_of_opened, opened, text_hash(read_text(opened))});
+        }
     }
     return inputs;
 }

@@ -31,13 +31,13 @@ std::string utc_now();
 
 /// A file that a key of the scene names, and what it held.
 struct InputFile {
-    std::string key;            // "geometry.file"
+    std::string key;            // "geometry.file"; "geometry.file > layers.geo" of one that the drawing opens
     std::filesystem::path file; // resolved against the scene's folder
     std::string hash;           // text_hash() of its bytes
 };
 
-/// The drawing, the record of the base motion and the histories of boundaries, as they are now. Files that a
-/// drawing includes are not among them. Throws FileError.
+/// The drawing with the files that it includes or merges, the record of the base motion and the histories of
+/// boundaries, as they are now. Throws FileError, InputError.
 std::vector<InputFile> input_files(const Scene& scene, const std::vector<ResolvedKey>& keys);
 
 /// Throws InputError where a file is not what it was when the run of this manifest began. A manifest that

@@ -57,17 +57,19 @@ TEST(RunManifest, TellsWhichInputHasChanged)
     const std::vector<ResolvedKey> keys = {given("title", "no file"), given("geometry.file", "a.geo"),
                                            given("motion.file", "record.csv"),
                                            given("boundaries.\"a b\".history", "load.csv")};
-    for (const char* name : {"a.geo", "record.csv", "load.csv"}) std::ofstream(folder / name) << name;
+    std::ofstream(folder / "a.geo") << "Include \"layers.geo\";\n";
+    for (const char* name : {"layers.geo", "record.csv", "load.csv"}) std::ofstream(folder / name) << name;
     RunManifest manifest = begin_manifest(scene, {}, 1, 1);
     const std::filesystem::path file = folder / "run_manifest.json";
     EXPECT_NO_THROW(require_same_inputs(file, input_files(scene, keys))); // there is none yet
     write_run_manifest(file, manifest);
     EXPECT_NO_THROW(require_same_inputs(file, input_files(scene, keys))); // it tells of no files
     manifest.inputs = input_files(scene, keys);
-    ASSERT_EQ(manifest.inputs.size(), 3U);
+    ASSERT_EQ(manifest.inputs.size(), 4U);
+    EXPECT_EQ(manifest.inputs[1].key, "geometry.file > layers.geo");
     write_run_manifest(file, manifest);
     EXPECT_NO_THROW(require_same_inputs(file, input_files(scene, keys)));
-    for (const char* name : {"a.geo", "record.csv", "load.csv"}) {
+    for (const char* name : {"layers.geo", "record.csv", "load.csv"}) {
         std::ofstream(folder / name) << "edited";
         try {
             require_same_inputs(file, input_files(scene, keys));
