@@ -41,7 +41,8 @@ ExitCode execute(int argument_count, char** arguments)
     } catch (const std::filesystem::filesystem_error& error) {
         return report(error.what(), ExitCode::files);
     } catch (const std::bad_alloc&) {
-        return report("not enough memory; quicksand check tells what a scene needs", ExitCode::files);
+        return report("not enough memory\nhint: larger cells and fewer particles per cell need less",
+                      ExitCode::files);
     } catch (const std::exception& error) {
         return report_bug(error.what());
     }

@@ -142,12 +142,7 @@ void correct_volumes(const Section& section, Sampling& sampling)
     for (std::size_t k = 0; k < count; ++k) {
         RegionSampling& report = sampling.regions[k];
         report.area = area(section.regions[k]);
-        if (sampled[k] <= 0.0) {
-            throw InputError(
-                fmt::format("region \"{}\" ({:.4g} m2) got no particle: it is thinner than a particle\n"
-                            "hint: use smaller cells, more particles per cell or boundary_refinement",
-                            section.regions[k].name, report.area));
-        }
+        if (sampled[k] <= 0.0) continue;
         report.area_error = (sampled[k] - report.area) / report.area;
         report.volume_factor = report.area / sampled[k];
         report.smallest_volume = std::numeric_limits<double>::infinity();

@@ -3,10 +3,13 @@
 #include "geometry/gmsh_file.hpp"
 #include "geometry/section_check.hpp"
 #include "io/ground_water.hpp"
+#include "io/probe_sample.hpp"
 #include "io/scene_grid.hpp"
 #include "io/scene_section.hpp"
 #include "solver/boundary_pieces.hpp"
 #include "solver/failure.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -137,16 +140,48 @@ void check_sampling(const Sampling& sampling, AssembledCase& assembled)
 {
     for (std::size_t r = 0; r < sampling.regions.size(); ++r) {
         if (sampling.regions[r].particles > 0) continue;
-        const std::string& name = assembled.section.regions[r].name;
-        assembled.warnings.add(error_at(assembled.scene.grid_place, "sampling",
-                                        "no material point falls into the region \"" + name + "\"",
-                                        "a region wider than the spacing of the points",
-                                        "choose a smaller cell_size, or more particles_per_cell"));
+        assembled.warnings.add(error_at(
+            assembled.scene.grid_place, "sampling",
+            fmt::format("the region \"{}\" ({:.4g} m2) got no particle: it is thinner than a particle",
+                        assembled.section.regions[r].name, sampling.regions[r].area),
+            "", "use smaller cells, more particles_per_cell or boundary_refinement"));
     }
     if (sampling.domains.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
         assembled.warnings.add(error_at(assembled.scene.grid_place, "sampling",
                                         "there are too many material points", "at most 2147483647",
                                         "choose a larger cell_size"));
+    }
+    throw_errors(assembled.warnings, assembled.scene);
+}
+
+/// Whether soil lies at one of the points where a probe begins.
+bool begins_in_soil(const SceneProbe& probe, const Problem& problem, const Particles& particles)
+{
+    if (probe.kind == ProbeKind::surface) return surface_point(particles, probe.at->x()).found;
+    const std::vector<Vector2> points = points_of(probe);
+    return std::any_of(points.begin(), points.end(),
+                       [&](const Vector2& point) { return !outside_soil(problem, particles, point); });
+}
+
+/// A material probe rides with a particle and cannot do without; others may wait for soil.
+void check_probes(AssembledCase& assembled)
+{
+    const Particles& particles = assembled.state.particles;
+    for (const SceneProbe& probe : assembled.scene.probes) {
+        if (!probe.at || begins_in_soil(probe, assembled.problem, particles)) continue;
+        if (probe.kind == ProbeKind::material) {
+            assembled.warnings.add(
+                error_at(probe.place, "probe",
+                         fmt::format("the probe \"{}\" {}", probe.name,
+                                     *outside_soil(assembled.problem, particles, *probe.at)),
+                         "", "places are in m, in the coordinates of the drawing"));
+            continue;
+        }
+        assembled.warnings.add(warning_at(
+            probe.place, "probes." + probe.name, "probe",
+            fmt::format("the probe \"{}\" begins outside the soil: its rows stay empty until soil gets there",
+                        probe.name),
+            "a place in the drawing, in m"));
     }
     throw_errors(assembled.warnings, assembled.scene);
 }
@@ -188,6 +223,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not
     set_initial_state(assembled.scene, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);
+    check_probes(assembled);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
     return assembled;
 }

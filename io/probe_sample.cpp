@@ -3,6 +3,8 @@
 #include "io/particle_quantities.hpp"
 #include "solver/cpdi2.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -105,6 +107,24 @@ std::size_t nearest_particle(const Particles& particles, const Vector2& point)
         }
     }
     return nearest;
+}
+
+std::optional<std::string> outside_soil(const Problem& problem, const Particles& particles,
+                                        const Vector2& point)
+{
+    const Vector2 found = particles.reference_position[nearest_particle(particles, point)];
+    if ((found - point).norm() <= 2.0 * problem.grid.cell_size) return std::nullopt;
+    return fmt::format("at ({}, {}) m lies outside the soil: the nearest particle is at ({:.4g}, {:.4g}) m",
+                       point.x(), point.y(), found.x(), found.y());
+}
+
+std::vector<Vector2> points_of(const SceneProbe& probe)
+{
+    if (probe.kind != ProbeKind::profile || probe.points < 2) return {*probe.at};
+    std::vector<Vector2> points;
+    for (int k = 0; k < probe.points; ++k)
+        points.push_back(*probe.at + (*probe.to - *probe.at) * (static_cast<double>(k) / (probe.points - 1)));
+    return points;
 }
 
 SurfacePoint surface_point(const Particles& particles, double x)

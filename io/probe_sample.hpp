@@ -2,12 +2,14 @@
 #pragma once
 
 #include "io/csv_file.hpp"
+#include "io/scene.hpp"
 #include "solver/nodal_fields.hpp"
 #include "solver/particles.hpp"
 #include "solver/problem.hpp"
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,6 +40,14 @@ ProbeSample sample_point(const Problem& problem, const NodalFields& fields, cons
 
 /// The particle whose position at the start of shaking was nearest to the point.
 std::size_t nearest_particle(const Particles& particles, const Vector2& point);
+
+/// What is wrong with a point more than two cells from any soil: "lies outside the soil: the nearest particle
+/// is at ...".
+std::optional<std::string> outside_soil(const Problem& problem, const Particles& particles,
+                                        const Vector2& point);
+
+/// Where a probe looks: one point, or those of a profile. It must have its place.
+std::vector<Vector2> points_of(const SceneProbe& probe);
 
 /// The particle whose domain is highest at x, and that height.
 struct SurfacePoint {

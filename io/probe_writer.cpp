@@ -84,14 +84,9 @@ void require_place(const SceneProbe& probe)
 /// The particle a material probe rides with; a point more than two cells from any soil is a mistake.
 std::int32_t find_rider(const SceneProbe& probe, const Problem& problem, const Particles& particles)
 {
-    const std::size_t p = nearest_particle(particles, *probe.at);
-    const Vector2 found = particles.reference_position[p];
-    if ((found - *probe.at).norm() > 2.0 * problem.grid.cell_size)
-        throw InputError(
-            fmt::format("probe '{}' at ({}, {}) m lies outside the soil: the nearest particle is at "
-                        "({:.4g}, {:.4g}) m",
-                        probe.name, probe.at->x(), probe.at->y(), found.x(), found.y()));
-    return particles.identifier[p];
+    if (const auto wrong = outside_soil(problem, particles, *probe.at))
+        throw InputError("probe '" + probe.name + "' " + *wrong);
+    return particles.identifier[nearest_particle(particles, *probe.at)];
 }
 
 std::size_t index_of(const Particles& particles, std::int32_t identifier)
@@ -99,13 +94,6 @@ std::size_t index_of(const Particles& particles, std::int32_t identifier)
     const auto found = std::find(particles.identifier.begin(), particles.identifier.end(), identifier);
     ENSURE(found != particles.identifier.end());
     return static_cast<std::size_t>(found - particles.identifier.begin());
-}
-
-/// Position of the k-th point of a profile.
-Vector2 profile_point(const SceneProbe& probe, int k)
-{
-    if (probe.points < 2) return *probe.at;
-    return *probe.at + (*probe.to - *probe.at) * (static_cast<double>(k) / (probe.points - 1));
 }
 
 } // namespace
@@ -124,9 +112,10 @@ ProbeWriter::ProbeWriter(const Scene& scene, const Problem& problem, const State
     double last_time = std::numeric_limits<double>::infinity();
     for (const SceneProbe& scene_probe : scene.probes) {
         probes_.push_back(open_probe(scene_probe, problem, state, label, results, resume));
-        if (scene_probe.kind == ProbeKind::fixed) fixed_points_.push_back(*scene_probe.at);
-        for (int k = 0; scene_probe.kind == ProbeKind::profile && k < scene_probe.points; ++k)
-            fixed_points_.push_back(profile_point(scene_probe, k));
+        if (scene_probe.kind == ProbeKind::fixed || scene_probe.kind == ProbeKind::profile) {
+            const std::vector<Vector2> points = points_of(scene_probe);
+            fixed_points_.insert(fixed_points_.end(), points.begin(), points.end());
+        }
         last_time = std::min(last_time, probes_.back().file.last_time().value_or(-1.0));
     }
     if (!probes_.empty()) clock_.go_on(state.time, last_time);
@@ -186,8 +175,8 @@ std::vector<ProbeSample> ProbeWriter::sample(const Probe& probe, const Problem& 
         break;
     }
     std::vector<ProbeSample> samples;
-    for (int k = 0; k < probe.scene.points; ++k)
-        samples.push_back(sample_point(problem, fields, profile_point(probe.scene, k)));
+    for (const Vector2& point : points_of(probe.scene))
+        samples.push_back(sample_point(problem, fields, point));
     return samples;
 }
 

@@ -66,8 +66,8 @@ std::vector<FieldComponent> select(const std::vector<FrameArray>& arrays,
         });
         if (selected.size() > before) continue;
         const std::string near = nearest_name(name, known);
-        throw InputError(fmt::format("there is no field '{}' in the results{}. Available: {}", name,
-                                     near.empty() ? "" : "; did you mean '" + near + "'?",
+        throw InputError(fmt::format("there is no field '{}' in the results{} Available: {}", name,
+                                     near.empty() ? "." : "; did you mean '" + near + "'?",
                                      fmt::join(known, ", ")));
     }
     return selected;

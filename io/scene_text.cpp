@@ -1,8 +1,10 @@
 #include "io/scene_text.hpp"
 
+#include "geometry/text_file.hpp"
+#include "solver/failure.hpp"
+
 #include <array>
 #include <cstdint>
-#include <fstream>
 #include <system_error>
 
 namespace quicksand {
@@ -105,9 +107,12 @@ std::optional<std::string> read_text_file(const std::filesystem::path& file, con
     if (!std::filesystem::is_regular_file(status)) return refuse("is not a regular file", "");
     if (std::filesystem::file_size(file, error) > largest_file)
         return refuse("is larger than 64 MiB", "is it the right file?");
-    std::ifstream stream(file, std::ios::binary);
-    std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-    if (!stream) return refuse("cannot be read", "check its permissions");
+    std::string text;
+    try {
+        text = read_text(file);
+    } catch (const FileError&) {
+        return refuse("cannot be read", "check its permissions");
+    }
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
         return refuse("is UTF-16 text", "save it as UTF-8");
     }

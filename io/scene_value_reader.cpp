@@ -10,6 +10,13 @@ namespace quicksand {
 
 namespace {
 
+/// With a decimal point, as a number that should have none was written.
+std::string decimal_text(double number)
+{
+    const std::string text = number_text(number);
+    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
 using Kind = DocumentNode::Kind;
 
 /// A number with what the user wrote, for the hints.
@@ -129,7 +136,7 @@ std::optional<double> ValueReader::read_number(const DocumentNode& node)
 std::optional<std::int64_t> ValueReader::read_integer(const DocumentNode& node)
 {
     if (node.kind == Kind::number && std::isfinite(node.number)) {
-        refuse(node, "type", path_ + " = " + number_text(node.number) + " is not a whole number",
+        refuse(node, "type", path_ + " = " + decimal_text(node.number) + " is not a whole number",
                "a whole number, " + describe(key_.allowed, Dimension::none),
                node.number == std::floor(node.number) ? "write it without the decimal point" : "");
         return std::nullopt;

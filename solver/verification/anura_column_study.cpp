@@ -18,7 +18,7 @@ std::vector<StudyError> anura_column_study(const Problem& problem, State state)
         {{0.049, "0.049 s"}, {0.098, "0.098 s"}, {0.196, "0.196 s"}, {0.49, "0.49 s"}, {0.98, "0.98 s"}}};
     const Layer layer = read_layer(problem, state);
     const Particles& particles = state.particles;
-    const double q = load_on(problem, layer.top, 0.0), M = layer.soil.constrained_modulus;
+    const double q = steady_load_on(problem, layer.top), M = layer.soil.constrained_modulus;
     if (!(q > 0.0) || std::abs(particles.pore_pressure.front() - q) > 1e-9 * q) {
         throw InputError("the verification needs a load on the top that initial.excess_pore_pressure equals");
     }

@@ -29,7 +29,7 @@ LargeStrainConsolidation read_consolidation(const Problem& problem, const State&
         throw InputError("the verification needs permeability_law = \"specific_volume_squared\"");
     }
     if (problem.strain != StrainForm::large) throw InputError("the verification needs large strain");
-    const double load = load_on(problem, layer.top, 0.0);
+    const double load = steady_load_on(problem, layer.top);
     if (!(load > 0.0) || std::abs(state.particles.pore_pressure.front() - load) > 1e-9 * load) {
         throw InputError("the verification needs a load on the top that initial.excess_pore_pressure equals");
     }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 namespace quicksand {
 
@@ -82,6 +83,16 @@ double load_on(const Problem& problem, double y, double time)
 {
     const std::optional<SurfaceLoad> load = surface_load(problem, y);
     return load ? (load->pressure - load->traction.y()) * history_value(load->history, time) : 0.0;
+}
+
+double steady_load_on(const Problem& problem, double y)
+{
+    const std::optional<SurfaceLoad> load = surface_load(problem, y);
+    if (load &&
+        (!std::holds_alternative<ConstantHistory>(load->history.shape) || load->history.ramp_time > 0.0))
+        throw InputError("the verification needs a load that stands from the start\n"
+                         "hint: take out its ramp_time and its history");
+    return load_on(problem, y, 0.0);
 }
 
 double root_mean_square(const Particles& particles, const std::function<double(std::size_t)>& difference)

@@ -34,6 +34,9 @@ std::optional<SurfaceLoad> surface_load(const Problem& problem, double y);
 /// The downward load on the face at height y and a time, zero without one [Pa].
 double load_on(const Problem& problem, double y, double time);
 
+/// The same of a load that stands from the start. Throws InputError for one with a ramp or a history.
+double steady_load_on(const Problem& problem, double y);
+
 /// sqrt(sum V_p (value(p) - exact(p))^2 / sum V_p), by the particles' volumes.
 double root_mean_square(const Particles& particles, const std::function<double(std::size_t)>& difference);
 

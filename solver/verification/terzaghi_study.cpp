@@ -43,7 +43,7 @@ Consolidation read_consolidation(const Problem& problem, const State& state)
     if (!(consolidation.initial_pressure > 0.0)) {
         throw InputError("the verification needs initial.excess_pore_pressure");
     }
-    consolidation.load = load_on(problem, consolidation.layer.top, 0.0);
+    consolidation.load = steady_load_on(problem, consolidation.layer.top);
     return consolidation;
 }
 

@@ -152,7 +152,9 @@ TEST(Probes, OneOutsideTheSoilIsNamedWithTheNearestParticle)
     const Outcome outcome = run_program(short_column + (folder / "results").string() +
                                         " --set 'probes.far.kind=\"material\"' --set 'probes.far.at=[5, 5]'");
     EXPECT_EQ(outcome.code, 2) << outcome.output;
-    expect_mention(outcome, "probe 'far' at (5, 5) m lies outside the soil: the nearest particle is at ");
+    expect_mention(outcome,
+                   "the probe \"far\" at (5, 5) m lies outside the soil: the nearest particle is at ");
+    EXPECT_FALSE(std::filesystem::exists(folder / "results"));
 }
 
 TEST(ResultsFolder, APictureNeedsResults)

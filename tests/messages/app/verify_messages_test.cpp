@@ -64,6 +64,8 @@ TEST(Verify, AProblemWithoutWhatItsStudyNeedsIsRefused)
 {
     expect_refusal("terzaghi --short --set initial.excess_pore_pressure=0",
                    "terzaghi: the verification needs initial.excess_pore_pressure");
+    expect_refusal("terzaghi --short --set boundaries.surface.ramp_time=1",
+                   "terzaghi: the verification needs a load that stands from the start");
     expect_refusal("anura_column --short --set boundaries.surface.pressure=1e3",
                    "needs a load on the top that initial.excess_pore_pressure equals");
     expect_refusal("periodic_column_3 --short --set boundaries.surface.ramp_time=1",

@@ -130,19 +130,6 @@ TEST(SectionMessages, LeaveAFloorAloneThatGoesOnBeyondTheSoil)
     EXPECT_TRUE(check_section(section, covering).empty());
 }
 
-TEST(SectionMessages, NameARegionTooThinForAnyParticle)
-{
-    const Section section =
-        make_section({{"sand", {rectangle(0, 0, 2, 1)}}, {"filter", {rectangle(0, 1, 2, 1.01)}}});
-    try {
-        sample_lattice(section, covering, 2, 2, 1);
-        FAIL();
-    } catch (const InputError& error) {
-        EXPECT_NE(std::string(error.what()).find("region \"filter\" (0.02 m2) got no particle"),
-                  std::string::npos);
-    }
-}
-
 TEST(SectionMessages, NameAFoldedQuadrilateral)
 {
     Section section = single(rectangle(0, 0, 1, 1));

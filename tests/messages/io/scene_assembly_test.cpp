@@ -233,6 +233,38 @@ TEST(Assembly, WarnsOfASlantedMovingWall)
               std::string::npos);
 }
 
+TEST(Assembly, NamesARegionTooThinForAnyParticle)
+{
+    Section section = column_section();
+    Region film = section.regions[0];
+    film.name = "film";
+    for (Vector2& corner : film.polygons[0].outer) corner.y() = corner.y() > 0.1 ? 0.3185 : 0.3175;
+    section.regions.push_back(film);
+    const std::string text =
+        replaced(column_scene, "[regions.sand]", "[regions.film]\nmaterial = \"sand\"\n[regions.sand]");
+    const std::string message = SceneFolder().assembly_message(text, section);
+    EXPECT_NE(message.find("error[sampling]: the region \"film\" ("), std::string::npos) << message;
+    EXPECT_NE(message.find("got no particle: it is thinner than a particle"), std::string::npos) << message;
+}
+
+TEST(Assembly, NamesAProbeOutsideTheSoil)
+{
+    const std::string probes = "[probes.stray]\nkind = \"material\"\nat = [5.0, 5.0]\n"
+                               "[probes.beside]\nkind = \"surface\"\nat = [5.0, 0.0]\n"
+                               "[probes.above]\nkind = \"fixed\"\nat = [0.03, 0.4]\n";
+    const std::string message =
+        SceneFolder().assembly_message(column_scene + ("\n" + probes), column_section());
+    EXPECT_NE(
+        message.find("error[probe]: the probe \"stray\" at (5, 5) m lies outside the soil: the nearest"),
+        std::string::npos)
+        << message;
+    for (const char* name : {"beside", "above"}) {
+        const std::string warning = std::string("warning[probe]: the probe \"") + name +
+                                    "\" begins outside the soil: its rows stay empty until soil gets there";
+        EXPECT_NE(message.find(warning), std::string::npos) << message;
+    }
+}
+
 TEST(Assembly, KeepsQuietOfWhatIsAccepted)
 {
     std::string text = replaced(column_scene, "\"7.5 mm\"", "\"7.5 mm\"\norigin = [0, -0.005]");

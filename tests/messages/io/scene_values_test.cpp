@@ -77,7 +77,7 @@ SceneMistake{"WholeNumberWithAPoint",
     "particles_per_cell = [3, 3]",
     "particles_per_cell = [3, 2.0]",
 R"_(
-scene.toml:11:26: error[type]: sampling.particles_per_cell = 2 is not a whole number
+scene.toml:11:26: error[type]: sampling.particles_per_cell = 2.0 is not a whole number
    11 | particles_per_cell = [3, 2.0]
       |                          ^~~
 expected: a whole number, 1 to 10
