@@ -2,7 +2,9 @@
 
 #include "solver/boundary_conditions.hpp"
 #include "solver/grid_momentum.hpp"
+#include "solver/lanes.hpp"
 #include "solver/monitors.hpp"
+#include "solver/pore_pressure.hpp"
 #include "solver/threads.hpp"
 
 #include <array>
@@ -158,6 +160,34 @@ double sum_particles(std::size_t count, Value&& value)
     });
 }
 
+/// Sum over the particles [first, last) of the growth of their volume in the step times the velocity of their
+/// water [m4/(m s)].
+VECTOR_KERNEL
+Vector2 momentum_of_growth(double dt, const Scalars& volume, const Particles& particles, std::size_t first,
+                           std::size_t last)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    const Vectors& water =
+        particles.velocity_fluid.x.empty() ? particles.velocity_solid : particles.velocity_fluid;
+    const auto growth = [dt](const auto& V, const auto& xx, const auto& xy, const auto& yx, const auto& yy) {
+        return V * (dt * (xx + yy) + dt * dt * (xx * yy - xy * yx));
+    };
+    Lanes x = all_lanes(0.0), y = x;
+    std::size_t p = first;
+    for (; p + 4 <= last; p += 4) {
+        const Lanes dV = growth(load_lanes(&volume[p]), load_lanes(&L.xx[p]), load_lanes(&L.xy[p]),
+                                load_lanes(&L.yx[p]), load_lanes(&L.yy[p]));
+        x += dV * load_lanes(&water.x[p]);
+        y += dV * load_lanes(&water.y[p]);
+    }
+    for (; p < last; ++p) {
+        const double dV = growth(volume[p], L.xx[p], L.xy[p], L.yx[p], L.yy[p]);
+        x[0] += dV * water.x[p];
+        y[0] += dV * water.y[p];
+    }
+    return {(x[0] + x[1]) + (x[2] + x[3]), (y[0] + y[1]) + (y[2] + y[3])};
+}
+
 /// Whether a particle is saturated, a function of its number; materials are looked up only where there is
 /// soil of both kinds.
 auto wetness(const Problem& problem, const Particles& particles)
@@ -232,19 +262,15 @@ void enter_exchange(const Problem& problem, double dt, const Particles& particle
 {
     const bool pores_are_constant = problem.strain == StrainForm::small;
     if (!problem.water || pores_are_constant || water_flow(problem) == WaterFlow::undrained) return;
-    const Gradients& L = particles.velocity_gradient_solid;
-    const auto is_wet = wetness(problem, particles);
-    const double density = problem.water->density;
-    const auto added_mass = [&](std::size_t p) {
-        if (!is_wet(p)) return 0.0;
-        const double growth = dt * (L.xx[p] + L.yy[p]) + dt * dt * (L.xx[p] * L.yy[p] - L.xy[p] * L.yx[p]);
-        return density * particles.volume[p] * growth;
-    };
-    const Vectors& water =
-        particles.velocity_fluid.x.empty() ? particles.velocity_solid : particles.velocity_fluid;
-    const std::size_t count = particles.size();
-    ledger.exchange_x += sum_particles(count, [&](std::size_t p) { return added_mass(p) * water.x[p]; });
-    ledger.exchange_y += sum_particles(count, [&](std::size_t p) { return added_mass(p) * water.y[p]; });
+    Scalars wet;
+    if (has_unsaturated_soil(problem)) set_saturated_volumes(problem, particles, wet);
+    const Scalars& volume = wet.empty() ? particles.volume : wet;
+    const Vector2 sum =
+        ordered_sum<Vector2>(particles.size(), Vector2::Zero(), [&](std::size_t first, std::size_t last) {
+            return momentum_of_growth(dt, volume, particles, first, last);
+        });
+    ledger.exchange_x += problem.water->density * sum.x();
+    ledger.exchange_y += problem.water->density * sum.y();
 }
 
 LedgerBalance balance(const Problem& problem, const State& state)
