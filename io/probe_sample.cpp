@@ -129,11 +129,14 @@ std::vector<Vector2> points_of(const SceneProbe& probe)
 
 SurfacePoint surface_point(const Particles& particles, double x)
 {
+    constexpr double rounding = 1e-9; // where two domains meet, x lies beside both or neither without it [-]
     SurfacePoint surface;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double reach = std::abs(particles.half_edge_1.x[p]) + std::abs(particles.half_edge_2.x[p]);
-        if (std::abs(particles.position.x[p] - x) > reach) continue;
-        for_each_crossing(quadrilateral_corners(particles, p), x, [&](double y) {
+        const double apart = x - particles.position.x[p], rim = (1.0 - rounding) * reach;
+        if (std::abs(apart) > (1.0 + rounding) * reach) continue;
+        const double inside = std::abs(apart) > rim ? particles.position.x[p] + std::copysign(rim, apart) : x;
+        for_each_crossing(quadrilateral_corners(particles, p), inside, [&](double y) {
             const bool tie = surface.found && y == surface.height &&
                              particles.identifier[p] < particles.identifier[surface.particle];
             if (!surface.found || y > surface.height || tie) surface = {true, p, y};

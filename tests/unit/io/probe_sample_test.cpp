@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace quicksand {
@@ -34,6 +35,21 @@ TEST(ProbeSample, SurfaceIsTheHighestDomainOverTheLine)
     const double x = particles.position.x[p] + 0.5 * particles.half_edge_1.x[p];
     EXPECT_NEAR(surface_point(particles, x).height, 1.55, 1e-12);
     EXPECT_FALSE(surface_point(particles, 7.0).found);
+}
+
+TEST(ProbeSample, ASurfaceIsFoundWhereDomainsMeetButForRounding)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    double edge = 0.0; // of the body, on its right
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        edge = std::max(edge, particles.position.x[p] + std::abs(particles.half_edge_1.x[p]) +
+                                  std::abs(particles.half_edge_2.x[p]));
+    const SurfacePoint beside = surface_point(particles, std::nextafter(edge, 2.0 * edge));
+    EXPECT_TRUE(beside.found);
+    EXPECT_NEAR(beside.height, surface_point(particles, 0.999 * edge).height, 1e-9);
+    EXPECT_FALSE(surface_point(particles, 1.001 * edge).found);
 }
 
 TEST(ProbeSample, FixedPointInterpolatesLinearFieldsExactly)
