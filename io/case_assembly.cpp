@@ -183,6 +183,7 @@ void check_probes(AssembledCase& assembled)
                         probe.name),
             "a place in the drawing, in m"));
     }
+    assembled.warnings.accept(assembled.scene.accepted);
     throw_errors(assembled.warnings, assembled.scene);
 }
 

@@ -265,6 +265,13 @@ TEST(Assembly, NamesAProbeOutsideTheSoil)
     }
 }
 
+TEST(Assembly, KeepsQuietOfAnAcceptedProbeWithoutSoil)
+{
+    const std::string text = replaced(column_scene, "title = \"column\"", "accept = [\"probes.above\"]") +
+                             "\n[probes.above]\nkind = \"fixed\"\nat = [0.03, 0.4]\n";
+    EXPECT_EQ(SceneFolder().assembly_message(text, column_section()), "");
+}
+
 TEST(Assembly, KeepsQuietOfWhatIsAccepted)
 {
     std::string text = replaced(column_scene, "\"7.5 mm\"", "\"7.5 mm\"\norigin = [0, -0.005]");
