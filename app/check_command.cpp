@@ -23,13 +23,6 @@ std::filesystem::path check_folder(const CheckChoice& choice, const Scene& scene
     return folder;
 }
 
-/// The plan of a former check is replaced; results of a run are not.
-ResultsFolder prepare_check_folder(const std::filesystem::path& directory, const Scene& scene)
-{
-    if (std::filesystem::exists(directory / plan_file)) return {directory};
-    return prepare_results_folder(directory, scene, FolderUse::fresh);
-}
-
 /// fields.pvd and grid.pvd with one frame of the state before any settling.
 void write_initial_frame(const AssembledCase& assembled, const ResultsFolder& folder)
 {
@@ -51,7 +44,8 @@ ExitCode check_scene(const CheckChoice& choice)
     Journal journal;
     const SceneSetup setup = set_up_scene(choice.scene, journal);
     const AssembledCase& assembled = setup.assembled;
-    const ResultsFolder folder = prepare_check_folder(check_folder(choice, assembled.scene), assembled.scene);
+    const ResultsFolder folder =
+        prepare_report_folder(check_folder(choice, assembled.scene), plan_file, assembled.scene);
     journal.keep(folder.directory / plan_file, false);
     journal.say(describe_scene_keys(setup));
     journal.say(describe_soil(assembled));

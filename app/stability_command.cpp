@@ -30,13 +30,6 @@ std::filesystem::path stability_folder(const StabilityChoice& choice, const Scen
     return folder;
 }
 
-/// The results of a former search are replaced; those of a run are not.
-ResultsFolder prepare_stability_folder(const std::filesystem::path& directory, const Scene& scene)
-{
-    if (std::filesystem::exists(directory / report_file)) return {directory};
-    return prepare_results_folder(directory, scene, FolderUse::fresh);
-}
-
 void require_strength(const AssembledCase& assembled)
 {
     if (has_strength(assembled.problem)) return;
@@ -94,7 +87,7 @@ ExitCode assess_stability(const StabilityChoice& choice)
     AssembledCase& assembled = setup.assembled;
     require_strength(assembled);
     const ResultsFolder folder =
-        prepare_stability_folder(stability_folder(choice, assembled.scene), assembled.scene);
+        prepare_report_folder(stability_folder(choice, assembled.scene), report_file, assembled.scene);
     journal.keep(folder.directory / report_file, false);
     journal.say(fmt::format("Strength reduction of {}: {} particles, cells of {} m",
                             assembled.scene.file.string(),

@@ -111,6 +111,16 @@ void require_ours(const ResultsFolder& folder, const Scene& scene)
                          "nothing was removed. Choose another folder");
 }
 
+void require_place_for_results(const ResultsFolder& folder, const Scene& scene)
+{
+    const std::string name = folder.directory.string();
+    if (fs::exists(folder.directory) && !fs::is_directory(folder.directory))
+        throw InputError(name + " is a file, not a folder for results");
+    std::error_code error;
+    if (fs::equivalent(folder.scene_copy(), scene.file, error))
+        throw InputError(name + " is the scene's own folder: choose another one for the results");
+}
+
 void require_checkpoint(const ResultsFolder& folder)
 {
     if (!fs::exists(folder.checkpoint()))
@@ -123,12 +133,7 @@ void require_checkpoint(const ResultsFolder& folder)
 ResultsFolder prepare_results_folder(const fs::path& directory, const Scene& scene, FolderUse use)
 {
     ResultsFolder folder{directory};
-    std::error_code error;
-    if (fs::exists(directory) && !fs::is_directory(directory))
-        throw InputError(directory.string() + " is a file, not a folder for results");
-    if (fs::equivalent(folder.scene_copy(), scene.file, error))
-        throw InputError(directory.string() +
-                         " is the scene's own folder: choose another one for the results");
+    require_place_for_results(folder, scene);
     if (fs::exists(directory)) folder.lock = std::make_shared<const FolderLock>(directory);
     if (use == FolderUse::resume) {
         require_checkpoint(folder);
@@ -140,9 +145,20 @@ ResultsFolder prepare_results_folder(const fs::path& directory, const Scene& sce
         require_ours(folder, scene);
         remove_former_run(folder);
     }
+    std::error_code error;
     fs::create_directories(directory, error);
     if (error) throw FileError(directory, "cannot create the folder", error.message(), "");
     if (!folder.lock) folder.lock = std::make_shared<const FolderLock>(directory);
+    write_atomically(folder.scene_copy(), scene.text);
+    return folder;
+}
+
+ResultsFolder prepare_report_folder(const fs::path& directory, const std::string& report, const Scene& scene)
+{
+    if (!fs::exists(directory / report)) return prepare_results_folder(directory, scene, FolderUse::fresh);
+    ResultsFolder folder{directory};
+    require_place_for_results(folder, scene);
+    folder.lock = std::make_shared<const FolderLock>(directory);
     write_atomically(folder.scene_copy(), scene.text);
     return folder;
 }

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <string>
 
 namespace quicksand {
 
@@ -38,5 +39,9 @@ struct ResultsFolder {
 /// FileError.
 ResultsFolder prepare_results_folder(const std::filesystem::path& directory, const Scene& scene,
                                      FolderUse use);
+
+/// The same for a report, which replaces a former one of its name, but no results of a run.
+ResultsFolder prepare_report_folder(const std::filesystem::path& directory, const std::string& report,
+                                    const Scene& scene);
 
 } // namespace quicksand

@@ -49,6 +49,21 @@ TEST(ResultsFolder, IsMadeWithACopyOfTheScene)
     EXPECT_EQ(results.log(), folder / "a/b/log.txt");
 }
 
+TEST(ResultsFolder, OfAReportTakesThePresentSceneAndOneWriterAtATime)
+{
+    const TemporaryFolder folder;
+    Scene scene = fixtures::small_scene();
+    prepare_report_folder(folder / "report", "check.txt", scene);
+    touch(folder / "report/check.txt");
+    touch(folder / "report/fields.pvd"); // of the report
+    scene.text += "# edited\n";
+    const ResultsFolder held = prepare_report_folder(folder / "report", "check.txt", scene);
+    EXPECT_EQ(fixtures::text_of(held.scene_copy()), scene.text);
+    EXPECT_THROW(prepare_report_folder(folder / "report", "check.txt", scene), InputError);
+    pretend_former_run(folder);
+    EXPECT_THROW(prepare_report_folder(folder.path(), "check.txt", scene), InputError);
+}
+
 TEST(ResultsFolder, RefusesAFormerRun)
 {
     const TemporaryFolder folder;
