@@ -18,28 +18,9 @@ struct Block {
 constexpr Block narrow{1, 4}; // domains that reach at most one cell
 constexpr Block wide{3, 8};   // domains at the limit, BackgroundGrid::domain_reach
 
-/// Where a patch lies within the block: column and row of its lower left node.
-struct Place {
-    int column, row;
-};
-
-/// The nearest whole number; |x| is small.
-int nearest(double x)
-{
-    return static_cast<int>(x + 1024.5) - 1024;
-}
-
-Place place_of(const StoredPatch& patch, const Vector2& position, const Vector2& block_corner,
-               double inverse_cell_size)
-{
-    return {nearest((patch.offset_x + position.x() - block_corner.x()) * inverse_cell_size),
-            nearest((patch.offset_y + position.y() - block_corner.y()) * inverse_cell_size)};
-}
-
 /// The particles of one cell with their patches.
 struct CellParticles {
     const BackgroundGrid& grid;
-    const Vectors& place;
     const Scalars& volume;
     const CellLists& lists;
     const PatchStore& store;
@@ -69,19 +50,19 @@ inline void add_row(double factor, const double* row, int width, double* target)
 /// the block.
 bool add_particles(const CellParticles& cell, Block block, double* x, double* y)
 {
-    const Vector2 corner = cell.grid.node_position(cell.column - block.before, cell.row - block.before);
-    const double inverse = 1.0 / cell.grid.cell_size;
     const double *gradient_x = cell.store.gradient_x.data(), *gradient_y = cell.store.gradient_y.data();
     for (std::size_t k = cell.first; k < cell.last; ++k) {
         const auto p = static_cast<std::size_t>(cell.lists.order[k]);
         const StoredPatch& patch = cell.store.patches[cell.first_patch + (k - cell.first)];
-        const Place at = place_of(patch, cell.place[p], corner, inverse);
+        // of the patch, within the block
+        const int column = patch.column - (cell.column - block.before),
+                  row = patch.row - (cell.row - block.before);
         const int width = patch.width, height = patch.height;
-        const bool inside = at.column >= 0 && at.row >= 0 && at.column + width <= block.nodes &&
-                            at.row + height <= block.nodes;
+        const bool inside =
+            column >= 0 && row >= 0 && column + width <= block.nodes && row + height <= block.nodes;
         if (!inside) return false;
         const double V = cell.volume[p];
-        int weight = patch.first, node = at.row * block.nodes + at.column;
+        int weight = patch.first, node = row * block.nodes + column;
         for (int b = 0; b < height; ++b, weight += width, node += block.nodes) {
             add_row(V, gradient_x + weight, width, x + node);
             add_row(V, gradient_y + weight, width, y + node);
@@ -139,9 +120,8 @@ void add_stencil(const CellParticles& cell, std::int32_t slot, Block block, Tile
 } // namespace
 
 VECTOR_KERNEL
-void assemble_divergence(const BackgroundGrid& grid, const Vectors& place, const Scalars& volume,
-                         const CellLists& lists, const Tile& tile, const PatchStore& store,
-                         TileDivergence& divergence)
+void assemble_divergence(const BackgroundGrid& grid, const Scalars& volume, const CellLists& lists,
+                         const Tile& tile, const PatchStore& store, TileDivergence& divergence)
 {
     divergence.stencils.clear();
     divergence.used = 0;
@@ -152,7 +132,6 @@ void assemble_divergence(const BackgroundGrid& grid, const Vectors& place, const
         if (first == last) continue;
         const std::int32_t cell = lists.cell_of_slot[static_cast<std::size_t>(slot)];
         const CellParticles content{grid,
-                                    place,
                                     volume,
                                     lists,
                                     store,

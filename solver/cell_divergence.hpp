@@ -29,10 +29,9 @@ struct TileDivergence {
     std::size_t used = 0;     // numbers of the stencils so far
 };
 
-/// Set up D for a tile from the weights of its particles; `place` is where the particles are for the weights.
-void assemble_divergence(const BackgroundGrid& grid, const Vectors& place, const Scalars& volume,
-                         const CellLists& lists, const Tile& tile, const PatchStore& store,
-                         TileDivergence& divergence);
+/// Set up D for a tile from the weights of its particles.
+void assemble_divergence(const BackgroundGrid& grid, const Scalars& volume, const CellLists& lists,
+                         const Tile& tile, const PatchStore& store, TileDivergence& divergence);
 
 /// flow[cell] = sum D . flux, for the cells of the tile that hold soil.
 void outflows(const TileDivergence& divergence, std::int32_t nodes_x, const Scalars& flux_x,

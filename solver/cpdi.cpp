@@ -30,11 +30,10 @@ void evaluate_cpdi(const BackgroundGrid& grid, const ParallelogramDomain& domain
     const Vector2 g2 = inverse_volume * Vector2(r1.y() + r2.y(), -r1.x() - r2.x());
     const CornerWeights corners[4] = {
         {x - r1 - r2, 0.25, g1}, {x + r1 - r2, 0.25, g2}, {x + r1 + r2, 0.25, -g1}, {x - r1 + r2, 0.25, -g2}};
-    sum_corner_weights(grid, x, corners, patch);
+    sum_corner_weights(grid, corners, patch);
 }
 
-void sum_corner_weights(const BackgroundGrid& grid, const Vector2& centre, const CornerWeights (&corners)[4],
-                        NodePatch& patch)
+void sum_corner_weights(const BackgroundGrid& grid, const CornerWeights (&corners)[4], NodePatch& patch)
 {
     const Vector2 rim = grid.rim_origin();
     const double inverse = 1.0 / grid.cell_size;
@@ -44,9 +43,7 @@ void sum_corner_weights(const BackgroundGrid& grid, const Vector2& centre, const
     const auto [j_min, j_max] = std::minmax({cells[0].j, cells[1].j, cells[2].j, cells[3].j});
     patch.width = i_max - i_min + 2;
     patch.height = j_max - j_min + 2;
-    patch.base = j_min * grid.nodes_x() + i_min;
-    patch.offset_x = rim.x() + i_min * grid.cell_size - centre.x();
-    patch.offset_y = rim.y() + j_min * grid.cell_size - centre.y();
+    patch.column = i_min, patch.row = j_min;
 
     std::fill_n(patch.weights, patch.width * patch.height, NodeWeight{0.0, 0.0, 0.0});
     for (int c = 0; c < 4; ++c) {

@@ -46,7 +46,6 @@ struct CornerWeights {
 };
 
 /// phi = sum_c value_c N_i(x_c), grad phi = sum_c gradient_c N_i(x_c) on the patch of all nodes concerned.
-void sum_corner_weights(const BackgroundGrid& grid, const Vector2& centre, const CornerWeights (&corners)[4],
-                        NodePatch& patch);
+void sum_corner_weights(const BackgroundGrid& grid, const CornerWeights (&corners)[4], NodePatch& patch);
 
 } // namespace quicksand

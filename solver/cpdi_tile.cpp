@@ -102,8 +102,7 @@ std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& p
 {
     constexpr int widest = 4; // nodes that a row of lanes covers
     const double rim_x = grid.rim_origin().x(), rim_y = grid.rim_origin().y();
-    const double h = grid.cell_size, inverse = 1.0 / h;
-    const int columns = grid.nodes_x();
+    const double inverse = 1.0 / grid.cell_size;
     const std::size_t first = lists.first_entry(tile), last = lists.last_entry(tile);
     std::int64_t limited = 0;
     store.clear_for(last - first);
@@ -132,9 +131,8 @@ std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& p
         }
 
         const DomainRows domain = rows_of(r1_x, r1_y, r2_x, r2_y, inverse, along, up);
-        patches[k] = {up.first * columns + along.first,    static_cast<std::int16_t>(along.nodes),
-                      static_cast<std::int16_t>(up.nodes), static_cast<std::int32_t>(used),
-                      rim_x + along.first * h - x,         rim_y + up.first * h - y};
+        patches[k] = {along.first, up.first, static_cast<std::int32_t>(used),
+                      static_cast<std::int16_t>(along.nodes), static_cast<std::int16_t>(up.nodes)};
         for (int b = 0; b < up.nodes; ++b) {
             const std::size_t at = used + static_cast<std::size_t>(b * along.nodes);
             write_row(domain, b, arrays.value + at, arrays.gradient_x + at, arrays.gradient_y + at);

@@ -56,11 +56,9 @@ bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 len
     const Vector2 cells = grid.cells_from_rim(centre);
     const LineWeights x = line_weights(cells.x(), lengths.x() / grid.cell_size, grid.cell_size);
     const LineWeights y = line_weights(cells.y(), lengths.y() / grid.cell_size, grid.cell_size);
-    patch.base = y.first * grid.nodes_x() + x.first;
+    patch.column = x.first, patch.row = y.first;
     patch.width = x.count;
     patch.height = y.count;
-    patch.offset_x = (x.first - cells.x()) * grid.cell_size;
-    patch.offset_y = (y.first - cells.y()) * grid.cell_size;
     NodeWeight* weight = patch.weights;
     for (int b = 0; b < y.count; ++b) {
         for (int a = 0; a < x.count; ++a) {

@@ -76,7 +76,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     for_each_tile_by_colour(shape.lists, [&](const Tile& tile) {
         PatchStore& store = shape.patches[static_cast<std::size_t>(tile.number)];
         evaluate_weights(problem, resting, shape.lists, tile, store);
-        scatter_single_phase(problem.grid, resting, masses, shape.lists, tile, store, shape.rest);
+        scatter_single_phase(problem, resting, masses, shape.lists, tile, store, shape.rest);
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, resting, masses, shape.lists, tile, store, shape.rest);
     });

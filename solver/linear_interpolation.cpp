@@ -7,10 +7,8 @@ bool LinearInterpolation::evaluate(const BackgroundGrid& grid, const Particles& 
 {
     const double inverse = 1.0 / grid.cell_size;
     const auto [i, j, xi, eta] = place_in_cell((particles.position[p] - grid.rim_origin()) * inverse);
-    patch.base = j * grid.nodes_x() + i;
+    patch.column = i, patch.row = j;
     patch.width = patch.height = 2;
-    patch.offset_x = -xi * grid.cell_size;
-    patch.offset_y = -eta * grid.cell_size;
     const double Nx[2] = {1.0 - xi, xi}, Ny[2] = {1.0 - eta, eta};
     const double dN[2] = {-inverse, inverse};
     for (int b = 0; b < 2; ++b) {

@@ -116,8 +116,8 @@ NodalFields average(const Problem& problem, const Particles& particles, const No
         evaluate_cpdi(grid, domain, patch);
         particle_values(problem, particles, p, values);
         for (int k = 0; k < patch.width * patch.height; ++k) {
-            const auto node =
-                static_cast<std::size_t>(patch.base + k / patch.width * grid.nodes_x() + k % patch.width);
+            const std::size_t node =
+                grid.node_index(patch.column + k % patch.width, patch.row + k / patch.width);
             if (wanted[node] == 0) continue;
             const double weight = patch.weights[k].value * particles.volume[p];
             fields.volume[node] += weight;

@@ -19,23 +19,24 @@ struct NodeWeight {
     double gradient_y; // d phi_ip / dy [1/m]
 };
 
-/// Weights on width x height nodes, row by row from the node `base`.
+/// Weights on width x height nodes, row by row from the lower left one.
 struct NodePatch {
     static constexpr int max_width = 8; // reach of three cells on either side
 
-    std::int32_t base = 0;  // node index of the lower left node [-]
-    std::int32_t width = 0; // nodes [-]
+    std::int32_t column = 0, row = 0; // of the lower left node, from the rim's corner [-]
+    std::int32_t width = 0;           // nodes [-]
     std::int32_t height = 0;
-    double offset_x = 0.0, offset_y = 0.0; // x_base - x_p [m]
     NodeWeight weights[max_width * max_width];
 };
 
 /// A patch in a PatchStore.
 struct StoredPatch {
-    std::int32_t base;
+    std::int32_t column, row; // of its lower left node
+    std::int32_t first;       // of its weights in the store
     std::int16_t width, height;
-    std::int32_t first;        // of its weights in the store
-    double offset_x, offset_y; // x_base - x_p [m]
+
+    /// Index of the lower left node.
+    std::int32_t base(std::int32_t nodes_x) const { return row * nodes_x + column; }
 };
 
 /// Lengthen work space to `needed` numbers and an eighth to spare; left to itself a vector doubles.
@@ -75,12 +76,8 @@ struct PatchStore {
     {
         const int count = patch.width * patch.height;
         extend(static_cast<std::size_t>(count));
-        patches[particle] = {patch.base,
-                             static_cast<std::int16_t>(patch.width),
-                             static_cast<std::int16_t>(patch.height),
-                             static_cast<std::int32_t>(used),
-                             patch.offset_x,
-                             patch.offset_y};
+        patches[particle] = {patch.column, patch.row, static_cast<std::int32_t>(used),
+                             static_cast<std::int16_t>(patch.width), static_cast<std::int16_t>(patch.height)};
         for (int k = 0; k < count; ++k, ++used) {
             value[used] = patch.weights[k].value;
             gradient_x[used] = patch.weights[k].gradient_x;
@@ -95,7 +92,7 @@ void for_each_node(const StoredPatch& patch, const PatchStore& store, std::int32
 {
     auto k = static_cast<std::size_t>(patch.first);
     for (std::int32_t b = 0; b < patch.height; ++b) {
-        const auto row = static_cast<std::size_t>(patch.base + b * nodes_x);
+        const auto row = static_cast<std::size_t>(patch.base(nodes_x) + b * nodes_x);
         for (std::int32_t a = 0; a < patch.width; ++a, ++k) {
             visit(row + static_cast<std::size_t>(a),
                   NodeWeight{store.value[k], store.gradient_x[k], store.gradient_y[k]});

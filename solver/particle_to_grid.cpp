@@ -58,20 +58,35 @@ inline void add_to(double* target, const Lanes& increment)
     store_lanes(load_lanes(target) + increment, target);
 }
 
-/// Call add(node, phi, d phi/dx, d phi/dy, the field at the node) for the nodes of a patch.
-template <class Node, class Add>
-inline void carry_to_nodes(const CarriedField& field, const BackgroundGrid& grid, const StoredPatch& patch,
-                           const PatchStore& store, Node* nodes, Add&& add)
+/// The grid as a patch sees it.
+struct NodeRows {
+    double rim_x, rim_y; // corner of its lower left node [m]
+    double h;            // between nodes [m]
+    std::int32_t nodes_x;
+};
+
+inline NodeRows rows_of(const BackgroundGrid& grid)
 {
-    const double h = grid.cell_size;
-    const Lanes node_step = h * field.slope_x; // from a node to the next
-    double dy = patch.offset_y;
+    const Vector2 rim = grid.rim_origin();
+    return {rim.x(), rim.y(), grid.cell_size, grid.nodes_x()};
+}
+
+/// Call add(node, phi, d phi/dx, d phi/dy, the field at the node) for the nodes of the patch of a particle at
+/// (x, y).
+template <class Node, class Add>
+inline void carry_to_nodes(const CarriedField& field, double x, double y, const NodeRows& rows,
+                           const StoredPatch& patch, const PatchStore& store, Node* nodes, Add&& add)
+{
+    const double h = rows.h;
+    const Lanes node_step = h * field.slope_x, row_step = h * field.slope_y; // from one to the next
+    const double dx = rows.rim_x + patch.column * h - x, dy = rows.rim_y + patch.row * h - y;
+    Lanes at_row = field.at_particle + dx * field.slope_x + dy * field.slope_y; // at its first node
     Lanes at_node;
     walk_patch(
-        patch, store, grid.nodes_x(), nodes,
+        patch, store, rows.nodes_x, nodes,
         [&] {
-            at_node = field.at_particle + dy * field.slope_y + patch.offset_x * field.slope_x;
-            dy += h;
+            at_node = at_row;
+            at_row += row_step;
         },
         [&](Node& node, double phi, double grad_x, double grad_y) {
             add(node, phi, grad_x, grad_y, at_node);
@@ -121,17 +136,19 @@ inline SinglePhaseShare share_of(const Particles& particles, const CarriedMasses
 
 /// `pressure(p)` acts besides the effective stress [Pa].
 template <class Pressure>
-inline void scatter_one_velocity(const BackgroundGrid& grid, const Particles& particles,
+inline void scatter_one_velocity(const Problem& problem, const Particles& particles,
                                  const CarriedMasses& masses, const CellLists& lists, const Tile& tile,
                                  const PatchStore& store, std::vector<SinglePhaseSums>& sums,
                                  Pressure&& pressure)
 {
+    const Vectors& place = place_in_equations(problem, particles);
+    const NodeRows rows = rows_of(problem.grid);
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const SinglePhaseShare share = share_of(particles, masses, p, pressure(p));
         carry_to_nodes(
-            share.carried, grid, *patch, store, sums.data(),
+            share.carried, place.x[p], place.y[p], rows, *patch, store, sums.data(),
             [&](SinglePhaseSums& node, double phi, double grad_x, double grad_y, const Lanes& carried) {
                 add_to(&node.mass, phi * carried);
                 node.stress_force_x += share.flow_xx * grad_x + share.flow_xy * grad_y;
@@ -185,11 +202,14 @@ VECTOR_KERNEL
 void scatter_two_phase(const Problem& problem, const Particles& particles, const CellLists& lists,
                        const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums)
 {
+    const Vectors& place = place_in_equations(problem, particles);
+    const NodeRows rows = rows_of(problem.grid);
     const StoredPatch* patch = store.patches.data();
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
-        const TwoPhaseShare share = share_of(problem, particles, static_cast<std::size_t>(lists.order[k]));
+        const auto p = static_cast<std::size_t>(lists.order[k]);
+        const TwoPhaseShare share = share_of(problem, particles, p);
         carry_to_nodes(
-            share.momentum, problem.grid, *patch, store, sums.data(),
+            share.momentum, place.x[p], place.y[p], rows, *patch, store, sums.data(),
             [&](TwoPhaseSums& node, double phi, double grad_x, double grad_y, const Lanes& momentum) {
                 add_to(&node.mass_solid, phi * share.amounts);
                 add_to(&node.momentum_solid_x, phi * momentum);
@@ -199,19 +219,20 @@ void scatter_two_phase(const Problem& problem, const Particles& particles, const
 }
 
 VECTOR_KERNEL
-void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
+void scatter_single_phase(const Problem& problem, const Particles& particles, const CarriedMasses& masses,
                           const CellLists& lists, const Tile& tile, const PatchStore& store,
                           std::vector<SinglePhaseSums>& sums)
 {
-    scatter_one_velocity(grid, particles, masses, lists, tile, store, sums, [](std::size_t) { return 0.0; });
+    scatter_one_velocity(problem, particles, masses, lists, tile, store, sums,
+                         [](std::size_t) { return 0.0; });
 }
 
 VECTOR_KERNEL
-void scatter_total_stress(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
+void scatter_total_stress(const Problem& problem, const Particles& particles, const CarriedMasses& masses,
                           const CellLists& lists, const Tile& tile, const PatchStore& store,
                           std::vector<SinglePhaseSums>& sums)
 {
-    scatter_one_velocity(grid, particles, masses, lists, tile, store, sums,
+    scatter_one_velocity(problem, particles, masses, lists, tile, store, sums,
                          [&](std::size_t p) { return particles.pore_pressure[p]; });
 }
 

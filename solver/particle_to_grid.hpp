@@ -32,12 +32,12 @@ std::int64_t evaluate_weights(const Problem& problem, const Particles& particles
 void scatter_two_phase(const Problem& problem, const Particles& particles, const CellLists& lists,
                        const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums);
 
-void scatter_single_phase(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
+void scatter_single_phase(const Problem& problem, const Particles& particles, const CarriedMasses& masses,
                           const CellLists& lists, const Tile& tile, const PatchStore& store,
                           std::vector<SinglePhaseSums>& sums);
 
 /// The same with the total stress, sigma' - p I.
-void scatter_total_stress(const BackgroundGrid& grid, const Particles& particles, const CarriedMasses& masses,
+void scatter_total_stress(const Problem& problem, const Particles& particles, const CarriedMasses& masses,
                           const CellLists& lists, const Tile& tile, const PatchStore& store,
                           std::vector<SinglePhaseSums>& sums);
 

@@ -16,7 +16,7 @@ inline void walk_patch(const StoredPatch& patch, const PatchStore& store, std::i
     const double *phi = store.value.data() + first, *grad_x = store.gradient_x.data() + first,
                  *grad_y = store.gradient_y.data() + first;
     const std::int32_t width = patch.width, height = patch.height;
-    Node* row = nodes + patch.base;
+    Node* row = nodes + patch.base(nodes_x);
     for (std::int32_t b = 0; b < height; ++b, row += nodes_x) {
         begin_row();
         for (std::int32_t a = 0; a < width; ++a) add(row[a], phi[a], grad_x[a], grad_y[a]);

@@ -50,7 +50,7 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
     set_to_zero(work.sums);
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
         const PatchStore& store = work.patches_of(tile);
-        scatter(problem.grid, particles, work.masses, work.lists, tile, store, work.sums);
+        scatter(problem, particles, work.masses, work.lists, tile, store, work.sums);
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
     });
@@ -110,9 +110,8 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         if (state.ledger) enter_exchange(problem, dt, particles, *state.ledger);
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
-    timed(work.timers, Phase::stress, [&] {
-        update_stress_of_cells(problem, dt, work.lists, particles, work.average);
-    });
+    timed(work.timers, Phase::stress,
+          [&] { update_stress_of_cells(problem, dt, work.lists, particles, work.average); });
     state.time += dt;
     state.last_step = dt;
     ++state.step;

@@ -113,8 +113,7 @@ void set_up_pressure(const Problem& problem, double dt, double kick, const Parti
     const Scalars& volume = work.partly_saturated ? work.wet_volume : particles.volume;
     const CellLists& lists = work.lists_with_pressure();
     for_each_tile(work.lists, [&](const Tile& tile) {
-        assemble_divergence(problem.grid, place_in_equations(problem, particles), volume, work.lists, tile,
-                            work.patches_of(tile),
+        assemble_divergence(problem.grid, volume, work.lists, tile, work.patches_of(tile),
                             pressure.divergence[static_cast<std::size_t>(tile.number)]);
         prepare_increments(problem, dt, lists, tile, particles, pressure.storage, pressure.increment);
     });

@@ -69,8 +69,9 @@ double carried_energy(const Cluster& cluster)
         NodePatch patch;
         Cpdi::evaluate(grid, particles, p, patch);
         for (int k = 0; k < patch.width * patch.height; ++k) {
-            const Vector2 d = Vector2(patch.offset_x, patch.offset_y) +
-                              grid.cell_size * Vector2(k % patch.width, k / patch.width);
+            const Vector2 d =
+                grid.node_position(patch.column + k % patch.width, patch.row + k / patch.width) -
+                particles.position[p];
             const Vector2 v(C.xx[p] * d.x() + C.xy[p] * d.y(), C.yx[p] * d.x() + C.yy[p] * d.y());
             energy += particles.mass_solid[p] * patch.weights[k].value * v.squaredNorm();
         }

@@ -15,8 +15,8 @@ double sum_over_nodes(const NodePatch& patch,
 {
     double sum = 0.0;
     for (int k = 0; k < patch.width * patch.height; ++k) {
-        const int node = patch.base + k / patch.width * grid.nodes_x() + k % patch.width;
-        sum += term(patch.weights[k], grid.node_position(static_cast<std::size_t>(node)));
+        const Vector2 node = grid.node_position(patch.column + k % patch.width, patch.row + k / patch.width);
+        sum += term(patch.weights[k], node);
     }
     return sum;
 }

@@ -45,8 +45,8 @@ double sum_over_nodes(const NodePatch& patch,
 {
     double sum = 0.0;
     for (int k = 0; k < patch.width * patch.height; ++k) {
-        const int node = patch.base + k / patch.width * grid.nodes_x() + k % patch.width;
-        sum += term(patch.weights[k], grid.node_position(static_cast<std::size_t>(node)));
+        const Vector2 node = grid.node_position(patch.column + k % patch.width, patch.row + k / patch.width);
+        sum += term(patch.weights[k], node);
     }
     return sum;
 }
@@ -88,18 +88,6 @@ TYPED_TEST(InterpolationFamily, ReproducesALinearFieldAtTheParticleAndItsGradien
         EXPECT_NEAR(sum_over_nodes(patch, value), field(particles.position[p]), 1e-13) << p;
         EXPECT_NEAR(sum_over_nodes(patch, slope_x), -2.0, 1e-11) << p;
         EXPECT_NEAR(sum_over_nodes(patch, slope_y), 0.7, 1e-11) << p;
-    }
-}
-
-TYPED_TEST(InterpolationFamily, OffsetPointsFromTheParticleToTheBaseNode)
-{
-    const Particles particles = many_shapes(TestFixture::twisted);
-    NodePatch patch;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        TypeParam::evaluate(grid, particles, p, patch);
-        const Vector2 base = grid.node_position(static_cast<std::size_t>(patch.base));
-        EXPECT_NEAR(patch.offset_x, base.x() - particles.position.x[p], 1e-15);
-        EXPECT_NEAR(patch.offset_y, base.y() - particles.position.y[p], 1e-15);
     }
 }
 
@@ -197,8 +185,7 @@ TEST(Cpdi2, ShrinksAQuadrilateralThatReachesTooFar)
     double sum = 0.0, slope = 0.0;
     Vector2 centre = Vector2::Zero();
     for (int k = 0; k < patch.width * patch.height; ++k) {
-        const Vector2 x = wide.node_position(
-            static_cast<std::size_t>(patch.base + k / patch.width * wide.nodes_x() + k % patch.width));
+        const Vector2 x = wide.node_position(patch.column + k % patch.width, patch.row + k / patch.width);
         sum += patch.weights[k].value;
         centre += patch.weights[k].value * x;
         slope += patch.weights[k].gradient_x * x.x();
