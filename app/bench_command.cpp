@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+
 namespace quicksand {
 
 namespace {
@@ -42,6 +44,22 @@ std::string cost_table(const std::vector<int>& threads, const std::vector<StepCo
     return table;
 }
 
+/// Of the phases of a step on one thread, as far as the machine counts.
+std::string instruction_table(const StepCost& cost, double particles)
+{
+    const auto& phases = cost.phases.instructions;
+    const double total = std::accumulate(phases.begin(), phases.end(), 0.0);
+    if (total == 0.0) {
+        return "instructions: not counted, this machine has no counter for them or keeps it from us "
+               "(perf_event_paranoid); valgrind\ncounts them, see CONTRIBUTING.md\n";
+    }
+    std::string table = "instructions each, 1 thread\n";
+    for (std::size_t phase = 0; phase < phase_count; ++phase)
+        table +=
+            fmt::format("{:<16}{:>10.0f}\n", name_of(static_cast<Phase>(phase)), phases[phase] / particles);
+    return table + fmt::format("{:<16}{:>10.0f}\n", "whole step", total / particles);
+}
+
 void measure_scheme(const BenchChoice& choice, const std::string& scheme, Journal& journal)
 {
     std::vector<std::string> overrides;
@@ -60,6 +78,7 @@ void measure_scheme(const BenchChoice& choice, const std::string& scheme, Journa
         costs.push_back(measure_step(setup.assembled.problem, count, state));
     }
     journal.say(cost_table(counts, costs, static_cast<double>(particles)));
+    if (counts.front() == 1) journal.say(instruction_table(costs.front(), static_cast<double>(particles)));
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "app/step_cost.hpp"
 
 #include "app/example_folder.hpp"
+#include "app/instruction_counter.hpp"
 #include "app/machine.hpp"
 #include "solver/failure.hpp"
 #include "solver/simulation.hpp"
@@ -15,16 +16,21 @@ namespace quicksand {
 
 namespace {
 
-StepCost measure_run(const Problem& problem, double dt, int steps, State& state, Stepper& stepper)
+/// The counter's thread takes all steps; none: instructions are not counted.
+StepCost measure_run(const Problem& problem, double dt, int steps, const InstructionCounter* counter,
+                     State& state, Stepper& stepper)
 {
     stepper.timers() = {};
+    if (counter) stepper.timers().executed_instructions = [counter] { return counter->count(); };
     const auto start = std::chrono::steady_clock::now();
     for (int step = 0; step < steps; ++step) stepper.advance(problem, dt, state);
     StepCost cost;
     cost.time_step = dt;
     cost.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
     cost.phases = stepper.timers();
+    cost.phases.executed_instructions = {};
     for (double& seconds : cost.phases.seconds) seconds /= steps;
+    for (double& instructions : cost.phases.instructions) instructions /= steps;
     return cost;
 }
 
@@ -65,9 +71,11 @@ StepCost measure_step(const Problem& problem, int threads, State& state)
     const std::unique_ptr<Stepper> stepper = make_stepper(problem);
     const double dt = stable_time_step(problem, state.particles).dt;
     const int steps = steps_of_a_run(state.particles.size());
-    measure_run(problem, dt, std::max(2, steps / 5), state, *stepper);
+    const InstructionCounter counter;
+    const InstructionCounter* const counting = threads == 1 && counter.works() ? &counter : nullptr;
+    measure_run(problem, dt, std::max(2, steps / 5), counting, state, *stepper);
     std::array<StepCost, measured_runs> costs;
-    for (StepCost& cost : costs) cost = measure_run(problem, dt, steps, state, *stepper);
+    for (StepCost& cost : costs) cost = measure_run(problem, dt, steps, counting, state, *stepper);
     const double resident = resident_bytes();
     std::nth_element(costs.begin(), costs.begin() + measured_runs / 2, costs.end(),
                      [](const StepCost& a, const StepCost& b) { return a.total < b.total; });

@@ -18,12 +18,12 @@ SceneSetup set_up_body(const BenchChoice& choice, const std::filesystem::path& s
 /// The first scene of the choice, or the dike example.
 std::filesystem::path only_scene(const BenchChoice& choice);
 
-/// Wall time of a step and of its phases [s], and the memory it needs.
+/// Wall time of a step and of its phases, what they execute, and the memory of the step.
 struct StepCost {
-    double total = 0.0;
+    double total = 0.0;     // [s]
     double time_step = 0.0; // of the motion [s]
     double resident = 0.0;  // memory of the process while it takes steps, see resident_bytes [byte]
-    PhaseTimers phases;
+    PhaseTimers phases;     // its instructions on one thread, where the machine counts them
 };
 
 /// Runs that a measured cost is the median of.

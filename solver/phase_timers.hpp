@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 
 namespace quicksand {
 
@@ -18,19 +19,23 @@ constexpr const char* name_of(Phase phase)
     return names[static_cast<std::size_t>(phase)];
 }
 
-/// Wall time spent in each phase so far.
+/// Wall time spent in each phase so far, and the instructions where they are counted.
 struct PhaseTimers {
-    std::array<double, phase_count> seconds{}; // [s]
+    std::array<double, phase_count> seconds{};          // [s]
+    std::array<double, phase_count> instructions{};     // [-]
+    std::function<double()> executed_instructions = {}; // of the thread so far [-]; none: not counted
 };
 
-/// Do the work and add its wall time to the phase.
+/// Do the work and add its wall time and instructions to the phase.
 template <class Work>
 void timed(PhaseTimers& timers, Phase phase, Work&& work)
 {
+    const auto k = static_cast<std::size_t>(phase);
     const auto start = std::chrono::steady_clock::now();
+    if (timers.executed_instructions) timers.instructions[k] -= timers.executed_instructions();
     work();
-    timers.seconds[static_cast<std::size_t>(phase)] +=
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (timers.executed_instructions) timers.instructions[k] += timers.executed_instructions();
+    timers.seconds[k] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
 } // namespace quicksand

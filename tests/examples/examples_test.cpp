@@ -93,6 +93,19 @@ TEST(Dike, SettlesShakesAndDraws)
     EXPECT_TRUE(read_file(folder / "picture.png").starts_with("\x89PNG"));
 }
 
+TEST(Bench, TellsWhatThePhasesOfAStepCost)
+{
+    const Outcome outcome = run_program("bench kernel " + example("column") + " --threads 1");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    for (const char* row : {"\nscatter  ", "\npore_pressure  ", "\nstress  ", "\nwhole step  "})
+        EXPECT_NE(outcome.output.find(row), std::string::npos) << row;
+    // most virtual machines have no counter
+    const bool counted = outcome.output.find("\ninstructions each, 1 thread\n") != std::string::npos;
+    const bool excused =
+        outcome.output.find("\ninstructions: not counted, this machine has no counter") != std::string::npos;
+    EXPECT_NE(counted, excused) << outcome.output;
+}
+
 TEST(Bench, ComparesTheAnswersOfGrids)
 {
     const WorkFolder folder;
