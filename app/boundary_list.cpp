@@ -1,12 +1,15 @@
 #include "app/number_format.hpp"
 #include "app/plan.hpp"
+#include "solver/boundary_pieces.hpp"
 #include "solver/surface_loads.hpp"
 #include "solver/viscous_boundary.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
+#include <map>
 
 namespace quicksand {
 
@@ -83,19 +86,52 @@ std::string describe_motion(const WallMotion& motion)
                        describe_history(motion.history));
 }
 
-/// One line for every soil that may lie beside the curve, or the rock's.
-std::string describe_impedance(const Problem& problem, const Boundary& boundary)
+struct Range {
+    double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
+
+    void include(double value)
+    {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    /// One number where both ends look the same.
+    std::string text() const
+    {
+        const std::string lower = short_number(least), upper = short_number(most);
+        return lower == upper ? lower : lower + " to " + upper;
+    }
+};
+
+/// Impedances along a curve, beside soil of one material [Pa s/m].
+struct ImpedanceRange {
+    Range normal, shear;
+
+    std::string text() const
+    {
+        return fmt::format("rho Vp {}, rho Vs {} Pa s/m", normal.text(), shear.text());
+    }
+};
+
+/// The rock's impedances, or those of every soil beside the curve in its initial state.
+std::string describe_impedance(const AssembledCase& assembled, const Boundary& boundary)
 {
-    const auto numbers = [&](const Material& material) {
-        const Impedance beyond = impedance(problem, boundary, material);
-        return fmt::format("rho Vp {}, rho Vs {} Pa s/m", short_number(beyond.normal),
-                           short_number(beyond.shear));
-    };
-    if (boundary.half_space) return "rock beyond: " + numbers(problem.materials.front());
+    const Problem& problem = assembled.problem;
+    const Particles& particles = assembled.state.particles;
+    std::map<std::int32_t, ImpedanceRange> of_material;
+    ParticlePlaces places;
+    for (const BoundaryPiece& piece : boundary.pieces) {
+        const std::size_t p = places.find(particles, piece.identifier);
+        const Impedance beyond = impedance(problem, boundary, particles, p);
+        ImpedanceRange& range = of_material[particles.material[p]];
+        range.normal.include(beyond.normal);
+        range.shear.include(beyond.shear);
+    }
     std::string text;
-    for (const Material& material : problem.materials)
-        text += fmt::format("{}as {} goes on beyond: {}", text.empty() ? "" : "; ", material.name,
-                            numbers(material));
+    for (const auto& [material, range] : of_material) {
+        if (boundary.half_space) return "rock beyond: " + range.text();
+        text += fmt::format("{}as {} goes on beyond: {}", text.empty() ? "" : "; ",
+                            problem.materials[static_cast<std::size_t>(material)].name, range.text());
+    }
     return text;
 }
 
@@ -127,7 +163,7 @@ std::string describe_boundaries(const AssembledCase& assembled)
                             problem.water ? name_of(boundary.water) : "");
         if (boundary.load) add(describe_load(assembled, boundary));
         if (boundary.motion) add(describe_motion(*boundary.motion));
-        if (boundary.soil == SoilCondition::viscous) add(describe_impedance(problem, boundary));
+        if (boundary.soil == SoilCondition::viscous) add(describe_impedance(assembled, boundary));
         if (boundary.outer_water) add(describe_outer_water(problem, boundary));
     }
     return text;

@@ -34,6 +34,13 @@ std::string describe_waves(const Material& material, const WaveSpeeds& waves, co
                               waves.shear / (cells_per_wavelength * problem.grid.cell_size));
 }
 
+bool has_neo_hookean_soil(const Problem& problem)
+{
+    return std::any_of(problem.materials.begin(), problem.materials.end(), [](const Material& material) {
+        return std::holds_alternative<NeoHookean>(material.law);
+    });
+}
+
 constexpr double small_residual = 0.02; // velocity at a record's end over its peak that passes for zero [-]
 
 std::string describe_record(const SampledMotion& record)
@@ -160,9 +167,11 @@ std::string describe_initial_state(const AssembledCase& assembled)
     const auto& controls = assembled.scene.relaxation;
     const double tolerance = controls.value_or(RelaxationControls{}).tolerance;
     if (residual <= tolerance) return text + "the run starts in equilibrium\n";
-    return text +
-           (controls ? "the soil settles before the run\n"
-                     : "the run does not start in equilibrium; a table [relaxation] lets the soil settle\n");
+    if (controls) return text + "the soil settles before the run\n";
+    text += "the run does not start in equilibrium; ";
+    return text + (has_neo_hookean_soil(assembled.problem)
+                       ? "soil of neo_hookean is free of stress as drawn, and its weight acts at once\n"
+                       : "a table [relaxation] lets the soil settle\n");
 }
 
 std::string describe_time_step(const AssembledCase& assembled)

@@ -2,6 +2,7 @@
 
 #include "geometry/gmsh_file.hpp"
 #include "geometry/section_check.hpp"
+#include "geometry/section_rim.hpp"
 #include "io/ground_water.hpp"
 #include "io/probe_sample.hpp"
 #include "io/scene_grid.hpp"
@@ -130,6 +131,7 @@ void check_case(AssembledCase& assembled)
             findings.add(error_at(scene.geometry_place, "section", std::move(what)));
         }
         problem.boundaries = find_boundaries(scene, section, *grid, findings);
+        problem.rim = rim_of(section);
         problem.tied_sides = find_tied_sides(scene, section, *grid, findings);
     }
     findings.accept(scene.accepted);
@@ -219,6 +221,8 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     const auto of_region = materials_of_regions(assembled.scene, assembled.section);
     const auto of_domain =
         divide_materials(assembled.scene, assembled.sampling, of_region, assembled.problem);
+    check_outer_water(assembled.scene, assembled.problem, assembled.warnings);
+    throw_errors(assembled.warnings, assembled.scene);
     Particles& particles = assembled.state.particles;
     particles = make_particles(assembled.problem, assembled.sampling, of_domain);
     assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not

@@ -1,6 +1,8 @@
 #include "io/ground_water.hpp"
 
+#include "io/scene_schema.hpp"
 #include "io/scene_units.hpp"
+#include "solver/failure.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +18,11 @@ Material unsaturated(const Material& material, const Water& water, double satura
     above.name += " above the water";
     above.saturated = false;
     above.grain_density += saturation * material.porosity * water.density / (1.0 - material.porosity);
+    if (auto* sand = std::get_if<UbcSand>(&above.law)) {
+        const double dry_share = material.grain_density / above.grain_density; // of the grains' mass
+        sand->largest_specific_volume *= dry_share;
+        sand->smallest_specific_volume *= dry_share;
+    }
     return above;
 }
 
@@ -58,6 +65,20 @@ double vertical_effective_stress(const Section& section, const std::vector<UnitW
     for (std::size_t r = 0; r < all.size(); ++r)
         stress += (all[r] - dry[r]) * weights[r].below + dry[r] * weights[r].above;
     return stress;
+}
+
+bool differs_from_still_water(const Problem& problem, const Boundary& boundary)
+{
+    return std::any_of(boundary.segments.begin(), boundary.segments.end(), [&](const Segment& segment) {
+        return outer_excess_pressure(problem, *boundary.outer_water, segment.start.y()) != 0.0 ||
+               outer_excess_pressure(problem, *boundary.outer_water, segment.end.y()) != 0.0;
+    });
+}
+
+/// Whether the law knows stress without deformation: the neo-Hookean would lose it in the first step.
+bool keeps_initial_stress(const Material& material)
+{
+    return !std::holds_alternative<NeoHookean>(material.law);
 }
 
 } // namespace
@@ -122,6 +143,27 @@ std::vector<std::int32_t> divide_materials(const Scene& scene, const Sampling& s
     return of_domain;
 }
 
+void check_outer_water(const Scene& scene, const Problem& problem, Diagnostics& findings)
+{
+    if (water_flow(problem) != WaterFlow::drained || problem.water->rises_above_level) return;
+    for (const SceneBoundary& condition : scene.boundaries) {
+        if (!condition.outer_water) continue;
+        const auto boundary = std::find_if(problem.boundaries.begin(), problem.boundaries.end(),
+                                           [&](const Boundary& b) { return b.name == condition.name; });
+        ENSURE(boundary != problem.boundaries.end());
+        if (!differs_from_still_water(problem, *boundary)) continue;
+        const bool head = std::holds_alternative<WaterHead>(condition.outer_water->value);
+        findings.add(error_at(
+            condition.water_place, "boundary",
+            join_path({"boundaries", condition.name, head ? "head" : "pore_pressure"}) +
+                " has no effect with water.flow = \"drained\": the pores have the pressure of the still "
+                "water",
+            "still water at the level " + number_text(problem.water->level) +
+                " m beyond the curve, or water.flow = \"coupled\" or \"undrained\"",
+            "water that stands in the soil is water.phreatic_line; a load is pressure on a free curve"));
+    }
+}
+
 void set_initial_state(const Scene& scene, const Section& section, const std::vector<std::int32_t>& of_region,
                        const Problem& problem, Particles& particles)
 {
@@ -132,10 +174,12 @@ void set_initial_state(const Scene& scene, const Section& section, const std::ve
         const auto p = static_cast<std::size_t>(k);
         const Vector2 point = particles.position[p];
         const double line = problem.water ? phreatic_elevation(scene, point.x()) : point.y();
-        const double vertical = vertical_effective_stress(section, weights, point, line);
-        particles.stress.yy[p] = -vertical;
-        particles.stress.xx[p] = particles.stress.zz[p] = -scene.k0 * vertical;
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        if (keeps_initial_stress(material)) {
+            const double vertical = vertical_effective_stress(section, weights, point, line);
+            particles.stress.yy[p] = -vertical;
+            particles.stress.xx[p] = particles.stress.zz[p] = -scene.k0 * vertical;
+        }
         if (particles.pore_pressure.empty() || !water_of(problem, material)) continue; // drained, or dry
         const double pressure = problem.water->density * problem.gravity * std::max(0.0, line - point.y());
         particles.pore_pressure[p] =

@@ -26,8 +26,13 @@ void check_phreatic_line(const Scene& scene, Diagnostics& findings);
 std::vector<std::int32_t> divide_materials(const Scene& scene, const Sampling& sampling,
                                            const std::vector<std::int32_t>& of_region, Problem& problem);
 
+/// Drained soil has no pressure that a head or pore pressure beyond a curve could balance, but for that of a
+/// phreatic line above the water level: without one only still water at the level may lie beyond it.
+void check_outer_water(const Scene& scene, const Problem& problem, Diagnostics& findings);
+
 /// sigma'_v from the weight of the column above each particle, regions and water heeded; sigma'_h = K0
-/// sigma'_v; pore pressures by the depth below the phreatic line, and the scene's excess.
+/// sigma'_v, none of both in neo-Hookean soil, whose stress is that of its shape; pore pressures by the depth
+/// below the phreatic line, and the scene's excess.
 void set_initial_state(const Scene& scene, const Section& section, const std::vector<std::int32_t>& of_region,
                        const Problem& problem, Particles& particles);
 

@@ -9,11 +9,13 @@ namespace quicksand {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double nanosecond = 1e-9; // what times are rounded to [s]
 
 } // namespace
 
 ObservationClock::ObservationClock(double interval, double end_time)
-    : interval_(interval), end_time_(end_time), next_(interval > 0.0 ? 0.0 : never)
+    : interval_(interval > 0.0 ? std::max(interval, nanosecond) : 0.0), end_time_(end_time),
+      next_(interval > 0.0 ? 0.0 : never)
 {
 }
 
@@ -37,7 +39,7 @@ void ObservationClock::advance()
 
 double ObservationClock::multiple(std::int64_t k) const
 {
-    constexpr double nanoseconds = 1e9;
+    constexpr double nanoseconds = 1e9; // in a second
     const double time = std::round(static_cast<double>(k) * interval_ * nanoseconds) / nanoseconds;
     // The end is observed too; a multiple that misses it by rounding only is the end.
     return time > end_time_ - 1e-6 * interval_ ? end_time_ : time;

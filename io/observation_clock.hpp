@@ -11,7 +11,7 @@ namespace quicksand {
 
 class ObservationClock {
 public:
-    /// An interval of zero never strikes [s].
+    /// An interval of zero never strikes, one below a nanosecond every nanosecond [s].
     ObservationClock(double interval, double end_time);
 
     /// Go to the first time at or after `time`, and after `last_observed` if there is one [s].

@@ -56,6 +56,7 @@ struct SceneBoundary {
     std::optional<WallMotion> motion = {};
     std::optional<HalfSpace> half_space = {};
     std::optional<OuterWater> outer_water = {};
+    SourcePlace water_place = {}; // of its head or pore pressure
 };
 
 enum class ProbeKind {

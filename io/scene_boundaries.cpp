@@ -236,7 +236,9 @@ SceneBoundary BoundaryReader::read()
     boundary.outer_water = read_outer_water();
     if (boundary.load) boundary.load->history = history;
     if (boundary.motion) boundary.motion->history = history;
-    if (boundary.outer_water) boundary.outer_water->history = history;
+    if (!boundary.outer_water) return boundary;
+    boundary.outer_water->history = history;
+    boundary.water_place = values_.place(path(has("head") ? "head" : "pore_pressure"));
     return boundary;
 }
 

@@ -128,7 +128,8 @@ std::vector<SceneKey> ground_keys()
     };
 }
 
-std::vector<SceneKey> material_keys()
+/// A soil and the law of its skeleton, but for what UBCSAND has for itself.
+std::vector<SceneKey> skeleton_keys()
 {
     return {
         {.pattern = "materials", .type = named_tables, .required = true, .doc = "The soils."},
@@ -136,7 +137,7 @@ std::vector<SceneKey> material_keys()
         {.pattern = "materials.*.model", .type = word, .required = true,
          .words = {"linear_elastic", "mohr_coulomb", "ubcsand", "neo_hookean"},
          .doc = "Stress-strain law of the grain skeleton: elastic, elastic with the strength of friction and "
-                "cohesion, sand that liquefies, or elastic at large strain (for verification)."},
+                "cohesion, sand that liquefies, or elastic at large strain and free of stress as drawn (for verification)."},
         {.pattern = "materials.*.shear_modulus", .dimension = Dimension::pressure, .required = true,
          .allowed = positive, .plausible = {1e5, 1e10}, .when = elastic_models,
          .doc = "Shear modulus G of the skeleton."},
@@ -161,6 +162,13 @@ std::vector<SceneKey> material_keys()
          .derived = {.sibling = "model", .choices = volumetric_strain_of_model}, .words = {"cell", "particle"},
          .doc = "Whether stress follows the volume change of the cell, which keeps flow at constant volume "
                 "free of locking, or that of the particle."},
+    };
+}
+
+/// Grains, pores and the water in them.
+std::vector<SceneKey> phase_keys()
+{
+    return {
         {.pattern = "materials.*.grain_density", .dimension = Dimension::density, .default_value = 2650.0,
          .allowed = positive, .plausible = {2000.0, 3300.0},
          .caution = "this is the density of the grains, not of the soil", .doc = "Density of the grains."},
@@ -181,6 +189,13 @@ std::vector<SceneKey> material_keys()
         {.pattern = "materials.*.permeability_law", .type = word, .saturated_only = true, .flows = coupled_only,
          .default_value = "constant", .words = {"constant", "kozeny_carman", "specific_volume_squared"},
          .doc = "How k follows the porosity: not, as n^3/(1-n)^2, or as 1/(1-n)^2."},
+    };
+}
+
+/// What runs need of UBCSAND besides its parameters.
+std::vector<SceneKey> sand_run_keys()
+{
+    return {
         {.pattern = "materials.*.static_poisson_ratio",
          .default_value = UbcSandParameters().static_poisson_ratio,
          .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.2, 0.45},
@@ -337,9 +352,9 @@ std::vector<SceneKey> all_keys()
          .default_value = std::vector<std::string>{},
          .doc = "Keys whose warnings you have read and accept, as [\"materials.sand.porosity\"]."},
     };
-    for (const auto& part :
-         {geometry_keys(), analysis_keys(), ground_keys(), material_keys(), sand_keys(), region_keys(),
-          boundary_keys(), initial_keys(), motion_keys(), run_keys(), figure_keys(), verification_keys()}) {
+    for (const auto& part : {geometry_keys(), analysis_keys(), ground_keys(), skeleton_keys(), phase_keys(),
+                             sand_run_keys(), sand_keys(), region_keys(), boundary_keys(), initial_keys(),
+                             motion_keys(), run_keys(), figure_keys(), verification_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
     return keys;

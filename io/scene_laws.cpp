@@ -62,6 +62,18 @@ void check_mohr_coulomb(const SceneValues& values, const std::string& path, Diag
     }
 }
 
+/// The settled stress would be gone with the reference that the shaking starts from.
+void check_neo_hookean(const SceneValues& values, const std::string& path, Diagnostics& findings)
+{
+    if (!values.has_table("relaxation")) return;
+    findings.add(error_at(
+        values.place(path + ".model"), "conflict",
+        path + ".model = \"neo_hookean\" cannot settle in [relaxation]: its stress is that of its shape, and "
+               "the shaking starts from the settled shape without any",
+        "linear_elastic, mohr_coulomb or ubcsand beside [relaxation]",
+        "remove [relaxation]: gravity is then switched on at once"));
+}
+
 } // namespace
 
 SkeletonLaw read_skeleton_law(const SceneValues& values, const NamedTable& material)
@@ -79,8 +91,9 @@ void check_skeleton_laws(const SceneValues& values, Diagnostics& findings)
     const auto materials = values.named.find("materials");
     if (materials == values.named.end()) return;
     for (const NamedTable& material : materials->second) {
-        if (values.text(material.path + ".model") == "mohr_coulomb")
-            check_mohr_coulomb(values, material.path, findings);
+        const std::string model = values.text(material.path + ".model");
+        if (model == "mohr_coulomb") check_mohr_coulomb(values, material.path, findings);
+        if (model == "neo_hookean") check_neo_hookean(values, material.path, findings);
     }
 }
 

@@ -86,13 +86,11 @@ void show_density(const std::string& material, double n1_60, SceneValues& values
     if (!values.given(material + ".preset")) show_words(material + ".preset", "none", values);
 }
 
-} // namespace
-
 // clang-format off
 
-std::vector<SceneKey> ubcsand_keys()
+/// The density of the sand, in three ways.
+std::vector<SceneKey> density_keys_of_sand()
 {
-    const UbcSandParameters m;
     return {
         {.pattern = "materials.*.n1_60", .default_note = "one of n1_60, relative_density, preset is required",
          .allowed = {.lower = 0.0, .upper = 50.0, .lower_open = true}, .plausible = {3.0, 35.0}, .when = ubcsand_only,
@@ -104,6 +102,14 @@ std::vector<SceneKey> ubcsand_keys()
          .default_note = "one of n1_60, relative_density, preset is required",
          .words = {"nevada_sand_dr55"}, .when = ubcsand_only,
          .doc = "A named sand: Nevada sand at Dr = 55 %, (N1)60 = 13.915."},
+    };
+}
+
+/// Moduli and their dependence on the stress.
+std::vector<SceneKey> stiffness_keys()
+{
+    const UbcSandParameters m;
+    return {
         {.pattern = "materials.*.elastic_shear_number", .default_note = "434 (N1)60^(1/3)", .allowed = positive,
          .plausible = {100.0, 5000.0}, .when = ubcsand_only,
          .doc = "K_G^e: G = K_G^e Pa (s/Pa)^ne, s the in-plane mean effective stress [Beaty and Byrne 2011]."},
@@ -120,6 +126,14 @@ std::vector<SceneKey> ubcsand_keys()
          .doc = "K_G^p: plastic modulus K_G^p Pa (s/Pa)^np (1 - R_f eta/eta_f)^2 [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.plastic_shear_exponent", .default_value = m.plastic_shear_exponent, .allowed = exponent,
          .plausible = {0.2, 0.7}, .when = ubcsand_only, .doc = "np [Beaty and Byrne 2011]."},
+    };
+}
+
+/// The failure limit and the line between contraction and dilation.
+std::vector<SceneKey> strength_keys()
+{
+    const UbcSandParameters m;
+    return {
         {.pattern = "materials.*.failure_ratio", .default_note = "1.1 (N1)60^-0.15, at most 0.99",
          .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.5, 0.99}, .when = ubcsand_only,
          .doc = "R_f: stress ratio at failure over that of the hyperbola's asymptote [Beaty and Byrne 2011]."},
@@ -131,6 +145,14 @@ std::vector<SceneKey> ubcsand_keys()
          .plausible = {28.0, 48.0}, .when = ubcsand_only, .doc = "phi_f in degrees, the failure limit [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.cohesion", .dimension = Dimension::pressure, .default_value = m.cohesion,
          .allowed = not_negative, .plausible = {0.0, 1e5}, .when = ubcsand_only, .doc = "c of the failure limit."},
+    };
+}
+
+/// How the sand remembers its cycles.
+std::vector<SceneKey> memory_keys()
+{
+    const UbcSandParameters m;
+    return {
         {.pattern = "materials.*.virgin_factor", .default_value = m.virgin_factor, .allowed = positive,
          .plausible = {0.2, 5.0}, .when = ubcsand_only, .doc = "h1 on the plastic modulus, in all loading."},
         {.pattern = "materials.*.secondary_factor", .default_value = m.secondary_factor, .allowed = positive,
@@ -149,6 +171,14 @@ std::vector<SceneKey> ubcsand_keys()
         {.pattern = "materials.*.softened_factor", .default_value = m.softened_factor, .allowed = positive,
          .plausible = {0.005, 1.0}, .when = ubcsand_only,
          .doc = "Least factor after dilation; 1 is no softening, and such a sand never reaches ru = 1."},
+    };
+}
+
+/// How the stress is integrated.
+std::vector<SceneKey> substep_keys()
+{
+    const UbcSandParameters m;
+    return {
         {.pattern = "materials.*.largest_ratio_step", .default_value = m.largest_ratio_step, .allowed = positive,
          .plausible = {0.0005, 0.2}, .when = ubcsand_only, .doc = "Elastic change of the stress ratio in a substep."},
         {.pattern = "materials.*.largest_stress_step", .default_value = m.largest_stress_step, .allowed = positive,
@@ -160,6 +190,17 @@ std::vector<SceneKey> ubcsand_keys()
 }
 
 // clang-format on
+
+} // namespace
+
+std::vector<SceneKey> ubcsand_keys()
+{
+    std::vector<SceneKey> keys;
+    for (const auto& part :
+         {density_keys_of_sand(), stiffness_keys(), strength_keys(), memory_keys(), substep_keys()})
+        keys.insert(keys.end(), part.begin(), part.end());
+    return keys;
+}
 
 void show(const std::string& path, double value, SceneValues& values)
 {

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <vector>
 
 namespace quicksand {
 
@@ -36,12 +38,16 @@ double largest_excess(const Vectors& r1, const Vectors& r2, double longest, std:
     return result;
 }
 
-bool carries_a_curve(const Problem& problem, std::int32_t identifier)
+/// Identifiers of the particles that carry pieces of curves, in order. Sorted anew in every step: there are
+/// few, and pieces are renumbered where one column stands for all.
+std::vector<std::int32_t> find_carriers(const Problem& problem)
 {
-    const auto carried = [&](const BoundaryPiece& piece) { return piece.identifier == identifier; };
-    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [&](const Boundary& boundary) {
-        return std::any_of(boundary.pieces.begin(), boundary.pieces.end(), carried);
-    });
+    std::vector<std::int32_t> carriers;
+    for (const Boundary& boundary : problem.boundaries) {
+        for (const BoundaryPiece& piece : boundary.pieces) carriers.push_back(piece.identifier);
+    }
+    std::sort(carriers.begin(), carriers.end());
+    return carriers;
 }
 
 /// Whether the soil flows at its strength: its stress then hangs on the path, not on the shape.
@@ -103,9 +109,10 @@ void limit_reference(std::size_t p, Particles& particles)
 void keep_domains_compact(const Problem& problem, Particles& particles)
 {
     const double longest = longest_half_edge * problem.grid.cell_size;
+    const std::vector<std::int32_t> carriers = find_carriers(problem);
     const auto may_change = [&](std::size_t p) {
         return yields(problem.materials[static_cast<std::size_t>(particles.material[p])].law) &&
-               !carries_a_curve(problem, particles.identifier[p]);
+               !std::binary_search(carriers.begin(), carriers.end(), particles.identifier[p]);
     };
     const Vectors &r1 = particles.half_edge_1, &r2 = particles.half_edge_2;
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {

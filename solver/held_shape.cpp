@@ -82,6 +82,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     });
     ParticlePlaces places;
     scatter_surface_loads(problem, state.time, resting, places, shape.rest);
+    // without any pressure in the pores the grains alone would bear the water beyond curves
     if (has_pressure(resting)) scatter_outer_water(problem, state.time, resting, places, shape.rest);
     shape.sums = shape.rest;
     shape.average = make_volumetric_average(problem);

@@ -26,7 +26,7 @@ void open_ledger(const Problem& problem, State& state);
 /// a wall, whose reaction is what the known forces leave of the change of momentum.
 std::vector<std::uint8_t> ledger_nodes(const NodeConditions& conditions);
 
-/// Count what the known forces leave at a node as a reaction from now on: dashpots move with the soil.
+/// Count what the known forces leave at a node as a reaction in this step: dashpots move with the soil.
 void count_reaction(std::size_t node, std::vector<std::uint8_t>& kinds);
 
 /// Enter the works of one step's forces on the nodes; `acceleration` is that of the base [m/s2], `outer` what

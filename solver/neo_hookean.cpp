@@ -1,19 +1,30 @@
 #include "solver/neo_hookean.hpp"
 
+#include "solver/linear_elastic.hpp"
+
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 namespace quicksand {
 
+namespace {
+
+LinearElastic at_small_strain(const NeoHookean& law)
+{
+    return {law.shear_modulus, law.poisson_ratio};
+}
+
+} // namespace
+
 double lame_modulus(const NeoHookean& law)
 {
-    return 2.0 * law.shear_modulus * law.poisson_ratio / (1.0 - 2.0 * law.poisson_ratio);
+    return lame_modulus(at_small_strain(law));
 }
 
 double constrained_modulus(const NeoHookean& law)
 {
-    return lame_modulus(law) + 2.0 * law.shear_modulus;
+    return constrained_modulus(at_small_strain(law));
 }
 
 double shear_modulus(const NeoHookean& law)

@@ -1,6 +1,7 @@
 // Compressible neo-Hookean elasticity, for verification at large strain:
 //   P = lambda ln J F^-T + mu (F - F^-T),  sigma = [lambda ln J I + mu (F F^T - I)] / J
-// in plane strain (F_zz = 1). The stress follows from the deformation since the reference, not from rates.
+// in plane strain (F_zz = 1). The stress follows from the deformation since the reference, not from rates:
+// the body is free of stress as drawn, and a stage that sets a new reference loses its stress.
 #pragma once
 
 #include "solver/particle_moduli.hpp"

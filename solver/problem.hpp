@@ -172,6 +172,7 @@ struct Problem {
     double gravity = standard_gravity; // magnitude, acting in -y [m/s2]
     BaseMotion base_motion;
     std::vector<Boundary> boundaries;
+    std::vector<Segment> rim; // all edges of the soil as drawn, with a boundary or without: where walls end
     std::optional<TiedSides> tied_sides;
     /// Body force per mass on a point of a body of one phase, by its reference position and time; for
     /// verification, none otherwise [m/s2].

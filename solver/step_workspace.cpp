@@ -51,7 +51,8 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     work.partly_saturated = has_unsaturated_soil(problem);
     if (work.partly_saturated) work.wet_lists = work.lists;
     work.conditions = node_conditions(problem, stage);
-    work.ledger_nodes = ledger_nodes(work.conditions);
+    work.wall_kinds = ledger_nodes(work.conditions);
+    work.ledger_nodes = work.wall_kinds;
     work.patches.resize(work.lists.tiles.size());
     work.average = make_volumetric_average(problem);
     work.noise_time = noise_time(problem);
@@ -59,7 +60,10 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
 
 void place_boundaries(const Problem& problem, double dt, const State& state, StepWorkspace& work)
 {
-    if (move_walls(problem, state, dt, work.conditions)) work.ledger_nodes = ledger_nodes(work.conditions);
+    const bool moved = move_walls(problem, state, dt, work.conditions);
+    if (moved) work.wall_kinds = ledger_nodes(work.conditions);
+    // nodes that the dashpots of the last step have left count no reaction any more
+    if (moved || !work.dashpots.empty()) work.ledger_nodes = work.wall_kinds;
     work.dashpots.clear();
     if (state.stage == Stage::shaking)
         gather_dashpots(problem, state.particles, work.conditions, work.places, work.dashpots);

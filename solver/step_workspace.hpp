@@ -33,7 +33,8 @@ struct StepWorkspace {
     ParticlePlaces places;                  // of the particles that carry boundaries
     std::vector<Dashpot> dashpots;          // of viscous boundaries
     Vectors grid_velocity;                  // sum phi v_i of the grains [m/s]
-    std::vector<std::uint8_t> ledger_nodes; // see ledger.hpp
+    std::vector<std::uint8_t> wall_kinds;   // the nodes as the ledger sees them without dashpots
+    std::vector<std::uint8_t> ledger_nodes; // and with those of the step, see ledger.hpp
     double noise_time = 0.0;                // tau of the velocity filter, see grid_to_particle.hpp [s]
     std::int64_t limited_domains = 0;       // domains scaled down in the last step [-]
     PhaseTimers timers;

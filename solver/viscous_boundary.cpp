@@ -11,12 +11,11 @@ namespace quicksand {
 
 namespace {
 
-std::vector<Impedance> impedances(const Problem& problem, const Boundary& boundary)
+/// M of unloading of a particle at its present state [Pa].
+double unloading_modulus(const Material& material, const Particles& particles, std::size_t p)
 {
-    std::vector<Impedance> of_material;
-    for (const Material& material : problem.materials)
-        of_material.push_back(impedance(problem, boundary, material));
-    return of_material;
+    return std::visit([&](const auto& law) { return particle_moduli(law, p, p + 1, particles).mean; },
+                      material.law);
 }
 
 /// Sort by node and add up what lies on the same node, in the order in which it came.
@@ -79,15 +78,17 @@ Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponse& x, con
     return braking;
 }
 
-Impedance impedance(const Problem& problem, const Boundary& boundary, const Material& material)
+Impedance impedance(const Problem& problem, const Boundary& boundary, const Particles& particles,
+                    std::size_t p)
 {
     if (boundary.half_space) {
         const HalfSpace& rock = *boundary.half_space;
         return {rock.density * rock.compression_wave_speed, rock.density * rock.shear_wave_speed};
     }
+    const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
     const double n = material.porosity;
     const std::optional<Water>& water = water_of(problem, material);
-    const WaveSpeeds speeds = wave_speeds(material, water, n);
+    const WaveSpeeds speeds = wave_speeds(material, unloading_modulus(material, particles, p), water, n);
     const double density = (1.0 - n) * material.grain_density + (water ? n * water->density : 0.0);
     const bool sealed = water && boundary.water == WaterCondition::impervious;
     return {density * (sealed ? speeds.undrained : speeds.skeleton), density * speeds.shear};
@@ -99,10 +100,9 @@ void gather_dashpots(const Problem& problem, const Particles& particles, const N
     dashpots.clear();
     for (const Boundary& boundary : problem.boundaries) {
         if (boundary.soil != SoilCondition::viscous) continue;
-        const std::vector<Impedance> of_material = impedances(problem, boundary);
         for (const BoundaryPiece& piece : boundary.pieces) {
             const std::size_t p = places.find(particles, piece.identifier);
-            const Impedance& beyond = of_material[static_cast<std::size_t>(particles.material[p])];
+            const Impedance beyond = impedance(problem, boundary, particles, p);
             const PresentPiece present = present_piece(problem, particles, piece, p);
             const Vector2 n = present.outward().normalized();
             // rho V_p n n^T + rho V_s (I - n n^T)

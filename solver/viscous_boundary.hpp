@@ -10,6 +10,10 @@
 // impervious curve on the water's normal velocity as well) and are implicit at each node (Crank-Nicolson), so
 // that they do not limit the step.
 //
+// Without a rock's numbers what lies beyond is as stiff as the soil beside it at its present stress: sand
+// that follows its stress and softens meets its like, and a run that goes on from a checkpoint has the same
+// dashpots. The modulus is that of unloading, which waves of small amplitude travel with.
+//
 // While the soil settles the curve is held; the forces that held it stay when the dashpots take over.
 #pragma once
 
@@ -30,11 +34,12 @@ struct Dashpot {
     double xx = 0.0, xy = 0.0, yy = 0.0;
 };
 
-/// Impedances rho V_p and rho V_s of what lies beyond a boundary, beside soil of a material [Pa s/m].
+/// Impedances rho V_p and rho V_s of what lies beyond a boundary, beside the particle p [Pa s/m].
 struct Impedance {
     double normal = 0.0, shear = 0.0;
 };
-Impedance impedance(const Problem& problem, const Boundary& boundary, const Material& material);
+Impedance impedance(const Problem& problem, const Boundary& boundary, const Particles& particles,
+                    std::size_t p);
 
 /// The dashpots of all viscous boundaries, each node once, in the order of the nodes.
 void gather_dashpots(const Problem& problem, const Particles& particles, const NodeConditions& conditions,

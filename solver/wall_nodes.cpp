@@ -2,9 +2,22 @@
 
 #include "solver/cross_product.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace quicksand {
+
+namespace {
+
+/// Whether the chain of masters from a node comes to `node`.
+bool leads_to(const Masters& masters, std::size_t from, std::size_t node)
+{
+    while (from != node && masters[from] != from) from = masters[from];
+    return from == node;
+}
+
+} // namespace
 
 Vector2 outward_normal(const Segment& segment)
 {
@@ -20,21 +33,39 @@ int normal_axis(const Segment& segment)
     return std::abs(normal.x()) < aligned ? 1 : -1;
 }
 
-bool goes_on(const Problem& problem, const Segment& wall, const Vector2& end, double tolerance)
+double reach_past(const Problem& problem, const Segment& wall, const Vector2& end)
 {
+    const double tolerance = on_wall * problem.grid.cell_size;
     const bool forward = end == wall.end;
     const Vector2 along = (forward ? wall.end - wall.start : wall.start - wall.end).normalized();
     constexpr double straight = 0.02; // sine of the smallest turn that counts as a corner [-]
-    for (const Boundary& boundary : problem.boundaries) {
-        for (const Segment& other : boundary.segments) {
-            const Vector2& shared = forward ? other.start : other.end;
-            if ((shared - end).norm() > tolerance) continue;
-            const Vector2 onward = (forward ? other.end - other.start : other.start - other.end).normalized();
-            const double turn = forward ? cross(along, onward) : -cross(along, onward);
-            if (turn < straight) return false;
-        }
-    }
-    return true;
+    double sharpest = 1.0;            // sine of the turn towards the soil [-]
+    for_each_edge(problem, [&](const Segment& other) {
+        const Vector2& shared = forward ? other.start : other.end;
+        if ((shared - end).norm() > tolerance) return;
+        const Vector2 onward = (forward ? other.end - other.start : other.start - other.end).normalized();
+        sharpest = std::min(sharpest, forward ? cross(along, onward) : -cross(along, onward));
+    });
+    if (sharpest < -straight) return -tolerance;
+    return sharpest < straight ? tolerance : std::numeric_limits<double>::infinity();
+}
+
+bool enters_soil(const Problem& problem, const Vector2& start, const Vector2& direction, double distance)
+{
+    const double tolerance = on_wall * problem.grid.cell_size;
+    if (distance <= tolerance) return false;
+    constexpr double facing = -0.02; // cosine between the way and the normal of an edge that it crosses [-]
+    bool enters = false;
+    for_each_edge(problem, [&](const Segment& edge) {
+        if (enters || outward_normal(edge).dot(direction) > facing) return;
+        // start + t direction = edge.start + s along
+        const Vector2 to_edge = edge.start - start, along = edge.end - edge.start;
+        const double t = cross(to_edge, along) / cross(direction, along);
+        const double s = cross(to_edge, direction) / cross(direction, along);
+        const double slack = tolerance / along.norm();
+        enters = t > tolerance && t <= distance + tolerance && s >= -slack && s <= 1.0 + slack;
+    });
+    return enters;
 }
 
 int first_row_beyond(const BackgroundGrid& grid, const Segment& wall, int axis)
@@ -53,7 +84,10 @@ void tie_beyond(const Problem& problem, const Segment& drawn, const Segment& wal
         const auto columns = static_cast<std::size_t>(grid.nodes_x());
         const auto index = static_cast<int>(axis == 0 ? node % columns : node / columns);
         if (index == first) return;
-        masters[node] = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + (first - index) * step);
+        const auto master =
+            static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + (first - index) * step);
+        // of two walls whose rows lie beyond each other, the first has its way
+        if (!leads_to(masters, master, node)) masters[node] = master;
     });
 }
 

@@ -1,11 +1,13 @@
 // A run with loads, a moving wall, a viscous base and prescribed heads goes on to the same bits after a stop.
 #include "solver/boundary_pieces.hpp"
+#include "solver/ledger.hpp"
 #include "solver/simulation.hpp"
-#include "tests/fixtures/soil_block.hpp"
+#include "tests/fixtures/sand_box.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
 
 namespace quicksand {
 namespace {
@@ -53,6 +55,22 @@ Problem busy_block(bool saturated)
     return problem;
 }
 
+void expect_same(const State& resumed, const State& state)
+{
+    EXPECT_EQ(resumed.step, state.step);
+    std::vector<const Scalars*> arrays;
+    for_each_array(state.particles, [&](const char*, const Scalars& values) { arrays.push_back(&values); });
+    std::size_t k = 0;
+    for_each_array(resumed.particles,
+                   [&](const char* name, const Scalars& values) { EXPECT_EQ(values, *arrays[k++]) << name; });
+    ASSERT_TRUE(state.ledger && resumed.ledger);
+    std::vector<double> sums;
+    for_each_number(*state.ledger, [&](const char*, double value) { sums.push_back(value); });
+    k = 0;
+    for_each_number(*resumed.ledger,
+                    [&](const char* name, double value) { EXPECT_EQ(value, sums[k++]) << name; });
+}
+
 TEST(BoundaryResume, IsTheSameRun)
 {
     for (const bool saturated : {false, true}) {
@@ -62,6 +80,7 @@ TEST(BoundaryResume, IsTheSameRun)
         });
         set_level_ground_stress(problem, 0.6, 0.5, state);
         attach_boundaries(problem, state.particles);
+        open_ledger(problem, state);
         const double end = saturated ? 0.012 : 0.03; // the dry wall passes a row of nodes
         Copier copier(0.4 * end);
         run(problem, end, {&copier}, state);
@@ -69,15 +88,32 @@ TEST(BoundaryResume, IsTheSameRun)
         State resumed = copier.copy;
         ASSERT_FALSE(resumed.reactions.x.empty());
         run(problem, end, {}, resumed);
-        EXPECT_EQ(resumed.step, state.step);
-        std::vector<const Scalars*> arrays;
-        for_each_array(state.particles,
-                       [&](const char*, const Scalars& values) { arrays.push_back(&values); });
-        std::size_t k = 0;
-        for_each_array(resumed.particles, [&](const char* name, const Scalars& values) {
-            EXPECT_EQ(values, *arrays[k++]) << name;
-        });
+        expect_same(resumed, state);
     }
+}
+
+TEST(BoundaryResume, OnABaseThatFollowsTheStressOfTheSandIsTheSameRun)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.5, 2, 10};
+    problem.materials = {stiff_sand()};
+    problem.materials[0].law = make_ubcsand(sand_of_runs());
+    problem.base_motion = SineMotion{1.0, 5.0, 100.0, 0.0};
+    problem.boundaries =
+        rectangle(0.0, 0.0, 1.0, 4.0, SoilCondition::viscous, SoilCondition::tied, SoilCondition::free);
+    problem.tied_sides = TiedSides{"left", "right", 0.0, 1.0};
+    State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 4.0; });
+    set_level_ground_stress(problem, 4.0, 0.5, state);
+    begin_shaking(problem, state); // with the memory of cycles
+    attach_boundaries(problem, state.particles);
+    open_ledger(problem, state);
+    constexpr double end = 0.1;
+    Copier copier(0.4 * end);
+    run(problem, end, {&copier}, state);
+    State resumed = copier.copy;
+    ASSERT_FALSE(resumed.reactions.x.empty());
+    run(problem, end, {}, resumed);
+    expect_same(resumed, state);
 }
 
 } // namespace

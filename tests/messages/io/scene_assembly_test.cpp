@@ -8,7 +8,6 @@ namespace {
 
 using fixtures::column_scene;
 using fixtures::column_section;
-using fixtures::rectangular_section;
 using fixtures::replaced;
 using fixtures::SceneFolder;
 
@@ -95,6 +94,51 @@ TEST(Assembly, RefusesAPhreaticLineThatTurnsBack)
       |                 ^~~~~~~~~~~~~~~~~~~~~~~~~~
 expected: points from left to right
 )");
+}
+
+/// The column with drained water, whose conductivity is of no use, and water beyond a curve.
+std::string drained_column(const std::string& water, const std::string& soil, const std::string& outer)
+{
+    std::string text = replaced(column_scene, "level = 0.3175", water + "\nflow = \"drained\"");
+    text = replaced(text, "hydraulic_conductivity = 5.8e-5\n", "");
+    return replaced(text, soil, soil + "\n" + outer);
+}
+
+TEST(Assembly, RefusesAHeadThatDrainedSoilCannotBalance)
+{
+    EXPECT_EQ(
+        SceneFolder().assembly_message(
+            drained_column("level = 0.3175", "soil = \"free\"", "water = \"head\"\nhead = 0.4"),
+            column_section()),
+        R"(scene.toml:44:8: error[boundary]: boundaries.surface.head has no effect with water.flow = "drained": the pores have the pressure of the still water
+   44 | head = 0.4
+      |        ^~~
+expected: still water at the level 0.3175 m beyond the curve, or water.flow = "coupled" or "undrained"
+hint: water that stands in the soil is water.phreatic_line; a load is pressure on a free curve
+)");
+}
+
+TEST(Assembly, RefusesAPorePressureThatDrainedSoilCannotBalance)
+{
+    // a phreatic line that rises nowhere above the level is none
+    const std::string text =
+        drained_column("level = 0.1\nphreatic_line = [[0, 0.1], [0.0675, 0.1]]", "soil = \"fixed\"",
+                       "water = \"pore_pressure\"\npore_pressure = \"20 kPa\"");
+    const std::string message = SceneFolder().assembly_message(text, column_section());
+    EXPECT_NE(message.find("error[boundary]: boundaries.base.pore_pressure has no effect with water.flow = "
+                           "\"drained\""),
+              std::string::npos)
+        << message;
+}
+
+TEST(Assembly, HasNothingToSayOfOuterWaterThatDrainedSoilBalances)
+{
+    const std::string still =
+        drained_column("level = 0.3175", "soil = \"free\"", "water = \"head\"\nhead = 0.3175");
+    EXPECT_EQ(SceneFolder().assembly_message(still, column_section()), "");
+    const std::string risen = drained_column("level = 0.1\nphreatic_line = [[0, 0.25], [0.0675, 0.25]]",
+                                             "soil = \"fixed\"", "water = \"head\"\nhead = 0.25");
+    EXPECT_EQ(SceneFolder().assembly_message(risen, column_section()), "");
 }
 
 TEST(Assembly, RefusesAPhreaticLineOfOnePoint)

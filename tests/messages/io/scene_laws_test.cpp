@@ -83,6 +83,16 @@ scene.toml:21:1: error[unused-key]: materials.sand.cohesion is not used with mod
       | ^~~~~~~~
 hint: remove it, or set model = "mohr_coulomb"
 )_"},
+SceneMistake{"LargeStrainElasticityThatSettles",
+    "[materials.sand]\nmodel = \"linear_elastic\"",
+    "[relaxation]\ndamping = 0.7\n\n[materials.sand]\nmodel = \"neo_hookean\"",
+R"_(
+scene.toml:23:9: error[conflict]: materials.sand.model = "neo_hookean" cannot settle in [relaxation]: its stress is that of its shape, and the shaking starts from the settled shape without any
+   23 | model = "neo_hookean"
+      |         ^~~~~~~~~~~~~
+expected: linear_elastic, mohr_coulomb or ubcsand beside [relaxation]
+hint: remove [relaxation]: gravity is then switched on at once
+)_"},
 SceneMistake{"FrictionInPascal",
     "model = \"linear_elastic\"",
     "model = \"mohr_coulomb\"\ncohesion = 1000\nfriction_angle = \"0.6 MPa\"",

@@ -35,6 +35,19 @@ TEST(ObservationClock, AMultipleThatMissesTheEndByRoundingIsTheEnd)
     EXPECT_EQ(strikes, 7);
 }
 
+TEST(ObservationClock, StrikesEveryNanosecondAtMost)
+{
+    ObservationClock clock(2.5e-10, 5e-9);
+    double last = -1.0;
+    int strikes = 0;
+    for (; std::isfinite(clock.next()); clock.advance()) {
+        EXPECT_GT(clock.next(), last);
+        last = clock.next();
+        ++strikes;
+    }
+    EXPECT_EQ(strikes, 6);
+}
+
 TEST(ObservationClock, GoesOnAfterWhatWasObserved)
 {
     ObservationClock clock(0.1, 1.0);

@@ -58,6 +58,31 @@ TEST(Assembly, SetsAStressLinearInDepth)
     }
 }
 
+TEST(Assembly, LeavesNeoHookeanSoilFreeOfStress)
+{
+    // its law would forget the stress in the first step; the sand above it rests as ever
+    Section section = rectangular_section(0.0, 0.0, 0.0675, 0.15);
+    const Section upper = rectangular_section(0.0, 0.15, 0.0675, 0.3);
+    section.regions.push_back({"rubber", section.regions[0].polygons});
+    section.regions[0].polygons = upper.regions[0].polygons;
+    section.curves = {section.curves[0]};
+    section.upper = upper.upper;
+    std::string text = column_scene.substr(0, column_scene.find("[boundaries.left]"));
+    text += "[regions.rubber]\nmaterial = \"rubber\"\n[materials.rubber]\nmodel = \"neo_hookean\"\n"
+            "shear_modulus = 1e6\npoisson_ratio = 0.3\nporosity = 0.405\nhydraulic_conductivity = 5.8e-5\n"
+            "grain_density = 2670\n[run]\nend_time = 1\n";
+    const AssembledCase layers = assemble_case(SceneFolder().read(text), section);
+    const Particles& particles = layers.state.particles;
+    const double unit_weight = 0.595 * (2670.0 - 1000.0) * 120 * 9.81;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double y = particles.position.y[p];
+        const double vertical = y > 0.15 ? unit_weight * (0.3 - y) : 0.0;
+        ASSERT_NEAR(particles.stress.yy[p], -vertical, 1e-10 * unit_weight);
+        ASSERT_EQ(particles.stress.xx[p], 0.5 * particles.stress.yy[p]);
+        ASSERT_EQ(particles.stress.zz[p], 0.5 * particles.stress.yy[p]);
+    }
+}
+
 TEST(Assembly, SetsTheExcessPorePressureAndLeavesTheEffectiveStress)
 {
     const AssembledCase plain = assemble_column();
@@ -215,6 +240,23 @@ TEST(Assembly, DividesTheSoilAtTheWaterLevel)
         const double density = (y > 0.15 ? moist : 0.595 * 2670.0 * gravity) / gravity;
         ASSERT_NEAR(particles.mass_solid[p], density * particles.volume[p], 1e-12);
     }
+}
+
+TEST(Assembly, MoistSandIsLoosestAndDensestAtTheSamePorosityAsSaturatedSand)
+{
+    std::string text = replaced(column_scene, "level = 0.3175", "level = 0.15");
+    text = replaced(text, "model = \"linear_elastic\"\nshear_modulus = \"60 MPa\"\npoisson_ratio = 0.3",
+                    "model = \"ubcsand\"\nn1_60 = 13.9\nsaturation_above_water = 0.8");
+    const AssembledCase column = assemble_case(SceneFolder().read(text), column_section());
+    ASSERT_EQ(column.problem.materials.size(), 2U);
+    const Material &wet = column.problem.materials[0], &moist = column.problem.materials[1];
+    const UbcSand &sand = std::get<UbcSand>(wet.law), &above = std::get<UbcSand>(moist.law);
+    // V_p = v m_s with the mass that the particles of each carry
+    EXPECT_GT(moist.grain_density, 1.1 * wet.grain_density);
+    EXPECT_NEAR(above.largest_specific_volume * moist.grain_density,
+                sand.largest_specific_volume * wet.grain_density, 1e-12);
+    EXPECT_NEAR(above.smallest_specific_volume * moist.grain_density,
+                sand.smallest_specific_volume * wet.grain_density, 1e-12);
 }
 
 TEST(Assembly, GivesPorePressuresByTheDepthBelowAnInclinedPhreaticLine)

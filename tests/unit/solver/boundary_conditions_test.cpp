@@ -147,6 +147,91 @@ TEST(BoundaryConditions, NodesBeyondAWallAreTiedToIt)
     EXPECT_EQ(master_of(problem, conditions, 2.0, 3.0), Vector2(2.0, 3.0));
 }
 
+/// Soil of 12 x 12 m around a hole of `width` m, whose lower left corner is at (5, 5) + offset.
+Problem soil_around_hole(double width, double offset, SoilCondition walls)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 1.0, 12, 12};
+    problem.materials = {stiff_sand()};
+    problem.water = water_to(12.0);
+    problem.boundaries = rectangle(0.0, 0.0, 12.0, 12.0, SoilCondition::free, SoilCondition::free, {});
+    const double lower = 5.0 + offset, upper = lower + width;
+    const Vector2 a(lower, lower), b(lower, upper), c(upper, upper), d(upper, lower);
+    problem.boundaries.push_back(
+        {"hole", walls, WaterCondition::impervious, {{a, b}, {b, c}, {c, d}, {d, a}}});
+    return problem;
+}
+
+TEST(BoundaryConditions, WallsThatFaceEachOtherLeaveTheSoilBeyondFree)
+{
+    for (const double width : {1.0, 2.0, 3.0}) {
+        const Problem problem = soil_around_hole(width, 0.0, SoilCondition::fixed);
+        const NodeConditions conditions = node_conditions(problem);
+        const auto at = [&](double x, double y) { return conditions_at(problem, conditions, x, y); };
+        const double far = 5.0 + width, middle = 5.0 + std::floor(0.5 * width);
+        for (const double wall : {5.0, far}) {
+            EXPECT_TRUE(at(wall, middle) & solid_x_fixed) << width;
+            EXPECT_TRUE(at(middle, wall) & solid_y_fixed) << width;
+        }
+        for (const double soil : {4.0, far + 1.0, far + 2.0}) {
+            EXPECT_EQ(at(soil, middle), 0) << width << ' ' << soil;
+            EXPECT_EQ(at(middle, soil), 0) << width << ' ' << soil;
+        }
+        for (const TiedNodes& tie : conditions.tied) {
+            const Vector2 node = problem.grid.node_position(tie.node);
+            EXPECT_TRUE((node.array() > 5.0).all() && (node.array() < far).all()) << width << ' ' << node;
+        }
+    }
+}
+
+TEST(BoundaryConditions, AWallLeavesTheNodesOfItsNeighbourAtAReentrantCorner)
+{
+    const Problem problem = soil_around_hole(3.0, 0.0, SoilCondition::roller);
+    const NodeConditions conditions = node_conditions(problem);
+    const auto at = [&](double x, double y) { return conditions_at(problem, conditions, x, y); };
+    const std::uint8_t sides = solid_x_fixed | fluid_x_fixed, levels = solid_y_fixed | fluid_y_fixed;
+    EXPECT_EQ(at(6.0, 5.0), levels);
+    EXPECT_EQ(at(7.0, 8.0), levels);
+    EXPECT_EQ(at(5.0, 6.0), sides);
+    EXPECT_EQ(at(8.0, 7.0), sides);
+    EXPECT_EQ(at(5.0, 5.0), sides | levels);
+}
+
+TEST(BoundaryConditions, WallsThatFaceEachOtherBetweenGridLinesHaveTheirRows)
+{
+    // the first rows beyond the walls at 5.3 and 7.8 are those at 6 and 7, between them
+    const NodeConditions conditions = node_conditions(soil_around_hole(2.5, 0.3, SoilCondition::roller));
+    for (const TiedNodes& tie : conditions.tied) EXPECT_EQ(conditions.master[tie.master], tie.master);
+}
+
+TEST(BoundaryConditions, AWallEndsAtAnEdgeThatHasNoName)
+{
+    // soil of two levels: the roller of the upper one's right side does not go down through the lower one
+    Problem problem = box(SoilCondition::free, SoilCondition::free);
+    const Vector2 foot(2.0, 1.0), top(2.0, 3.0);
+    problem.boundaries = {{"cut", SoilCondition::roller, WaterCondition::impervious, {{foot, top}}}};
+    EXPECT_TRUE(conditions_at(problem, node_conditions(problem), 2.0, 0.0) & solid_x_fixed);
+    problem.rim = {{{0.0, 0.0}, {4.0, 0.0}}, {{4.0, 0.0}, {4.0, 1.0}}, {{4.0, 1.0}, foot}, {foot, top},
+                   {top, {0.0, 3.0}},        {{0.0, 3.0}, {0.0, 0.0}}};
+    const NodeConditions conditions = node_conditions(problem);
+    EXPECT_FALSE(conditions_at(problem, conditions, 2.0, 0.0) & solid_x_fixed);
+    EXPECT_TRUE(conditions_at(problem, conditions, 2.0, 2.0) & solid_x_fixed);
+    EXPECT_TRUE(conditions_at(problem, conditions, 2.0, 4.0) & solid_x_fixed);
+}
+
+TEST(BoundaryConditions, AWallDoesNotGoOnIntoOtherSoil)
+{
+    // the base of a body of 0 to 1 m goes on to the right only as far as the deeper body from 3 to 5 m
+    Problem problem = box(SoilCondition::free, SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 1.0, 2.0, SoilCondition::fixed, SoilCondition::free, {});
+    for (Boundary& edge : rectangle(3.0, -1.0, 5.0, 2.0, SoilCondition::free, SoilCondition::free, {}))
+        problem.boundaries.push_back(edge);
+    const NodeConditions conditions = node_conditions(problem);
+    EXPECT_TRUE(conditions_at(problem, conditions, 2.0, 0.0) & solid_y_fixed);
+    EXPECT_FALSE(conditions_at(problem, conditions, 4.0, 0.0) & solid_y_fixed);
+    EXPECT_FALSE(conditions_at(problem, conditions, 4.0, -1.0) & solid_y_fixed);
+}
+
 TEST(BoundaryConditions, AWallBetweenGridLinesActsAtTheFirstNodesBeyondIt)
 {
     Problem problem = box(SoilCondition::fixed, SoilCondition::roller);

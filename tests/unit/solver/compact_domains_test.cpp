@@ -132,5 +132,23 @@ TEST(CompactDomains, StayUnderABoundaryCurve)
     EXPECT_NEAR(soil.particles.half_edge_1[3].y(), -0.4, 1e-14) << "of another particle";
 }
 
+TEST(CompactDomains, StayUnderAnyPieceOfAnyCurve)
+{
+    // carriers in no order, one with two pieces, on two curves
+    ShearedSoil soil{MohrCoulomb{}};
+    soil.problem.boundaries.resize(2);
+    const auto put_piece = [&](std::size_t curve, std::int32_t identifier) {
+        soil.problem.boundaries[curve].pieces.push_back({identifier, {-1.0, 1.0}, {1.0, 1.0}, 4.0});
+    };
+    put_piece(0, 7);
+    put_piece(0, 4);
+    put_piece(0, 4);
+    put_piece(1, 3);
+    put_piece(1, 0);
+    keep_domains_compact(soil.problem, soil.particles);
+    EXPECT_EQ(soil.particles.half_edge_1[3], Vector2(2.0, -4.4));
+    EXPECT_EQ(soil.particles.half_edge_2[4], Vector2(4.8, 1.0));
+}
+
 } // namespace
 } // namespace quicksand

@@ -1,0 +1,53 @@
+// What `check` says of the curves and of the state that a scene begins with.
+#include "tests/examples/program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <regex>
+
+namespace quicksand {
+
+namespace {
+
+using namespace testing_program;
+
+TEST(CheckMessages, TellTheImpedanceOfTheSoilBesideAViscousCurve)
+{
+    const WorkFolder folder;
+    std::filesystem::copy(example("level_ground_motion"), folder / "ground");
+    std::ofstream(folder / "ground/soil.toml")
+        << "scene_version = 1\nbase = \"scene.toml\"\n"
+           "without = [\"boundaries.base.rock_density\", \"boundaries.base.rock_shear_wave_speed\", "
+           "\"boundaries.base.rock_compression_wave_speed\"]\n";
+    const Outcome outcome = run_program("check " + (folder / "ground/soil.toml").string() +
+                                        " --until 1e-3 -o " + (folder / "check").string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    std::smatch match;
+    ASSERT_TRUE(
+        std::regex_search(outcome.output, match,
+                          std::regex("as sand goes on beyond: rho Vp [0-9.e+]+, rho Vs ([0-9.e+]+) Pa s/m")))
+        << outcome.output;
+    // at K0 = 0.5 half a particle above the base, 20 m below ground; G = 21.7 * 20 * 13.915^(1/3) (s Pa)^0.5
+    const double s = 0.75 * 0.595 * 1670.0 * 9.81 * (20.0 - 0.25 / 6.0), density = 0.595 * 2670.0 + 405.0;
+    const double G = 434.0 * std::cbrt(46.0 * 0.55 * 0.55) * std::sqrt(s * 1e5);
+    const double expected = std::sqrt(G * density);
+    EXPECT_NEAR(std::stod(match[1]), expected, 0.01 * expected);
+}
+
+TEST(CheckMessages, SayThatLargeStrainElasticityBeginsFreeOfStress)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("check " + example("verification/bar") + " --until 1e-3 -o " +
+                                        (folder / "check").string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("of the weight: the run does not start in equilibrium; soil of "
+                                  "neo_hookean is free of stress as drawn, and its weight acts at once"),
+              std::string::npos)
+        << outcome.output;
+    EXPECT_EQ(outcome.output.find("[relaxation] lets the soil settle"), std::string::npos);
+}
+
+} // namespace
+
+} // namespace quicksand
