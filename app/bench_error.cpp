@@ -244,7 +244,7 @@ ExitCode measure_errors(const BenchChoice& choice)
 {
     Journal journal;
     std::filesystem::create_directories(choice.directory);
-    journal.keep(choice.directory / "error.txt", false);
+    journal.keep(choice.directory / "error.txt");
     journal.say(machine_text());
     try {
         return measure_all(choice, journal);

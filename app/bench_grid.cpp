@@ -244,7 +244,7 @@ ExitCode measure_grids(const BenchChoice& choice)
     const fs::path scene = find_scene_file(only_scene(choice));
     const fs::path folder = choice.directory / default_results(scene).filename();
     fs::create_directories(folder);
-    journal.keep(folder / "grid.txt", false);
+    journal.keep(folder / "grid.txt");
     journal.say(machine_text());
     SceneChoice words;
     words.scene = scene;

@@ -15,14 +15,6 @@ namespace {
 
 constexpr const char* plan_file = "check.txt";
 
-std::filesystem::path check_folder(const CheckChoice& choice, const Scene& scene)
-{
-    if (!choice.directory.empty()) return choice.directory;
-    std::filesystem::path folder = default_results(scene.file);
-    folder += "-check";
-    return folder;
-}
-
 /// fields.pvd and grid.pvd with one frame of the state before any settling.
 void write_initial_frame(const AssembledCase& assembled, const ResultsFolder& folder)
 {
@@ -44,9 +36,9 @@ ExitCode check_scene(const CheckChoice& choice)
     Journal journal;
     const SceneSetup setup = set_up_scene(choice.scene, journal);
     const AssembledCase& assembled = setup.assembled;
-    const ResultsFolder folder =
-        prepare_report_folder(check_folder(choice, assembled.scene), plan_file, assembled.scene);
-    journal.keep(folder.directory / plan_file, false);
+    const ResultsFolder folder = prepare_report_folder(
+        report_folder(choice.directory, assembled.scene.file, "check"), plan_file, assembled.scene);
+    journal.keep(folder.directory / plan_file);
     journal.say(describe_scene_keys(setup));
     journal.say(describe_soil(assembled));
     journal.say(describe_boundaries(assembled));

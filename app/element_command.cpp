@@ -103,7 +103,7 @@ ExitCode run_element_tests(const ElementChoice& choice)
     if (!reading.warnings.empty()) journal.complain(reading.warnings.render(programme.text));
     ElementResults results(choice.directory.empty() ? default_folder(programme.file) : choice.directory,
                            programme);
-    journal.keep(results.add("report.txt"), false);
+    journal.keep(results.add("report.txt"));
     if (!programme.title.empty()) journal.say(programme.title + "\n");
     for (const ElementTest& test : programme.tests) {
         const ElementOutcome outcome = perform_test(test);

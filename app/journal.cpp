@@ -7,11 +7,21 @@
 
 namespace quicksand {
 
-void Journal::keep(const std::filesystem::path& file, bool append)
+void Journal::keep(const std::filesystem::path& file)
+{
+    open(file, std::ios::trunc);
+}
+
+void Journal::go_on_with(const std::filesystem::path& file)
+{
+    open(file, std::ios::app);
+}
+
+void Journal::open(const std::filesystem::path& file, std::ios::openmode mode)
 {
     errno = 0;
     path_ = file;
-    file_.open(file, append ? std::ios::app : std::ios::trunc);
+    file_.open(file, mode);
     if (!file_) throw FileError(file, "cannot write", system_reason(errno), "");
 }
 

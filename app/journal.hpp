@@ -9,11 +9,13 @@ namespace quicksand {
 
 class Journal {
 public:
-    /// Speaks to standard output only, until `keep` names a file.
+    /// Speaks to standard output only, until it is given a file.
     Journal() = default;
 
-    /// Also write to the file from now on; `append` goes on with it. Throws FileError.
-    void keep(const std::filesystem::path& file, bool append);
+    /// Also write to the file from now on, in place of what it held. Throws FileError.
+    void keep(const std::filesystem::path& file);
+    /// Also write to the file from now on, behind what it holds. Throws FileError.
+    void go_on_with(const std::filesystem::path& file);
 
     /// A line, or several, for the terminal and the file. Throws FileError when the file cannot be written.
     void say(const std::string& text);
@@ -26,6 +28,8 @@ public:
     void complain(const std::string& text);
 
 private:
+    void open(const std::filesystem::path& file, std::ios::openmode mode);
+
     std::filesystem::path path_;
     std::ofstream file_;
 };

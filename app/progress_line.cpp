@@ -38,7 +38,7 @@ void ProgressLine::after_step(const StepReport& report)
 {
     ++steps_;
     const TimeStep& step = report.time_step;
-    if (step.limiter != TimeStepLimiter::output) {
+    if (step.limiter != TimeStepLimiter::output || last_limit_.empty()) {
         last_limit_ = short_number(step.dt, 2) + " (" + name_of(step.limiter) +
                       (step.material.empty() ? "" : ", " + step.material) + ")";
     }

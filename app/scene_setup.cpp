@@ -57,4 +57,12 @@ fs::path default_results(const fs::path& scene_file)
     return fs::path("results") / name;
 }
 
+fs::path report_folder(const fs::path& chosen, const fs::path& scene_file, const std::string& command)
+{
+    if (!chosen.empty()) return chosen;
+    fs::path folder = default_results(scene_file);
+    folder += "-" + command;
+    return folder;
+}
+
 } // namespace quicksand

@@ -30,4 +30,9 @@ std::vector<std::string> on_cells_of(double cell_size, const BackgroundGrid& gri
 /// results/<folder of the scene>; of a scene that is not called scene.toml, results/<its name>.
 std::filesystem::path default_results(const std::filesystem::path& scene_file);
 
+/// The folder that was chosen for a command's report; when that is empty, default_results() and the command's
+/// name behind a hyphen.
+std::filesystem::path report_folder(const std::filesystem::path& chosen,
+                                    const std::filesystem::path& scene_file, const std::string& command);
+
 } // namespace quicksand

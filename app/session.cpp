@@ -181,6 +181,12 @@ void shake(Session& session, bool begins)
     progress.clear();
     session.manifest.reach(session.state.time, progress.steps());
     keep_state(session);
+    if (!begins && progress.steps() == 0) {
+        session.journal.say(fmt::format(
+            "No step was left: the results reach t = {} s, and what was missing at their end is written.",
+            short_number(session.state.time, 6)));
+        return;
+    }
     const double seconds = progress.elapsed();
     const double work =
         static_cast<double>(session.state.particles.size()) * static_cast<double>(progress.steps());
@@ -194,7 +200,11 @@ void shake(Session& session, bool begins)
 void introduce(Session& session)
 {
     const Scene& scene = session.scene;
-    session.journal.keep(session.folder.log(), session.resume);
+    if (session.resume) {
+        session.journal.go_on_with(session.folder.log());
+    } else {
+        session.journal.keep(session.folder.log());
+    }
     session.journal.say(fmt::format(
         "{}{}\n{} particles, {} x {} cells of {} m, {} threads; results in {}",
         session.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
@@ -236,6 +246,14 @@ std::optional<SoilColumn> choose_column(const AssembledCase& assembled, const st
     std::optional<SoilColumn> column = find_soil_column(assembled.problem, assembled.state).column;
     if (column && kept && kept->particles.size() != column->state.particles.size()) column.reset();
     return column;
+}
+
+/// Whether a run to the end time would find nothing to do. A run that was killed over its last rows or its
+/// last frame has a checkpoint of the end time as well, but its manifest does not call it finished.
+bool is_complete(const ResultsFolder& folder, const State& state, double end_time)
+{
+    if (state.stage != Stage::shaking || state.time < end_time) return false;
+    return state.time > end_time || read_run_status(folder.manifest()) == RunStatus::finished;
 }
 
 ExitCode run_guarded(Session& session, bool& finished)
@@ -280,10 +298,9 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
     RunManifest manifest =
         begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
     manifest.inputs = inputs;
-    const bool shakes_on = choice.resume && state.stage == Stage::shaking;
-    if (shakes_on) manifest.resumed_at = state.time;
-    if (shakes_on && state.time >= scene.end_time) {
-        journal.keep(outcome.folder.log(), true);
+    if (choice.resume && state.stage == Stage::shaking) manifest.resumed_at = state.time;
+    if (choice.resume && is_complete(outcome.folder, state, scene.end_time)) {
+        journal.go_on_with(outcome.folder.log());
         journal.say(
             fmt::format("Nothing to do: the results reach t = {} s already.", short_number(state.time, 6)));
         outcome.finished = true;

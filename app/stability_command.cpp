@@ -22,20 +22,12 @@ namespace {
 constexpr const char* report_file = "stability.txt";
 constexpr const char* curve_file = "stability.csv";
 
-std::filesystem::path stability_folder(const StabilityChoice& choice, const Scene& scene)
-{
-    if (!choice.directory.empty()) return choice.directory;
-    std::filesystem::path folder = default_results(scene.file);
-    folder += "-stability";
-    return folder;
-}
-
 void require_strength(const AssembledCase& assembled)
 {
     if (has_strength(assembled.problem)) return;
     throw InputError(assembled.scene.file.string() +
                      ": no soil of this scene has a strength to reduce\nexpected: a material with model = "
-                     "\"mohr_coulomb\"");
+                     "\"mohr_coulomb\" or \"ubcsand\"");
 }
 
 void write_curve(const SafetyFactor& safety, const std::filesystem::path& path)
@@ -86,9 +78,10 @@ ExitCode assess_stability(const StabilityChoice& choice)
     SceneSetup setup = set_up_scene(choice.scene, journal);
     AssembledCase& assembled = setup.assembled;
     require_strength(assembled);
-    const ResultsFolder folder =
-        prepare_report_folder(stability_folder(choice, assembled.scene), report_file, assembled.scene);
-    journal.keep(folder.directory / report_file, false);
+    const ResultsFolder folder = prepare_report_folder(
+        report_folder(choice.directory, assembled.scene.file, "stability"), report_file, assembled.scene);
+    journal.keep(folder.directory / report_file);
+    remove_frames(folder); // of a former search: this one may find no failure
     journal.say(fmt::format("Strength reduction of {}: {} particles, cells of {} m",
                             assembled.scene.file.string(),
                             grouped(static_cast<long long>(assembled.state.particles.size())),

@@ -1,5 +1,8 @@
 #include "app/stop_signal.hpp"
 
+#include <unistd.h>
+
+#include <cerrno>
 #include <csignal>
 
 namespace quicksand {
@@ -10,6 +13,21 @@ volatile std::sig_atomic_t stop_received = 0;
 
 using Handler = void (*)(int);
 
+/// Calls only what a signal handler may call.
+void tell_of_stop()
+{
+    constexpr char text[] =
+        "\nStopping at the next restart point, a few dozen steps on at most. A second Ctrl-C "
+        "or kill ends the run at once.\n";
+    const int former_error = errno;
+    // Ctrl-C ends a `tee` behind the run as well, whose broken pipe must not end the run before its
+    // checkpoint.
+    const Handler former = std::signal(SIGPIPE, SIG_IGN);
+    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
+    std::signal(SIGPIPE, former);
+    errno = former_error;
+}
+
 void remember_stop(int number)
 {
     // A terminal that closes may send several SIGHUP, from its shell and from the system.
@@ -19,6 +37,7 @@ void remember_stop(int number)
         return;
     }
     stop_received = 1;
+    if (number != SIGHUP) tell_of_stop(); // a closed terminal shows nothing
 }
 
 /// What SIGHUP did before: nohup has it ignored, which stays so.

@@ -1,13 +1,13 @@
-// Ctrl-C, kill and a closed terminal, asked for between two steps instead of ending the program in the middle
-// of one.
+// Ctrl-C, kill and a closed terminal, asked for at restart points instead of ending the program in the middle
+// of a step.
 #pragma once
 
 #include <exception>
 
 namespace quicksand {
 
-/// While it lives, the first SIGINT, SIGTERM or SIGHUP is remembered; a second SIGINT or SIGTERM ends the
-/// program at once.
+/// While it lives, the first SIGINT, SIGTERM or SIGHUP is remembered, and the first two are answered on
+/// standard error; a second SIGINT or SIGTERM ends the program at once.
 class StopSignal {
 public:
     StopSignal();

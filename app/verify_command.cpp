@@ -135,7 +135,7 @@ ExitCode verify_problems(const VerifyChoice& choice)
     Journal journal;
     std::vector<VerificationRun> runs = prepare_runs(choice);
     fs::create_directories(choice.directory);
-    journal.keep(choice.directory / "verification.txt", false);
+    journal.keep(choice.directory / "verification.txt");
     execute_runs(choice.threads > 0 ? choice.threads : thread_count(), runs, journal);
 
     const Outcome outcome = evaluate(runs, choice.directory, journal);

@@ -8,15 +8,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <system_error>
 
 namespace quicksand {
 
 FolderLock::FolderLock(const std::filesystem::path& directory)
     : descriptor_(::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC))
 {
-    if (descriptor_ < 0)
-        throw FileError(directory, "cannot open the folder", std::generic_category().message(errno), "");
+    if (descriptor_ < 0) throw FileError(directory, "cannot open the folder", system_reason(errno), "");
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     ::close(descriptor_);
     throw InputError(directory.string() +

@@ -1,8 +1,11 @@
 #include "io/history_csv.hpp"
 
+#include "solver/background_grid.hpp"
 #include "solver/ledger.hpp"
 #include "solver/monitors.hpp"
 #include "solver/pressure_noise.hpp"
+
+#include <fmt/format.h>
 
 #include <utility>
 
@@ -112,12 +115,14 @@ CsvFile open_file(const Problem& problem, const State& state, const RunLabel& la
         comments.end(),
         {"sums are per metre of thickness and of both phases; velocities are relative to the base",
          "crest_settlement: mean of the particles that lay highest when shaking began, positive downward",
-         "limited_domains: particle domains shortened to a cell in the last step",
-         "checkerboard: |sum (-1)^(i+j) p_c V_c| / sum |p_c| V_c over the cells; above 0.05 neighbours "
-         "disagree",
-         "mean_stress_scatter: mean effective stress of the particles off the plane through their cells / "
-         "its "
-         "size; tenths where volume locks"});
+         fmt::format(
+             "limited_domains: particle domains scaled down in the last step, as they reached farther "
+             "than {} cells from their centre",
+             BackgroundGrid::domain_reach),
+         ("checkerboard: |sum (-1)^(i+j) p_c V_c| / sum |p_c| V_c over the cells; above 0.05 neighbours "
+          "disagree"),
+         ("mean_stress_scatter: mean effective stress of the particles off the plane through their cells / "
+          "its size; tenths where volume locks")});
     if (problem.water)
         comments.emplace_back("max_ru: largest excess pore pressure / initial vertical effective stress");
     if (state.ledger) {

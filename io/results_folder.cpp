@@ -2,6 +2,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/file_error.hpp"
+#include "io/vtk_series.hpp"
 #include "solver/failure.hpp"
 
 #include <array>
@@ -35,12 +36,6 @@ bool holds_other_scene(const ResultsFolder& folder, const Scene& scene)
     return fs::exists(folder.scene_copy()) && read_text(folder.scene_copy()) != scene.text;
 }
 
-bool is_frame(const fs::path& file)
-{
-    const std::string name = file.filename().string();
-    return name.starts_with("frame_") && (name.ends_with(".vtu") || name.ends_with(".vtu.tmp"));
-}
-
 /// Our CSV files say so in their first line.
 bool is_probe(const fs::path& file)
 {
@@ -71,8 +66,7 @@ void remove_in(const fs::path& folder, Ours&& ours)
 void remove_former_run(const ResultsFolder& folder)
 {
     const fs::path& directory = folder.directory;
-    remove_in(directory / "fields", is_frame);
-    remove_in(directory / "grid", is_frame);
+    remove_frames(folder);
     remove_in(directory / "probes", is_probe);
     remove_in(directory / "checkpoint",
               [](const fs::path& file) { return file.filename().string().starts_with("state.h5"); });
@@ -130,6 +124,16 @@ void require_checkpoint(const ResultsFolder& folder)
 
 } // namespace
 
+void remove_frames(const ResultsFolder& folder)
+{
+    for (const fs::path& index : {folder.particle_series(), folder.grid_series()}) {
+        // The index first: a kill in between leaves no entry without a frame.
+        remove_file(temporary_name(index));
+        remove_file(index);
+        remove_in(fs::path(index).replace_extension(), is_frame_file);
+    }
+}
+
 ResultsFolder prepare_results_folder(const fs::path& directory, const Scene& scene, FolderUse use)
 {
     ResultsFolder folder{directory};
@@ -155,8 +159,10 @@ ResultsFolder prepare_results_folder(const fs::path& directory, const Scene& sce
 
 ResultsFolder prepare_report_folder(const fs::path& directory, const std::string& report, const Scene& scene)
 {
-    if (!fs::exists(directory / report)) return prepare_results_folder(directory, scene, FolderUse::fresh);
     ResultsFolder folder{directory};
+    // A report without frames leaves room for a run, whose results are not the report's to replace.
+    if (!fs::exists(directory / report) || fs::exists(folder.manifest()))
+        return prepare_results_folder(directory, scene, FolderUse::fresh);
     require_place_for_results(folder, scene);
     folder.lock = std::make_shared<const FolderLock>(directory);
     write_atomically(folder.scene_copy(), scene.text);

@@ -44,4 +44,7 @@ ResultsFolder prepare_results_folder(const std::filesystem::path& directory, con
 ResultsFolder prepare_report_folder(const std::filesystem::path& directory, const std::string& report,
                                     const Scene& scene);
 
+/// Remove fields.pvd, grid.pvd and their frames, where there are any. Throws FileError.
+void remove_frames(const ResultsFolder& folder);
+
 } // namespace quicksand

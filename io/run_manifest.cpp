@@ -156,6 +156,17 @@ RunManifest begin_manifest(const Scene& scene, const std::vector<std::string>& o
     return manifest;
 }
 
+std::optional<RunStatus> read_run_status(const std::filesystem::path& path)
+{
+    if (!std::filesystem::exists(path)) return std::nullopt;
+    const auto json = nlohmann::json::parse(read_text(path), nullptr, false);
+    if (!json.is_object() || !json.contains("status")) return std::nullopt;
+    for (const RunStatus status :
+         {RunStatus::running, RunStatus::finished, RunStatus::failed, RunStatus::stopped})
+        if (json["status"] == name_of(status)) return status;
+    return std::nullopt;
+}
+
 void write_run_manifest(const std::filesystem::path& path, const RunManifest& manifest)
 {
     nlohmann::ordered_json json;

@@ -68,6 +68,9 @@ struct RunManifest {
 RunManifest begin_manifest(const Scene& scene, const std::vector<std::string>& overrides, int threads,
                            std::size_t particles);
 
+/// The status in the manifest, none where it is missing or damaged. Throws FileError when it cannot be read.
+std::optional<RunStatus> read_run_status(const std::filesystem::path& path);
+
 /// Write the manifest as JSON, replacing a former one as a whole. Throws FileError.
 void write_run_manifest(const std::filesystem::path& path, const RunManifest& manifest);
 

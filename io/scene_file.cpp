@@ -10,10 +10,12 @@
 #include "io/scene_references.hpp"
 #include "io/scene_text.hpp"
 #include "io/scene_ubcsand.hpp"
+#include "io/scene_units.hpp"
 #include "io/scene_verification.hpp"
 #include "io/scene_words.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 #include <tuple>
 
@@ -166,6 +168,22 @@ void fill_run(const SceneValues& values, Scene& scene)
                     values.number("output.history_interval"), values.number("output.checkpoint_interval")};
 }
 
+/// Frames are numbered with six digits, and no table of more rows than that can be looked at.
+void check_intervals(const SceneValues& values, Diagnostics& findings)
+{
+    constexpr double most = 1e6;
+    const double end_time = values.number("run.end_time");
+    for (const char* key : {"output.frame_interval", "output.probe_interval", "output.history_interval"}) {
+        const double interval = values.number(key);
+        if (interval <= 0.0 || end_time <= most * interval) continue;
+        findings.add(error_at(values.place(key), "range",
+                              std::string(key) + " is " + number_text(interval) + " s, " +
+                                  number_text(std::round(end_time / interval)) + " times in the run of " +
+                                  number_text(end_time) + " s",
+                              "at most " + number_text(most) + " times, or 0 for none"));
+    }
+}
+
 void check_geometry_file(const SceneValues& values, const std::filesystem::path& file, Diagnostics& findings)
 {
     if (!values.has("geometry.file")) return;
@@ -241,6 +259,7 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     scene.verification = read_verification(values, findings);
     static_cast<void>(read_figures(values, findings)); // drawn from the results, so only checked here
     check_geometry_file(values, scene.geometry_file, findings);
+    check_intervals(values, findings);
 
     findings.accept(scene.accepted);
     if (findings.has_errors()) throw_findings(findings, *text);

@@ -40,12 +40,6 @@ FrameEntry entry_of(std::string_view line, const fs::path& index)
     return entry;
 }
 
-bool is_frame_file(const fs::path& file)
-{
-    const std::string name = file.filename().string();
-    return name.starts_with("frame_") && (name.ends_with(".vtu") || name.ends_with(".vtu.tmp"));
-}
-
 /// The number in frame_000123.vtu, -1 when there is none.
 long frame_number(const fs::path& file)
 {
@@ -57,6 +51,12 @@ long frame_number(const fs::path& file)
 }
 
 } // namespace
+
+bool is_frame_file(const fs::path& file)
+{
+    const std::string name = file.filename().string();
+    return name.starts_with("frame_") && (name.ends_with(".vtu") || name.ends_with(".vtu.tmp"));
+}
 
 std::vector<FrameEntry> read_series_index(const fs::path& index)
 {

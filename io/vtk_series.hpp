@@ -22,6 +22,9 @@ struct FrameEntry {
 /// damaged.
 std::vector<FrameEntry> read_series_index(const std::filesystem::path& index);
 
+/// Whether the file has the name of a frame, complete or under way.
+bool is_frame_file(const std::filesystem::path& file);
+
 class VtkSeries {
 public:
     /// A new series, empty until the first frame. `index` ends in .pvd; frames go to the folder of its stem.

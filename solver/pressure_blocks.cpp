@@ -87,11 +87,10 @@ void divide(const BackgroundGrid& grid, const CellLists& lists, const PressureEq
 /// Of all nodes the cells of one block that touch them, tied nodes as one.
 class NodeTouches {
 public:
-    NodeTouches(const BackgroundGrid& grid, const NodeConditions& conditions)
-        : master_(grid.node_count()), touches_(grid.node_count())
+    /// The conditions must outlive it.
+    explicit NodeTouches(const NodeConditions& conditions)
+        : master_(conditions.master), touches_(conditions.master.size())
     {
-        for (std::size_t i = 0; i < master_.size(); ++i) master_[i] = i;
-        for (const TiedNodes& tie : conditions.tied) master_[tie.node] = tie.master;
     }
 
     void add(std::size_t node, const Touch& touch)
@@ -115,7 +114,7 @@ public:
     }
 
 private:
-    std::vector<std::size_t> master_;
+    const std::vector<std::size_t>& master_;
     std::vector<std::vector<Touch>> touches_;
     std::vector<std::size_t> touched_;
 };
@@ -205,7 +204,7 @@ void set_up_blocks(const BackgroundGrid& grid, const CellLists& lists, const Nod
     for_each_cell(equations, [&](const CellStencil& stencil, const TileDivergence& divergence) {
         stencil_of_slot[static_cast<std::size_t>(stencil.cell)] = {&stencil, &divergence};
     });
-    NodeTouches touches(grid, conditions);
+    NodeTouches touches(conditions);
     for (CellBlock& block : blocks.blocks) {
         find_touches(grid, block, stencil_of_slot, touches);
         factorise(dt, equations, touches, block);

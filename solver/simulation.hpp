@@ -16,7 +16,7 @@ struct StepReport {
     std::int64_t step = 0;            // steps taken in the stage [-]
     double time = 0.0;                // t at the end of the step [s]
     TimeStep time_step;               // and its limiting reason
-    std::int64_t limited_domains = 0; // particle domains shortened to a cell in the step [-]
+    std::int64_t limited_domains = 0; // particle domains scaled down in the step, see domain_reach [-]
     bool is_restart_point = false;    // a run resumed from here goes on with the same bits
 };
 

@@ -20,7 +20,7 @@ public:
     /// Set up anew in the next step what serves several: a step after it depends on the state alone.
     virtual void restart() {}
 
-    /// Particle domains shortened in the last step [-].
+    /// Particle domains scaled down to BackgroundGrid::domain_reach in the last step [-].
     virtual std::int64_t limited_domains() const = 0;
 
     /// Where the time of the steps went.

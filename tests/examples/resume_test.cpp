@@ -38,6 +38,37 @@ void expect_same_bits(const State& a, const State& b)
     });
 }
 
+void write_file(const std::filesystem::path& file, const std::string& text)
+{
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+/// Take out the line that holds the text.
+void remove_line(const std::filesystem::path& file, const std::string& text)
+{
+    std::string content = read_file(file);
+    const std::size_t place = content.find(text);
+    ASSERT_NE(place, std::string::npos) << file;
+    const std::size_t begin = content.rfind('\n', place) + 1;
+    write_file(file, content.erase(begin, content.find('\n', begin) + 1 - begin));
+}
+
+/// What a kill over the last frame and the last rows leaves of a finished run.
+void cut_end_off(const std::filesystem::path& results)
+{
+    for (const std::string series : {"fields", "grid"}) {
+        remove_line(results / (series + ".pvd"), "frame_000002.vtu");
+        ASSERT_TRUE(std::filesystem::remove(results / series / "frame_000002.vtu"));
+    }
+    remove_line(results / "history.csv", "\n0.004,");
+    remove_line(results / "probes/middle.csv", "\n0.004,");
+    const std::filesystem::path manifest = results / "run_manifest.json";
+    std::string text = read_file(manifest);
+    const std::string finished = "\"status\": \"finished\"";
+    ASSERT_NE(text.find(finished), std::string::npos) << text;
+    write_file(manifest, text.replace(text.find(finished), finished.size(), "\"status\": \"running\""));
+}
+
 /// Run the program with these words and send it the signal once the shell's test holds.
 Outcome run_until(const std::string& words, const std::string& test, const std::string& signal = "TERM")
 {
@@ -98,6 +129,11 @@ TEST_F(SameBits, AfterAKillAndAResume)
     const Outcome killed =
         run_until(column_run + results, "grep -q '^0.0005,' " + results + "/history.csv 2>/dev/null");
     ASSERT_EQ(killed.code, 0) << killed.output;
+    EXPECT_NE(
+        killed.output.find("\nStopping at the next restart point, a few dozen steps on at most. A second "
+                           "Ctrl-C or kill ends the run at once.\n"),
+        std::string::npos)
+        << killed.output;
     EXPECT_NE(killed.output.find("Stopped on request"), std::string::npos) << killed.output;
     EXPECT_NE(read_file(results + "/run_manifest.json").find("\"status\": \"stopped\""), std::string::npos);
     const Outcome resumed = run_program(column_run + results + " --resume");
@@ -105,6 +141,49 @@ TEST_F(SameBits, AfterAKillAndAResume)
     EXPECT_NE(read_file(results + "/run_manifest.json").find("resumed_at_s"), std::string::npos);
     expect_same_bits(final_state(folder / "whole"), final_state(results));
     expect_same_files("killed");
+}
+
+TEST_F(SameBits, AfterAKillAtTheEndTimeAndAResume)
+{
+    const std::string results = (folder / "cut").string();
+    std::filesystem::copy(folder / "whole", results, std::filesystem::copy_options::recursive);
+    cut_end_off(results);
+    const Outcome resumed = run_program(column_run + results + " --resume");
+    ASSERT_EQ(resumed.code, 0) << resumed.output;
+    EXPECT_NE(resumed.output.find("No step was left: the results reach t = 0.004 s, and what was missing at "
+                                  "their end is written."),
+              std::string::npos)
+        << resumed.output;
+    EXPECT_NE(read_file(results + "/run_manifest.json").find("\"status\": \"finished\""), std::string::npos);
+    expect_same_bits(final_state(folder / "whole"), final_state(results));
+    expect_same_files("cut");
+    for (const char* name : {"grid.pvd", "fields/frame_000002.vtu", "grid/frame_000002.vtu", "steps.csv"})
+        EXPECT_EQ(read_file(folder / ("whole/" + std::string(name))), read_file(results + "/" + name))
+            << name;
+    const Outcome again = run_program(column_run + results + " --resume");
+    EXPECT_NE(again.output.find("Nothing to do: the results reach t = 0.004 s already."), std::string::npos)
+        << again.output;
+}
+
+TEST(LastFrame, IsWrittenByAResumeWhereTheRunCouldNot)
+{
+    const WorkFolder folder;
+    const std::string results = (folder / "results").string();
+    // a folder in the frame's place fails its writing after the checkpoint of the same time
+    std::filesystem::create_directories(results + "/fields/frame_000002.vtu/in_the_way");
+    const std::string run = column_run + results + " --set output.checkpoint_interval=1e-6";
+    const Outcome failed = run_program(run);
+    EXPECT_EQ(failed.code, 4) << failed.output;
+    EXPECT_NE(failed.output.find("frame_000002.vtu: cannot"), std::string::npos) << failed.output;
+    EXPECT_NE(read_file(results + "/run_manifest.json").find("\"status\": \"failed\""), std::string::npos);
+    std::filesystem::remove_all(results + "/fields/frame_000002.vtu");
+    const Outcome resumed = run_program(run + " --resume");
+    EXPECT_EQ(resumed.code, 0) << resumed.output;
+    EXPECT_NE(read_file(results + "/run_manifest.json").find("\"status\": \"finished\""), std::string::npos);
+    for (const std::string series : {"fields", "grid"}) {
+        EXPECT_TRUE(std::filesystem::is_regular_file(results + "/" + series + "/frame_000002.vtu")) << series;
+        EXPECT_NE(read_file(results + "/" + series + ".pvd").find("frame_000002.vtu"), std::string::npos);
+    }
 }
 
 TEST(Hangup, StopsARunWithACheckpoint)

@@ -46,6 +46,15 @@ scene.toml:47:13: error[type]: motion.frequency is true or false
       |             ^~~~
 expected: a number in Hz, or a quantity in quotes as "1 kHz"
 )_"},
+SceneMistake{"MoreFramesThanCanBeNumbered",
+    "end_time = 0.2",
+    "end_time = 0.2\n\n[output]\nframe_interval = 1e-9",
+R"_(
+scene.toml:53:18: error[range]: output.frame_interval is 1e-9 s, 2e8 times in the run of 0.2 s
+   53 | frame_interval = 1e-9
+      |                  ^~~~
+expected: at most 1e6 times, or 0 for none
+)_"},
 SceneMistake{"DateInsteadOfNumber",
     "end_time = 0.2",
     "end_time = 2021-05-27",

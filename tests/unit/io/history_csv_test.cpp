@@ -28,6 +28,10 @@ TEST(HistoryWriter, HeaderOfASaturatedScene)
               "momentum_y_N_s,kinetic_energy_J,limited_domains,mean_stress_checkerboard,mean_stress_scatter,"
               "pore_pressure_checkerboard,kinetic_energy_water_J,storage_energy_water_J,"
               "pore_volume_m3,water_content_m3\n");
+    EXPECT_NE(fixtures::text_of(folder / "history.csv")
+                  .find("# limited_domains: particle domains scaled down in the last step, as they reached "
+                        "farther than 2.5 cells from their centre\n"),
+              std::string::npos);
 }
 
 TEST(HistoryWriter, HeaderOfASaturatedSceneWithALedger)

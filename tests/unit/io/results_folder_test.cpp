@@ -62,6 +62,24 @@ TEST(ResultsFolder, OfAReportTakesThePresentSceneAndOneWriterAtATime)
     EXPECT_THROW(prepare_report_folder(folder / "report", "check.txt", scene), InputError);
     pretend_former_run(folder);
     EXPECT_THROW(prepare_report_folder(folder.path(), "check.txt", scene), InputError);
+    touch(folder / "check.txt"); // the run has come into the folder of a report
+    EXPECT_THROW(prepare_report_folder(folder.path(), "check.txt", scene), InputError);
+}
+
+TEST(ResultsFolder, RemovesFramesAlone)
+{
+    const TemporaryFolder folder;
+    remove_frames({folder.path()}); // there are none
+    for (const char* frame : {"fields.pvd", "fields/frame_000000.vtu", "fields/frame_000001.vtu.tmp",
+                              "grid.pvd", "grid/frame_000000.vtu"})
+        touch(folder / frame);
+    for (const char* other : {"fields/picture.png", "stability.csv"}) touch(folder / other);
+    remove_frames({folder.path()});
+    for (const char* gone :
+         {"fields.pvd", "fields/frame_000000.vtu", "fields/frame_000001.vtu.tmp", "grid.pvd", "grid"})
+        EXPECT_FALSE(std::filesystem::exists(folder / gone)) << gone;
+    for (const char* kept : {"fields/picture.png", "stability.csv"})
+        EXPECT_TRUE(std::filesystem::exists(folder / kept)) << kept;
 }
 
 TEST(ResultsFolder, RefusesAFormerRun)

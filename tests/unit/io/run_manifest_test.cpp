@@ -48,6 +48,25 @@ TEST(RunManifest, TellsWhatTheRunWasAndHowItEnded)
     EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
 }
 
+TEST(RunManifest, ItsStatusReadsBack)
+{
+    const fixtures::TemporaryFolder folder;
+    const std::filesystem::path file = folder / "run_manifest.json";
+    EXPECT_EQ(read_run_status(file), std::nullopt);
+    RunManifest manifest = begin_manifest(fixtures::small_scene(), {}, 1, 1);
+    for (const RunStatus status :
+         {RunStatus::running, RunStatus::finished, RunStatus::failed, RunStatus::stopped}) {
+        manifest.status = status;
+        write_run_manifest(file, manifest);
+        EXPECT_EQ(read_run_status(file), status);
+    }
+    for (const char* damaged :
+         {"", "[]", "{\"status\": 1}", "{\"status\": \"lost\"}", "{\"status\": \"fin"}) {
+        std::ofstream(file) << damaged;
+        EXPECT_EQ(read_run_status(file), std::nullopt) << damaged;
+    }
+}
+
 TEST(RunManifest, TellsWhichInputHasChanged)
 {
     const fixtures::TemporaryFolder folder;
