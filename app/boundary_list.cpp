@@ -138,16 +138,13 @@ std::string describe_impedance(const AssembledCase& assembled, const Boundary& b
 std::string describe_outer_water(const Problem& problem, const Boundary& boundary)
 {
     const OuterWater& outer = *boundary.outer_water;
-    double least = std::numeric_limits<double>::infinity(), most = -least;
+    Range excess; // [Pa]
     for (const Segment& segment : boundary.segments) {
-        for (const Vector2& point : {segment.start, segment.end}) {
-            const double excess = outer_excess_pressure(problem, outer, point.y());
-            least = std::min(least, excess);
-            most = std::max(most, excess);
-        }
+        for (const Vector2& point : {segment.start, segment.end})
+            excess.include(outer_excess_pressure(problem, outer, point.y()));
     }
-    return fmt::format("excess pore pressure {} to {} Pa{}", short_number(least, 6), short_number(most, 6),
-                       describe_history(outer.history));
+    return fmt::format("excess pore pressure {} to {} Pa{}", short_number(excess.least, 6),
+                       short_number(excess.most, 6), describe_history(outer.history));
 }
 
 } // namespace

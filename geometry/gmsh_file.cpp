@@ -220,18 +220,13 @@ std::vector<Polygon> assemble_polygons(const json& rings)
 }
 
 /// Turn the segment so that the soil lies on its left, where it lies on one side only.
-Segment orient_segment(const Section& section, Segment segment)
+Segment orient_segment(const RegionLocator& soil, Segment segment)
 {
     const Vector2 along = segment.end - segment.start;
     const Vector2 to_left = 1e-6 * Vector2(-along.y(), along.x());
     const Vector2 middle = 0.5 * (segment.start + segment.end);
-    const auto is_soil = [&](const Vector2& point) {
-        return std::any_of(section.regions.begin(), section.regions.end(), [&](const Region& region) {
-            return std::any_of(region.polygons.begin(), region.polygons.end(),
-                               [&](const Polygon& polygon) { return contains(polygon, point); });
-        });
-    };
-    if (is_soil(middle - to_left) && !is_soil(middle + to_left)) std::swap(segment.start, segment.end);
+    if (soil.locate(middle - to_left) && !soil.locate(middle + to_left))
+        std::swap(segment.start, segment.end);
     return segment;
 }
 
@@ -254,12 +249,13 @@ void read_regions(const json& surfaces, Section& section)
 
 void read_curves(const json& curves, Section& section)
 {
+    const RegionLocator soil(section);
     for (const json& entry : curves) {
         NamedCurve curve{entry["name"], {}};
         for (const json& line : entry["lines"]) {
             const Ring points = read_ring(line);
             for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-                curve.segments.push_back(orient_segment(section, {points[k], points[k + 1]}));
+                curve.segments.push_back(orient_segment(soil, {points[k], points[k + 1]}));
             }
         }
         section.curves.push_back(std::move(curve));
