@@ -5,6 +5,7 @@
 #include "solver/monitors.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
@@ -87,6 +88,9 @@ bool may_reach(const BackgroundGrid& grid, const ParallelogramDomain& domain, co
     const Vector2 centre = grid.cells_from_rim(domain.centre);
     const Vector2 lower = centre - reach / grid.cell_size - Vector2::Constant(rounding),
                   upper = centre + reach / grid.cell_size + Vector2::Constant(1.0 + rounding);
+    const bool meets_grid =
+        upper.x() >= 0.0 && upper.y() >= 0.0 && lower.x() < grid.nodes_x() && lower.y() < grid.nodes_y();
+    if (!meets_grid) return false;
     const int last_i = std::min(static_cast<int>(upper.x()), grid.nodes_x() - 1),
               last_j = std::min(static_cast<int>(upper.y()), grid.nodes_y() - 1);
     for (int j = std::max(0, static_cast<int>(lower.y())); j <= last_j; ++j) {
@@ -94,6 +98,21 @@ bool may_reach(const BackgroundGrid& grid, const ParallelogramDomain& domain, co
             if (wanted[grid.node_index(i, j)] != 0) return true;
     }
     return false;
+}
+
+/// Weights of a domain that may lie partly outside the grid, as displaced domains of small strain do: the
+/// patch's columns and rows then lie outside, too.
+void evaluate_anywhere(const BackgroundGrid& grid, const ParallelogramDomain& domain, NodePatch& patch)
+{
+    const Vector2 reach = domain.half_edge_1.cwiseAbs() + domain.half_edge_2.cwiseAbs();
+    const Vector2 lower = grid.cells_from_rim(domain.centre) - reach / grid.cell_size;
+    const int columns = std::max(0, static_cast<int>(std::ceil(-lower.x()))),
+              rows = std::max(0, static_cast<int>(std::ceil(-lower.y())));
+    BackgroundGrid around = grid;
+    around.origin -= grid.cell_size * Vector2(columns, rows);
+    evaluate_cpdi(around, domain, patch);
+    patch.column -= columns;
+    patch.row -= rows;
 }
 
 NodalFields average(const Problem& problem, const Particles& particles, const NodeMask& wanted)
@@ -113,11 +132,12 @@ NodalFields average(const Problem& problem, const Particles& particles, const No
         ParallelogramDomain domain{particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
         limit_domain(grid.cell_size, domain);
         if (!may_reach(grid, domain, wanted)) continue;
-        evaluate_cpdi(grid, domain, patch);
+        evaluate_anywhere(grid, domain, patch);
         particle_values(problem, particles, p, values);
         for (int k = 0; k < patch.width * patch.height; ++k) {
-            const std::size_t node =
-                grid.node_index(patch.column + k % patch.width, patch.row + k / patch.width);
+            const int i = patch.column + k % patch.width, j = patch.row + k / patch.width;
+            if (i < 0 || j < 0 || i >= grid.nodes_x() || j >= grid.nodes_y()) continue;
+            const std::size_t node = grid.node_index(i, j);
             if (wanted[node] == 0) continue;
             const double weight = patch.weights[k].value * particles.volume[p];
             fields.volume[node] += weight;
