@@ -129,22 +129,26 @@ std::string describe_scene_keys(const SceneSetup& setup)
 std::string describe_soil(const AssembledCase& assembled)
 {
     const Problem& problem = assembled.problem;
-    std::string text = fmt::format("Soil\n  {:<16}{:>12}{:>14}{:>16}{:>12}\n", "region", "area m2",
-                                   "area error", "volume factor", "particles");
+    std::string text = fmt::format("Soil\n  {:<16}{:>12}{:>14}{:>12}{:>20}\n", "region", "area m2",
+                                   "area error", "particles", "cut at the outline");
+    std::size_t cut = 0;
     for (std::size_t r = 0; r < assembled.sampling.regions.size(); ++r) {
         const RegionSampling& region = assembled.sampling.regions[r];
-        text += fmt::format("  {:<16}{:>12.6g}{:>14.2e}{:>16.12f}{:>12}\n", problem.region_names[r],
-                            region.area, region.area_error, region.volume_factor,
-                            grouped(static_cast<long long>(region.particles)));
+        text += fmt::format("  {:<16}{:>12.6g}{:>14.2e}{:>12}{:>20}\n", problem.region_names[r], region.area,
+                            region.area_error, grouped(static_cast<long long>(region.particles)),
+                            grouped(static_cast<long long>(region.cut)));
+        cut += region.cut;
     }
-    text += "  The areas are made exact by the volume factor on the region's particles.\n";
     const Monitors sums = monitor(problem, assembled.state, {});
     const BackgroundGrid& grid = problem.grid;
-    text += fmt::format("  {} particles in {} x {} = {} cells of {} m; {:.2f} per occupied cell ({} cells)\n",
-                        grouped(static_cast<long long>(assembled.state.particles.size())), grid.cells_x,
-                        grid.cells_y, grouped(static_cast<long long>(grid.cells_x) * grid.cells_y),
-                        short_number(grid.cell_size), assembled.sampling.particles_per_cell,
-                        grouped(static_cast<long long>(assembled.sampling.occupied_cells)));
+    text +=
+        fmt::format("  {} particles, of them {} cut at the outline, in {} x {} = {} cells of {} m; {:.2f} "
+                    "per occupied cell ({} cells)\n",
+                    grouped(static_cast<long long>(assembled.state.particles.size())),
+                    grouped(static_cast<long long>(cut)), grid.cells_x, grid.cells_y,
+                    grouped(static_cast<long long>(grid.cells_x) * grid.cells_y),
+                    short_number(grid.cell_size), assembled.sampling.particles_per_cell,
+                    grouped(static_cast<long long>(assembled.sampling.occupied_cells)));
     text += fmt::format("  mass of the grains {} kg/m, of the water {} kg/m\n",
                         short_number(sums.mass_solid, 6), short_number(sums.mass_fluid, 6));
     return text;

@@ -1,5 +1,6 @@
 #include "geometry/particle_sampler.hpp"
 
+#include "geometry/box_cutting.hpp"
 #include "geometry/region_locator.hpp"
 #include "solver/cpdi2.hpp"
 #include "solver/cross_product.hpp"
@@ -17,96 +18,73 @@ namespace quicksand {
 
 namespace {
 
-/// The lattice of domain-sized boxes laid over the grid's cells.
-struct Lattice {
-    Vector2 origin; // lower left corner of the first box [m]
-    Vector2 size;   // of one box [m]
-    int columns = 0, rows = 0;
+/// The domain of a whole box.
+ParticleDomain domain_of_box(const Lattice& lattice, int i, int j, std::size_t region)
+{
+    ParticleDomain domain;
+    domain.centre = lattice.centre(i, j);
+    domain.half_edge_1 = Vector2(0.5 * lattice.size.x(), 0.0);
+    domain.half_edge_2 = Vector2(0.0, 0.5 * lattice.size.y());
+    domain.volume = lattice.size.x() * lattice.size.y();
+    domain.region = region;
+    return domain;
+}
 
-    Vector2 centre(int i, int j) const { return origin + size.cwiseProduct(Vector2(i + 0.5, j + 0.5)); }
-    std::size_t index(int i, int j) const
-    {
-        return static_cast<std::size_t>(j) * static_cast<std::size_t>(columns) + static_cast<std::size_t>(i);
-    }
+/// Area and its moments.
+struct Moments {
+    double area = 0.0;                // [m2]
+    Vector2 first = Vector2::Zero();  // integrals of x and of y [m3]
+    Vector2 second = Vector2::Zero(); // of x^2 and y^2 [m4]
 };
 
-/// Whether a segment runs through the inside of a box, given by its lower and upper corner.
-bool crosses_box(const Vector2& start, const Vector2& end, const Vector2& lower, const Vector2& upper)
+/// About the origin, which lies in the polygon or beside it.
+Moments moments_of(const Ring& corners)
 {
-    double enter = 0.0, leave = 1.0;
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
-        const double direction = end[axis] - start[axis];
-        if (direction == 0.0) {
-            if (start[axis] <= lower[axis] || start[axis] >= upper[axis]) return false;
-            continue;
-        }
-        const double at_lower = (lower[axis] - start[axis]) / direction;
-        const double at_upper = (upper[axis] - start[axis]) / direction;
-        enter = std::max(enter, std::min(at_lower, at_upper));
-        leave = std::min(leave, std::max(at_lower, at_upper));
+    Moments sum;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        const Vector2 &a = corners[k], &b = corners[(k + 1) % corners.size()];
+        const double twice = cross(a, b);
+        sum.area += twice / 2.0;
+        sum.first += twice / 6.0 * (a + b);
+        sum.second += twice / 12.0 * (a.cwiseProduct(a) + a.cwiseProduct(b) + b.cwiseProduct(b));
     }
-    return enter < leave;
+    return sum;
 }
 
-void mark_boxes_on_edge(const Lattice& lattice, const Vector2& start, const Vector2& end,
-                        std::vector<std::uint8_t>& cut)
+/// Whether a polygon in the frame of its rectangle is that rectangle.
+bool is_rectangle(const std::vector<Vector2>& corners)
 {
-    // an outline that runs along the sides of boxes cuts none, whatever its rounding
-    const Vector2 slack = 1e-9 * lattice.size;
-    const Vector2 from = (start.cwiseMin(end) - lattice.origin).cwiseQuotient(lattice.size);
-    const Vector2 to = (start.cwiseMax(end) - lattice.origin).cwiseQuotient(lattice.size);
-    const int first_i = std::max(0, static_cast<int>(std::floor(from.x())) - 1);
-    const int first_j = std::max(0, static_cast<int>(std::floor(from.y())) - 1);
-    const int last_i = std::min(lattice.columns - 1, static_cast<int>(std::floor(to.x())) + 1);
-    const int last_j = std::min(lattice.rows - 1, static_cast<int>(std::floor(to.y())) + 1);
-    for (int j = first_j; j <= last_j; ++j) {
-        for (int i = first_i; i <= last_i; ++i) {
-            const Vector2 lower = lattice.centre(i, j) - 0.5 * lattice.size + slack;
-            const Vector2 upper = lattice.centre(i, j) + 0.5 * lattice.size - slack;
-            if (crosses_box(start, end, lower, upper)) cut[lattice.index(i, j)] = 1;
-        }
-    }
+    return corners.size() == 4 && std::all_of(corners.begin(), corners.end(), [](const Vector2& corner) {
+               return (corner.cwiseAbs() - Vector2::Ones()).cwiseAbs().maxCoeff() < 1e-9;
+           });
 }
 
-void mark_boxes_on_ring(const Lattice& lattice, const Ring& ring, std::vector<std::uint8_t>& cut)
+/// The domain of a piece of the box (i, j): at its centroid, with the half edges of the rectangle of the same
+/// area and the same ratio of second moments.
+void add_piece(const Lattice& lattice, int i, int j, const BoxPiece& piece, Sampling& sampling)
 {
-    for (std::size_t k = 0; k < ring.size(); ++k)
-        mark_boxes_on_edge(lattice, ring[k], ring[(k + 1) % ring.size()], cut);
-}
+    std::vector<Vector2> corners;
+    for (const Vector2& corner : piece.corners) corners.push_back(corner.cwiseProduct(lattice.size));
+    const Moments at_corner = moments_of(corners);
+    const Vector2 centroid = at_corner.first / at_corner.area;
+    for (Vector2& corner : corners) corner -= centroid;
+    const Moments moments = moments_of(corners);
+    const double slimness = std::sqrt(std::sqrt(moments.second.x() / moments.second.y()));
+    const Vector2 half(0.5 * std::sqrt(moments.area) * slimness, 0.5 * std::sqrt(moments.area) / slimness);
+    for (Vector2& corner : corners) corner = corner.cwiseQuotient(half);
 
-/// 1 for every box that an outline cuts.
-std::vector<std::uint8_t> find_cut_boxes(const Section& section, const Lattice& lattice)
-{
-    std::vector<std::uint8_t> cut(
-        static_cast<std::size_t>(lattice.columns) * static_cast<std::size_t>(lattice.rows), 0);
-    for (const Region& region : section.regions) {
-        for (const Polygon& polygon : region.polygons) {
-            mark_boxes_on_ring(lattice, polygon.outer, cut);
-            for (const Ring& hole : polygon.holes) mark_boxes_on_ring(lattice, hole, cut);
-        }
+    ParticleDomain domain;
+    domain.centre = lattice.origin + lattice.size.cwiseProduct(Vector2(i, j)) + centroid;
+    domain.half_edge_1 = Vector2(half.x(), 0.0);
+    domain.half_edge_2 = Vector2(0.0, half.y());
+    domain.volume = moments.area;
+    domain.region = piece.region;
+    domain.is_piece = true;
+    if (!is_rectangle(corners)) {
+        domain.shape = static_cast<std::int32_t>(sampling.shapes.size());
+        sampling.shapes.push_back(make_cut_domain(std::move(corners)));
     }
-    return cut;
-}
-
-/// Split a box `parts` times each way and keep the parts whose centres lie in a region.
-void sample_box(const RegionLocator& locator, const Vector2& centre, const Vector2& size, int parts,
-                std::vector<ParticleDomain>& domains)
-{
-    const Vector2 part = size / parts;
-    for (int j = 0; j < parts; ++j) {
-        for (int i = 0; i < parts; ++i) {
-            ParticleDomain domain;
-            const Vector2 steps(i - 0.5 * (parts - 1), j - 0.5 * (parts - 1)); // from the box's centre
-            domain.centre = centre + part.cwiseProduct(steps);
-            const std::optional<std::size_t> region = locator.locate(domain.centre);
-            if (!region) continue;
-            domain.half_edge_1 = Vector2(0.5 * part.x(), 0.0);
-            domain.half_edge_2 = Vector2(0.0, 0.5 * part.y());
-            domain.volume = part.x() * part.y();
-            domain.region = *region;
-            domains.push_back(domain);
-        }
-    }
+    sampling.domains.push_back(domain);
 }
 
 /// A sum whose error does not grow with the number of terms (Neumaier).
@@ -133,8 +111,7 @@ std::vector<double> sum_volumes(const std::vector<ParticleDomain>& domains, std:
     return volumes;
 }
 
-/// Scale each region's volumes by one factor to the region's area, and report.
-void correct_volumes(const Section& section, Sampling& sampling)
+void report_regions(const Section& section, Sampling& sampling)
 {
     const std::size_t count = section.regions.size();
     sampling.regions.assign(count, {});
@@ -144,13 +121,12 @@ void correct_volumes(const Section& section, Sampling& sampling)
         report.area = area(section.regions[k]);
         if (sampled[k] <= 0.0) continue;
         report.area_error = (sampled[k] - report.area) / report.area;
-        report.volume_factor = report.area / sampled[k];
         report.smallest_volume = std::numeric_limits<double>::infinity();
     }
-    for (ParticleDomain& domain : sampling.domains) {
+    for (const ParticleDomain& domain : sampling.domains) {
         RegionSampling& report = sampling.regions[domain.region];
-        domain.volume *= report.volume_factor;
         ++report.particles;
+        report.cut += domain.is_piece ? 1 : 0;
         report.smallest_volume = std::min(report.smallest_volume, domain.volume);
         report.largest_volume = std::max(report.largest_volume, domain.volume);
     }
@@ -203,27 +179,30 @@ ParticleDomain domain_of_quad(const MeshQuad& quad)
 
 } // namespace
 
-Sampling sample_lattice(const Section& section, const BackgroundGrid& grid, int per_cell_x, int per_cell_y,
-                        int boundary_refinement)
+Sampling sample_lattice(const Section& section, const BackgroundGrid& grid, int per_cell_x, int per_cell_y)
 {
-    ENSURE(per_cell_x >= 1 && per_cell_y >= 1 && boundary_refinement >= 1);
+    ENSURE(per_cell_x >= 1 && per_cell_y >= 1);
     Lattice lattice;
     lattice.origin = grid.origin;
     lattice.size = Vector2(grid.cell_size / per_cell_x, grid.cell_size / per_cell_y);
     lattice.columns = grid.cells_x * per_cell_x;
     lattice.rows = grid.cells_y * per_cell_y;
 
-    std::vector<std::uint8_t> cut;
-    if (boundary_refinement > 1) cut = find_cut_boxes(section, lattice);
+    const std::vector<CutBox> cut = cut_boxes(section, lattice);
     const RegionLocator locator(section);
     Sampling sampling;
+    auto next = cut.begin();
     for (int j = 0; j < lattice.rows; ++j) {
         for (int i = 0; i < lattice.columns; ++i) {
-            const int parts = !cut.empty() && cut[lattice.index(i, j)] ? boundary_refinement : 1;
-            sample_box(locator, lattice.centre(i, j), lattice.size, parts, sampling.domains);
+            const bool is_cut = next != cut.end() && next->index == lattice.index(i, j);
+            const auto region = is_cut ? next->filled_by : locator.locate(lattice.centre(i, j));
+            if (region) sampling.domains.push_back(domain_of_box(lattice, i, j, *region));
+            if (!is_cut) continue;
+            for (const BoxPiece& piece : next->pieces) add_piece(lattice, i, j, piece, sampling);
+            ++next;
         }
     }
-    correct_volumes(section, sampling);
+    report_regions(section, sampling);
     count_cells(grid, sampling);
     return sampling;
 }
@@ -233,7 +212,7 @@ Sampling sample_mesh(const Section& section, const BackgroundGrid& grid)
     Sampling sampling;
     sampling.domains.reserve(section.quads.size());
     for (const MeshQuad& quad : section.quads) sampling.domains.push_back(domain_of_quad(quad));
-    correct_volumes(section, sampling);
+    report_regions(section, sampling);
     count_cells(grid, sampling);
     return sampling;
 }

@@ -71,8 +71,7 @@ std::vector<std::int32_t> materials_of_regions(const Scene& scene, const Section
 Sampling sample(const Scene& scene, const Section& section, const BackgroundGrid& grid)
 {
     if (const auto* lattice = std::get_if<LatticeSampling>(&scene.sampling)) {
-        return sample_lattice(section, grid, lattice->per_cell_x, lattice->per_cell_y,
-                              lattice->boundary_refinement);
+        return sample_lattice(section, grid, lattice->per_cell_x, lattice->per_cell_y);
     }
     return sample_mesh(section, grid);
 }
@@ -99,6 +98,16 @@ Particles make_particles(const Problem& problem, const Sampling& sampling,
     }
     reset_reference(particles);
     return particles;
+}
+
+/// The polygons of cut domains. Quadrilaterals whose corners move with the grid have none.
+CutDomains take_cut_domains(const Problem& problem, Sampling& sampling)
+{
+    CutDomains cut;
+    if (sampling.shapes.empty() || problem.interpolation == Interpolation::cpdi2) return cut;
+    for (const ParticleDomain& domain : sampling.domains) cut.number_of.push_back(domain.shape);
+    cut.shapes = std::move(sampling.shapes);
+    return cut;
 }
 
 Problem make_problem(const Scene& scene, const Section& section)
@@ -146,7 +155,7 @@ void check_sampling(const Sampling& sampling, AssembledCase& assembled)
             assembled.scene.grid_place, "sampling",
             fmt::format("the region \"{}\" ({:.4g} m2) got no particle: it is thinner than a particle",
                         assembled.section.regions[r].name, sampling.regions[r].area),
-            "", "use smaller cells, more particles_per_cell or boundary_refinement"));
+            "", "use smaller cells or more particles_per_cell"));
     }
     if (sampling.domains.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
         assembled.warnings.add(error_at(assembled.scene.grid_place, "sampling",
@@ -225,6 +234,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     throw_errors(assembled.warnings, assembled.scene);
     Particles& particles = assembled.state.particles;
     particles = make_particles(assembled.problem, assembled.sampling, of_domain);
+    assembled.problem.cut_domains = take_cut_domains(assembled.problem, assembled.sampling);
     assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not
     set_initial_state(assembled.scene, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);

@@ -33,29 +33,40 @@ void evaluate_cpdi(const BackgroundGrid& grid, const ParallelogramDomain& domain
     sum_corner_weights(grid, corners, patch);
 }
 
-void sum_corner_weights(const BackgroundGrid& grid, const CornerWeights (&corners)[4], NodePatch& patch)
+void sum_corner_weights(const BackgroundGrid& grid, std::span<const CornerWeights> corners, NodePatch& patch,
+                        double tolerance)
 {
     const Vector2 rim = grid.rim_origin();
     const double inverse = 1.0 / grid.cell_size;
-    PlaceInCell cells[4];
-    for (int c = 0; c < 4; ++c) cells[c] = place_in_cell((corners[c].position - rim) * inverse);
-    const auto [i_min, i_max] = std::minmax({cells[0].i, cells[1].i, cells[2].i, cells[3].i});
-    const auto [j_min, j_max] = std::minmax({cells[0].j, cells[1].j, cells[2].j, cells[3].j});
-    patch.width = i_max - i_min + 2;
-    patch.height = j_max - j_min + 2;
-    patch.column = i_min, patch.row = j_min;
+    const auto place_of = [&](const CornerWeights& corner) {
+        PlaceInCell cell = place_in_cell((corner.position - rim) * inverse);
+        for (double* part : {&cell.xi, &cell.eta}) {
+            if (*part < tolerance) *part = 0.0;
+            if (*part > 1.0 - tolerance) *part = 1.0;
+        }
+        return cell;
+    };
+    PlaceInCell lower = place_of(corners.front()), upper = lower;
+    for (const CornerWeights& corner : corners) {
+        const PlaceInCell cell = place_of(corner);
+        lower.i = std::min(lower.i, cell.i), lower.j = std::min(lower.j, cell.j);
+        upper.i = std::max(upper.i, cell.i), upper.j = std::max(upper.j, cell.j);
+    }
+    patch.width = upper.i - lower.i + 2;
+    patch.height = upper.j - lower.j + 2;
+    patch.column = lower.i, patch.row = lower.j;
 
     std::fill_n(patch.weights, patch.width * patch.height, NodeWeight{0.0, 0.0, 0.0});
-    for (int c = 0; c < 4; ++c) {
-        const PlaceInCell& cell = cells[c];
+    for (const CornerWeights& corner : corners) {
+        const PlaceInCell cell = place_of(corner);
         const double N[2][2] = {{(1.0 - cell.xi) * (1.0 - cell.eta), cell.xi * (1.0 - cell.eta)},
                                 {(1.0 - cell.xi) * cell.eta, cell.xi * cell.eta}};
-        NodeWeight* row = patch.weights + (cell.j - j_min) * patch.width + (cell.i - i_min);
+        NodeWeight* row = patch.weights + (cell.j - lower.j) * patch.width + (cell.i - lower.i);
         for (int b = 0; b < 2; ++b, row += patch.width) {
             for (int a = 0; a < 2; ++a) {
-                row[a].value += corners[c].value * N[b][a];
-                row[a].gradient_x += corners[c].gradient.x() * N[b][a];
-                row[a].gradient_y += corners[c].gradient.y() * N[b][a];
+                row[a].value += corner.value * N[b][a];
+                row[a].gradient_x += corner.gradient.x() * N[b][a];
+                row[a].gradient_y += corner.gradient.y() * N[b][a];
             }
         }
     }

@@ -11,6 +11,7 @@
 #include "solver/interpolation.hpp"
 
 #include <cstdint>
+#include <span>
 
 namespace quicksand {
 
@@ -45,7 +46,9 @@ struct CornerWeights {
     Vector2 gradient; // [1/m]
 };
 
-/// phi = sum_c value_c N_i(x_c), grad phi = sum_c gradient_c N_i(x_c) on the patch of all nodes concerned.
-void sum_corner_weights(const BackgroundGrid& grid, const CornerWeights (&corners)[4], NodePatch& patch);
+/// phi = sum_c value_c N_i(x_c), grad phi = sum_c gradient_c N_i(x_c) on the patch of all nodes concerned. A
+/// corner nearer to a grid line than `tolerance` [cells] lies on it.
+void sum_corner_weights(const BackgroundGrid& grid, std::span<const CornerWeights> corners, NodePatch& patch,
+                        double tolerance = 0.0);
 
 } // namespace quicksand

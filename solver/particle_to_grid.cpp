@@ -190,8 +190,11 @@ std::int64_t evaluate_weights(const Problem& problem, const Particles& particles
         return evaluate_tile<UniformGimp>(grid, particles, lists, tile, store);
     case Interpolation::cpgimp:
         return evaluate_tile<ContiguousGimp>(grid, particles, lists, tile, store);
-    case Interpolation::cpdi:
-        return weigh_parallelograms(grid, particles, lists, tile, store);
+    case Interpolation::cpdi: {
+        const std::int64_t limited = weigh_parallelograms(grid, particles, lists, tile, store);
+        if (problem.cut_domains.shapes.empty()) return limited;
+        return limited + weigh_cut_domains(problem, particles, lists, tile, store);
+    }
     case Interpolation::cpdi2:
         return evaluate_tile<Cpdi2>(grid, particles, lists, tile, store);
     }

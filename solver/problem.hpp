@@ -3,6 +3,7 @@
 
 #include "solver/background_grid.hpp"
 #include "solver/base_motion.hpp"
+#include "solver/cut_domains.hpp"
 #include "solver/history.hpp"
 #include "solver/interpolation.hpp"
 #include "solver/particles.hpp"
@@ -168,6 +169,7 @@ struct Problem {
     double step_share = 1.0;                        // of the stable time step that is taken [-]
     std::vector<Material> materials;
     std::vector<std::string> region_names;
+    CutDomains cut_domains; // of the particles that an outline cuts
     std::optional<Water> water;
     double gravity = standard_gravity; // magnitude, acting in -y [m/s2]
     BaseMotion base_motion;

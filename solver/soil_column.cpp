@@ -177,6 +177,7 @@ std::optional<std::vector<BoundaryPiece>> narrow_pieces(const std::vector<Bounda
 std::string obstacle_of(const Problem& problem)
 {
     if (problem.body_acceleration) return "the body force varies from place to place";
+    if (!problem.cut_domains.shapes.empty()) return "an outline that is not level cuts particles";
     for (const Boundary& boundary : problem.boundaries) {
         if (boundary.segments.empty() || is_tied_side(*problem.tied_sides, boundary)) continue;
         if (boundary.soil == SoilCondition::moving) return "the curve \"" + boundary.name + "\" moves";

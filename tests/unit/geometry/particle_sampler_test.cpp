@@ -23,47 +23,29 @@ void expect_exact_areas(const Section& section, const Sampling& sampling)
 TEST(LatticeSampling, FillsARectangleOfWholeDomainsExactly)
 {
     const Section section = make_section({{"sand", {rectangle(0, 0, 0.0675, 0.3175)}}});
-    for (const int refinement : {1, 3}) { // sides along the domains' edges cut none of them
-        const Sampling sampling = sample_lattice(section, make_grid(0, 0, 0.0075, 9, 43), 3, 3, refinement);
-        EXPECT_EQ(sampling.domains.size(), 3429u);
-        EXPECT_NEAR(sampling.regions[0].area_error, 0.0, 1e-13);
-        EXPECT_EQ(sampling.occupied_cells, 9u * 43u);
-        expect_exact_areas(section, sampling);
-    }
+    const Sampling sampling = sample_lattice(section, make_grid(0, 0, 0.0075, 9, 43), 3, 3);
+    EXPECT_EQ(sampling.domains.size(), 3429u);
+    EXPECT_EQ(sampling.regions[0].cut, 0u); // sides along the domains' edges cut none of them
+    EXPECT_NEAR(sampling.regions[0].area_error, 0.0, 1e-13);
+    EXPECT_EQ(sampling.occupied_cells, 9u * 43u);
+    expect_exact_areas(section, sampling);
 }
 
 TEST(LatticeSampling, CountsTheParticlesOfTheDike)
 {
-    const Sampling sampling = sample_lattice(dike_section(), make_grid(0, 0, 0.0075, 64, 34), 3, 3, 1);
-    EXPECT_GE(sampling.domains.size(), 14600u);
-    EXPECT_LT(sampling.domains.size(), 14700u);
-    EXPECT_LT(std::abs(sampling.regions[0].area_error), 2e-3);
+    const Sampling sampling = sample_lattice(dike_section(), make_grid(0, 0, 0.0075, 64, 34), 3, 3);
+    const std::size_t whole = sampling.domains.size() - sampling.regions[0].cut;
+    EXPECT_EQ(whole, 14522u);
+    EXPECT_EQ(sampling.regions[0].cut, 170u);
+    EXPECT_EQ(sampling.shapes.size(), 170u);
     EXPECT_GT(sampling.particles_per_cell, 8.5);
-    EXPECT_LE(sampling.particles_per_cell, 9.0);
     expect_exact_areas(dike_section(), sampling);
-}
-
-TEST(LatticeSampling, RefinementSplitsOnlyDomainsThatTheOutlineCuts)
-{
-    const Section section = dike_section();
-    const BackgroundGrid grid = make_grid(0, 0, 0.0075, 64, 34);
-    const Sampling sampling = sample_lattice(section, grid, 3, 3, 4);
-    const double whole = 0.0025, slope = 0.15 / 0.2772;
-    for (const ParticleDomain& domain : sampling.domains) {
-        if (std::abs(2.0 * domain.half_edge_1.x() - whole) < 1e-12) continue;
-        EXPECT_NEAR(2.0 * domain.half_edge_1.x(), whole / 4, 1e-15);
-        const Vector2& at = domain.centre;
-        const bool near_slope = std::abs(at.y() - 0.25 + slope * (at.x() - 0.15)) < 2.0 * whole;
-        EXPECT_TRUE(near_slope) << at.transpose();
-    }
-    EXPECT_LT(std::abs(sampling.regions[0].area_error), 5e-4);
-    expect_exact_areas(section, sampling);
 }
 
 TEST(LatticeSampling, RunsRowByRowFromTheBottomLeft)
 {
     const Section section = make_section({{"sand", {rectangle(0, 0, 1, 1)}}});
-    const Sampling sampling = sample_lattice(section, make_grid(0, 0, 0.5, 2, 2), 2, 1, 1);
+    const Sampling sampling = sample_lattice(section, make_grid(0, 0, 0.5, 2, 2), 2, 1);
     ASSERT_EQ(sampling.domains.size(), 8u);
     EXPECT_EQ(sampling.domains[0].centre, Vector2(0.125, 0.25));
     EXPECT_EQ(sampling.domains[1].centre, Vector2(0.375, 0.25));
@@ -72,27 +54,32 @@ TEST(LatticeSampling, RunsRowByRowFromTheBottomLeft)
     EXPECT_EQ(sampling.domains[0].half_edge_2, Vector2(0.0, 0.25));
 }
 
-TEST(LatticeSampling, CentresOnASharedBoundaryBelongToOneRegion)
+TEST(LatticeSampling, CutsARowAlongALevelInterfaceIntoRectangles)
 {
     // the interface runs through the centres of a row
     const Section section =
         make_section({{"lower", {rectangle(0, 0, 1, 0.375)}}, {"upper", {rectangle(0, 0.375, 1, 1)}}});
-    const Sampling sampling = sample_lattice(section, make_grid(0, 0, 0.25, 4, 4), 1, 1, 1);
-    EXPECT_EQ(sampling.domains.size(), 16u);
-    EXPECT_EQ(sampling.regions[0].particles + sampling.regions[1].particles, 16u);
+    const Sampling sampling = sample_lattice(section, make_grid(0, 0, 0.25, 4, 4), 1, 1);
+    EXPECT_EQ(sampling.regions[0].particles, 8u);
+    EXPECT_EQ(sampling.regions[1].particles, 12u);
+    EXPECT_EQ(sampling.regions[0].cut, 4u);
+    EXPECT_TRUE(sampling.shapes.empty());
+    EXPECT_EQ(sampling.domains[4].centre, Vector2(0.125, 0.3125));
+    EXPECT_EQ(sampling.domains[4].half_edge_2, Vector2(0.0, 0.0625));
+    EXPECT_EQ(sampling.domains[5].region, 1u);
     expect_exact_areas(section, sampling);
 }
 
-TEST(LatticeSampling, ReportsTheCorrection)
+TEST(LatticeSampling, ReportsWhatItDid)
 {
     const Section section = make_section({{"sand", {rectangle(0, 0, 1, 0.9)}}});
-    const RegionSampling report = sample_lattice(section, make_grid(0, 0, 0.5, 2, 2), 1, 1, 1).regions[0];
+    const RegionSampling report = sample_lattice(section, make_grid(0, 0, 0.5, 2, 2), 1, 1).regions[0];
     EXPECT_EQ(report.particles, 4u);
+    EXPECT_EQ(report.cut, 2u);
     EXPECT_DOUBLE_EQ(report.area, 0.9);
-    EXPECT_NEAR(report.area_error, 1.0 / 9.0, 1e-15);
-    EXPECT_DOUBLE_EQ(report.volume_factor, 0.9);
-    EXPECT_DOUBLE_EQ(report.smallest_volume, 0.225);
-    EXPECT_DOUBLE_EQ(report.largest_volume, 0.225);
+    EXPECT_NEAR(report.area_error, 0.0, 1e-15);
+    EXPECT_DOUBLE_EQ(report.smallest_volume, 0.2);
+    EXPECT_DOUBLE_EQ(report.largest_volume, 0.25);
 }
 
 TEST(MeshSampling, TakesTheAreaOfAnyQuadrilateral)
