@@ -67,48 +67,6 @@ double offset_from_line(double coordinate, double origin, double cell_size)
     return (cells - std::round(cells)) * cell_size;
 }
 
-constexpr const char* not_parallel = "is not parallel to the grid";
-
-/// What keeps a wall from lying on grid lines, "" when it does.
-std::string describe_misfit(const NamedCurve& curve, const BackgroundGrid& grid)
-{
-    double largest = 0.0;
-    for (const Segment& segment : curve.segments) {
-        const Vector2 along = (segment.end - segment.start).cwiseAbs();
-        const double tolerance = on_line * grid.cell_size;
-        if (along.x() > tolerance && along.y() > tolerance) return not_parallel;
-        const int axis = along.x() > tolerance ? 1 : 0;
-        const double offset = offset_from_line(segment.start[axis], grid.origin[axis], grid.cell_size);
-        if (std::abs(offset) > std::abs(largest)) largest = offset;
-    }
-    if (std::abs(largest) <= on_line * grid.cell_size) return "";
-    return "lies " + number_text(std::round(std::abs(largest) * 1e9) * 1e-9) +
-           " m from the nearest grid line";
-}
-
-/// Walls act at nodes: they belong on grid lines, moving ones parallel to the grid.
-void check_place_of_wall(const SceneBoundary& boundary, const NamedCurve& curve, const BackgroundGrid& grid,
-                         Diagnostics& findings)
-{
-    const std::string misfit = describe_misfit(curve, grid);
-    if (misfit.empty()) return;
-    const std::string path = join_path({"boundaries", boundary.name});
-    const auto warn = [&](const std::string& soil, const std::string& expected) {
-        findings.add(warning_at(boundary.place, path, "off-grid",
-                                "the " + soil + " curve \"" + boundary.name + "\" " + misfit, expected));
-    };
-    const std::string nearest = "off them the condition acts at the nodes nearest to the wall";
-    if (boundary.soil == SoilCondition::fixed) warn("fixed", "a wall on grid lines; " + nearest);
-    if (boundary.soil == SoilCondition::roller) warn("roller", "a wall on grid lines; " + nearest);
-    if (boundary.soil == SoilCondition::moving && misfit == not_parallel)
-        warn("moving", "a wall parallel to the grid; a slanted one acts at the nodes nearest to it");
-    if (boundary.soil == SoilCondition::viscous) {
-        findings.add(error_at(
-            boundary.place, "off-grid", "the viscous curve \"" + boundary.name + "\" " + misfit,
-            "a curve on grid lines", "choose a cell size that divides the section, or set origin in [grid]"));
-    }
-}
-
 /// A viscous side of a shaken section absorbs the motion of the ground itself.
 void check_viscous_side(const Scene& scene, const SceneBoundary& boundary, const NamedCurve& curve,
                         Diagnostics& findings)
@@ -210,7 +168,6 @@ std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section
         const NamedCurve* curve = find_curve(section, condition.name);
         if (curve == nullptr) continue;
         boundaries.push_back(make_boundary(&condition, *curve));
-        check_place_of_wall(condition, *curve, grid, findings);
         check_viscous_side(scene, condition, *curve, findings);
     }
     const auto written = names_of(scene.boundaries);

@@ -1,6 +1,5 @@
 #include "solver/boundary_compliance.hpp"
 
-#include "solver/moving_walls.hpp"
 #include "solver/node_response.hpp"
 
 namespace quicksand {
@@ -34,31 +33,6 @@ void include_dashpots(const Problem& problem, const NodeConditions& conditions, 
         compliances.xy[i] -= 0.5 * (change(0, 1) + change(1, 0)); // equal but for rounding
         compliances.yy[i] -= change(1, 1);
     }
-}
-
-std::vector<WallCompliance> wall_compliances(const Problem& problem, const NodeConditions& conditions,
-                                             double dt, const std::vector<TwoPhaseSums>& sums)
-{
-    std::vector<WallCompliance> compliances;
-    for_each_held_pair(conditions, dt, sums, [&](const WallNode& wall, const HeldPair& pair) {
-        WallCompliance compliance{{wall.inner, wall.outer}, pair.direction, {}, {}, 0.0, 0.0, 0.0};
-        const std::array<double, 2> share = {1.0 - pair.outer_share, pair.outer_share};
-        for (std::size_t a = 0; a < 2; ++a) {
-            const TwoPhaseSums& node = sums[compliance.node[a]];
-            if (!node.active()) continue;
-            const NodeResponse velocity =
-                pressure_response(node_porosity(problem, node), a == 0 ? pair.inner : pair.outer);
-            compliance.solid[a] = share[a] * velocity.solid;
-            compliance.fluid[a] = share[a] * velocity.fluid;
-        }
-        const WallImpulse by_solid = wall_impulse(pair.at_wall(), pair.sealed, 1.0, 0.0),
-                          by_fluid = wall_impulse(pair.at_wall(), pair.sealed, 0.0, 1.0);
-        compliance.solid_solid = by_solid.solid;
-        compliance.solid_fluid = by_fluid.solid;
-        compliance.fluid_fluid = by_fluid.fluid;
-        compliances.push_back(compliance);
-    });
-    return compliances;
 }
 
 } // namespace quicksand

@@ -92,20 +92,6 @@ TwoPhaseMotion solve_aligned(const TwoPhaseSums& node, const NodeImpulses& impul
     return {.solid_x = x.solid, .solid_y = y.solid, .fluid_x = x.fluid, .fluid_y = y.fluid};
 }
 
-TwoPhaseMotion solve_slanted(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
-                             const SlantedNode& wall)
-{
-    const Vector2 across(-wall.normal.y(), wall.normal.x());
-    const std::uint8_t held = wall.conditions;
-    const PhaseVelocities n = solve_direction(balance_along(node, impulses, dt, wall.normal),
-                                              held & solid_x_fixed, held & fluid_x_fixed, held & film_x);
-    const PhaseVelocities s = solve_direction(balance_along(node, impulses, dt, across), held & solid_y_fixed,
-                                              held & fluid_y_fixed, held & film_y);
-    const Vector2 solid = n.solid * wall.normal + s.solid * across;
-    const Vector2 fluid = n.fluid * wall.normal + s.fluid * across;
-    return {.solid_x = solid.x(), .solid_y = solid.y(), .fluid_x = fluid.x(), .fluid_y = fluid.y()};
-}
-
 /// Impulses of a force of the pressure over a unit of time, shared by grains and water.
 NodeImpulses unit_pressure_impulses(double porosity, const Vector2& force)
 {
@@ -220,13 +206,6 @@ void solve_two_phase_momentum(const Problem& problem, const NodeConditions& cond
         motion[i] = solve_aligned(sums[i], impulses, dt, conditions.of_node[i]);
         set_flux_and_change(problem, sums[i], motion[i]);
     });
-    for (const SlantedNode& wall : conditions.slanted) {
-        const TwoPhaseSums& node = sums[wall.node];
-        if (!node.active()) continue;
-        const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, node);
-        motion[wall.node] = solve_slanted(node, impulses, dt, wall);
-        set_flux_and_change(problem, node, motion[wall.node]);
-    }
 }
 
 void set_pressure_compliances(const Problem& problem, const NodeConditions& conditions, double dt,
@@ -236,25 +215,13 @@ void set_pressure_compliances(const Problem& problem, const NodeConditions& cond
     for_each_index(sums.size(), [&](std::size_t i) {
         compliances.xx[i] = compliances.xy[i] = compliances.yy[i] = 0.0;
         if (!sums[i].active()) return;
-        // x and y do not mix without a slanted wall, so that one force in both directions tells both
+        // x and y do not mix here, so that one force in both directions tells both
         const double n = node_porosity(problem, sums[i]);
         const Vector2 flux = flux_of(n, solve_aligned(sums[i], unit_pressure_impulses(n, Vector2(1.0, 1.0)),
                                                       dt, conditions.of_node[i]));
         compliances.xx[i] = flux.x();
         compliances.yy[i] = flux.y();
     });
-    for (const SlantedNode& wall : conditions.slanted) {
-        const TwoPhaseSums& node = sums[wall.node];
-        if (!node.active()) continue;
-        const double n = node_porosity(problem, node);
-        const Vector2 x =
-            flux_of(n, solve_slanted(node, unit_pressure_impulses(n, Vector2::UnitX()), dt, wall));
-        const Vector2 y =
-            flux_of(n, solve_slanted(node, unit_pressure_impulses(n, Vector2::UnitY()), dt, wall));
-        compliances.xx[wall.node] = x.x();
-        compliances.xy[wall.node] = x.y();
-        compliances.yy[wall.node] = y.y();
-    }
 }
 
 void solve_single_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
@@ -278,14 +245,6 @@ void solve_single_phase_momentum(const Problem& problem, const NodeConditions& c
         motion[i].y = held & solid_y_fixed ? 0.0 : (node.momentum_y + dt * force_y) / node.mass;
         set_change(node, motion[i]);
     });
-    for (const SlantedNode& wall : conditions.slanted) {
-        if (!sums[wall.node].active()) continue;
-        Vector2 velocity(motion[wall.node].x, motion[wall.node].y);
-        if (wall.conditions & solid_x_fixed) velocity -= velocity.dot(wall.normal) * wall.normal;
-        if (wall.conditions & solid_y_fixed) velocity.setZero();
-        motion[wall.node] = {velocity.x(), velocity.y(), 0.0, 0.0};
-        set_change(sums[wall.node], motion[wall.node]);
-    }
 }
 
 } // namespace quicksand

@@ -9,7 +9,7 @@
 
 namespace quicksand {
 
-/// Flux per force and time of the nodes; symmetric 2 x 2, off-diagonal only at slanted walls [m/kg].
+/// Flux per force and time of the nodes; symmetric 2 x 2, off-diagonal only at dashpots and wall rows [m/kg].
 struct NodeCompliances {
     std::vector<double> xx, xy, yy;
 };

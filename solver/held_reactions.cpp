@@ -69,16 +69,20 @@ double dot(const Scalars& a, const Scalars& b)
     return sum;
 }
 
-/// Forces of the pieces whose sums at the released nodes are `wanted`.
+/// Forces of the pieces whose sums at the released nodes are `wanted`, as near as the pieces reach.
 Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vector<std::uint8_t>& released,
-                         const Scalars& wanted)
+                         Scalars wanted)
 {
     constexpr int most_iterations = 500;
     constexpr double tolerance = 1e-30; // of the squared residual
-    Scalars solution(wanted.size(), 0.0), residual = wanted, direction = wanted;
-    double square = dot(residual, residual);
+    constexpr double lost = 1e4;        // growth of the squared residual after which nothing better comes
+    const Scalars reach = sums_at_nodes(pieces, released, forces_of(pieces, Scalars(wanted.size(), 1.0)));
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (!(reach[i] > 0.0)) wanted[i] = 0.0;
+    Scalars solution(wanted.size(), 0.0), residual = wanted, direction = wanted, best = solution;
+    double square = dot(residual, residual), least = square;
     const double enough = tolerance * square;
-    for (int k = 0; k < most_iterations && square > enough; ++k) {
+    for (int k = 0; k < most_iterations && square > enough && square < lost * least; ++k) {
         const Scalars image = sums_at_nodes(pieces, released, forces_of(pieces, direction));
         const double curvature = dot(direction, image);
         if (!(curvature > 0.0)) break; // nothing of what is left can be reached
@@ -91,12 +95,16 @@ Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vec
         for (std::size_t i = 0; i < solution.size(); ++i)
             direction[i] = residual[i] + next / square * direction[i];
         square = next;
+        if (square >= least) continue;
+        least = square;
+        best = solution;
     }
-    return forces_of(pieces, solution);
+    return forces_of(pieces, best);
 }
 
-/// Forces at the nodes of the state at rest, the pressure of the water included.
-std::vector<SinglePhaseSums> forces_at_rest(const Problem& problem, const State& state)
+/// The nodes of the state at rest, with all forces, the pressure of the water included, and the rows of the
+/// walls.
+SinglePhaseWorkspace nodes_at_rest(const Problem& problem, const State& state)
 {
     State held = state;
     held.stage = Stage::relaxation;
@@ -104,7 +112,9 @@ std::vector<SinglePhaseSums> forces_at_rest(const Problem& problem, const State&
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
     locate_particles(problem, 0.0, held, work);
     scatter_to_nodes(problem, 0.0, held, work);
-    return work.sums;
+    constexpr double unit_time = 1.0; // forces stand for impulses
+    assemble_walls(problem, unit_time, work.sums, work);
+    return work;
 }
 
 } // namespace
@@ -114,10 +124,15 @@ void hold_reactions(const Problem& problem, State& state)
     state.reactions = {};
     const auto is_viscous = [](const Boundary& b) { return b.soil == SoilCondition::viscous; };
     if (std::none_of(problem.boundaries.begin(), problem.boundaries.end(), is_viscous)) return;
-    const NodeConditions held = node_conditions(problem, Stage::relaxation, 0.0),
-                         free = node_conditions(problem, Stage::shaking, 0.0);
+    const NodeConditions held = node_conditions(problem, Stage::relaxation),
+                         free = node_conditions(problem, Stage::shaking);
     const std::vector<PieceWeights> pieces = weights_of_pieces(problem, state, held);
-    const std::vector<SinglePhaseSums> nodes = forces_at_rest(problem, state);
+    const SinglePhaseWorkspace rest = nodes_at_rest(problem, state);
+    const std::vector<SinglePhaseSums>& nodes = rest.sums;
+    const std::vector<Vector2> by_rows =
+        resting_reactions(problem, rest.walls, nodes, [&](const WallChain& chain) {
+            return is_viscous(problem.boundaries[chain.edges.front().boundary]);
+        });
     for (const std::uint8_t fixed : {std::uint8_t{solid_x_fixed}, std::uint8_t{solid_y_fixed}}) {
         std::vector<std::uint8_t> released(nodes.size(), 0);
         Scalars wanted(nodes.size(), 0.0);
@@ -127,6 +142,12 @@ void hold_reactions(const Problem& problem, State& state)
             if (!released[i]) continue;
             wanted[i] = fixed == solid_x_fixed ? -nodes[i].stress_force_x
                                                : nodes[i].weight * problem.gravity - nodes[i].stress_force_y;
+        }
+        for (std::size_t k = 0; k < by_rows.size(); ++k) {
+            const std::size_t i = rest.walls.rows.nodes()[k];
+            if (by_rows[k].squaredNorm() == 0.0) continue;
+            released[i] = 1;
+            wanted[i] += fixed == solid_x_fixed ? by_rows[k].x() : by_rows[k].y();
         }
         (fixed == solid_x_fixed ? state.reactions.x : state.reactions.y) =
             spread_on_pieces(pieces, released, wanted);

@@ -1,7 +1,6 @@
 #include "solver/held_shape.hpp"
 
 #include "solver/grid_momentum.hpp"
-#include "solver/moving_walls.hpp"
 #include "solver/particle_order.hpp"
 #include "solver/particle_to_grid.hpp"
 #include "solver/surface_loads.hpp"
@@ -56,6 +55,22 @@ void gather_gradients(const Problem& problem, const HeldShape& shape, const Tile
     });
 }
 
+/// The rows of the walls; masses do not change, so that they hold for all steps.
+void hold_walls_of(const Problem& problem, const State& state, HeldShape& shape)
+{
+    if (!shape.walls.any) return;
+    find_roots(problem, shape.conditions, shape.lists, state.particles, shape.walls.roots);
+    shape.shared_lists = shape.lists;
+    merge_shared_cells(shape.lists, shape.walls.roots.shared, shape.shared_lists);
+    State resting = state;
+    resting.stage = Stage::relaxation;
+    place_wall_rows(problem, 0.0, resting, shape.conditions, shape.lists, shape.patches, shape.walls);
+    std::vector<SinglePhaseSums> gathered = shape.rest;
+    gather_tied_sums(shape.conditions, gathered);
+    constexpr double unit_time = 1.0; // of a body of one phase nothing depends on it
+    assemble_wall_rows(problem, shape.conditions, unit_time, {}, gathered, shape.walls);
+}
+
 } // namespace
 
 HeldShape hold_shape(const Problem& problem, State& state)
@@ -63,6 +78,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     HeldShape shape;
     shape.lists = make_cell_lists(problem.grid);
     shape.conditions = node_conditions(problem, Stage::relaxation);
+    set_up_wall_rows(problem, Stage::relaxation, shape.walls);
     shape.patches.resize(shape.lists.tiles.size());
     sort_particles(problem.grid, 0.0, state, shape.lists);
     CarriedMasses masses;
@@ -85,6 +101,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     // without any pressure in the pores the grains alone would bear the water beyond curves
     if (has_pressure(resting)) scatter_outer_water(problem, state.time, resting, places, shape.rest);
     shape.sums = shape.rest;
+    hold_walls_of(problem, state, shape);
     shape.average = make_volumetric_average(problem);
     shape.motion.resize(problem.grid.node_count());
     shape.displacement.x.resize(problem.grid.node_count());
@@ -103,16 +120,18 @@ void advance_held_shape(const Problem& problem, double dt, double damping, doubl
     for_each_tile_by_colour(shape.lists,
                             [&](const Tile& tile) { scatter_forces(problem, particles, tile, shape); });
     gather_tied_sums(shape.conditions, shape.sums);
+    leave_unbalanced_forces(problem, acceleration, shape.walls, shape.sums);
     solve_single_phase_momentum(problem, shape.conditions, dt, acceleration, damping, shape.sums,
                                 shape.motion);
-    hold_at_walls(shape.conditions, dt, shape.sums, shape.motion);
+    hold_at_walls(shape.walls, shape.motion);
     spread_tied_motion(shape.conditions, shape.motion);
     for (std::size_t i = 0; i < shape.motion.size(); ++i) {
         shape.displacement.x[i] += dt * shape.motion[i].x;
         shape.displacement.y[i] += dt * shape.motion[i].y;
     }
     for_each_tile(shape.lists, [&](const Tile& tile) { gather_gradients(problem, shape, tile, particles); });
-    update_stress_of_cells(problem, dt, shape.lists, particles, shape.average);
+    update_stress_of_cells(problem, dt, shape.walls.any ? shape.shared_lists : shape.lists, particles,
+                           shape.average);
 }
 
 void set_at_rest(HeldShape& shape)
@@ -128,7 +147,7 @@ void reset_displacement(HeldShape& shape)
 
 double out_of_balance(const Problem& problem, double acceleration, const HeldShape& shape)
 {
-    return unbalanced_forces(problem, acceleration, shape.conditions, shape.sums);
+    return unbalanced_forces(problem, acceleration, shape.conditions, shape.walls, shape.sums);
 }
 
 double largest_displacement(const Problem& problem, const HeldShape& shape)

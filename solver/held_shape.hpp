@@ -12,6 +12,7 @@
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
 #include "solver/volumetric_average.hpp"
+#include "solver/wall_rows.hpp"
 
 #include <vector>
 
@@ -20,6 +21,9 @@ namespace quicksand {
 struct HeldShape {
     CellLists lists;
     NodeConditions conditions;
+    WallRows walls;
+    CellLists
+        shared_lists; // with badly filled cells in the slots of their roots, where soil ends within cells
     std::vector<PatchStore> patches;   // per tile
     std::vector<SinglePhaseSums> rest; // masses and weights of the nodes, with the loads and no stress
     std::vector<SinglePhaseSums> sums; // with the forces and momenta of the last step

@@ -205,8 +205,6 @@ std::vector<std::uint8_t> ledger_nodes(const NodeConditions& conditions)
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (conditions.of_node[i] != 0) kinds[i] = wall_node;
     }
-    for (const SlantedNode& wall : conditions.slanted) kinds[wall.node] = wall_node;
-    for (const WallNode& wall : conditions.walls) kinds[wall.inner] = kinds[wall.outer] = wall_node;
     for (const TiedNodes& tie : conditions.tied) kinds[tie.node] = stands_for_nobody;
     return kinds;
 }

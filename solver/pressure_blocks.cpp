@@ -66,6 +66,7 @@ void divide(const BackgroundGrid& grid, const CellLists& lists, const PressureEq
     for_each_cell(equations, [&](const CellStencil& stencil, const TileDivergence&) {
         filled[static_cast<std::size_t>(stencil.cell)] = true;
     });
+    for (const SharedCell& cell : equations.shared) filled[static_cast<std::size_t>(cell.slot)] = false;
     blocks.blocks.clear();
     for (const auto& [bottom, top] : parts_of(extent.y1 - extent.y0)) {
         for (const auto& [left, right] : parts_of(extent.x1 - extent.x0)) {
@@ -119,13 +120,23 @@ private:
     std::vector<std::size_t> touched_;
 };
 
-void find_touches(const BackgroundGrid& grid, const CellBlock& block,
-                  const std::vector<std::pair<const CellStencil*, const TileDivergence*>>& stencil_of_slot,
-                  NodeTouches& touches)
+using StencilOfSlot = std::vector<std::pair<const CellStencil*, const TileDivergence*>>;
+
+/// The touches of a block's cells; badly filled cells touch with the row of their root.
+void find_touches(const BackgroundGrid& grid, const CellBlock& block, const StencilOfSlot& stencil_of_slot,
+                  const std::vector<SharedCell>& shared, NodeTouches& touches)
 {
     touches.clear();
-    for (std::size_t row = 0; row < block.slots.size(); ++row) {
-        const auto [cell, D] = stencil_of_slot[static_cast<std::size_t>(block.slots[row])];
+    std::vector<std::pair<std::size_t, std::int32_t>> cells; // rows and slots
+    for (std::size_t row = 0; row < block.slots.size(); ++row) cells.emplace_back(row, block.slots[row]);
+    for (const SharedCell& cell : shared) {
+        const auto root = std::find(block.slots.begin(), block.slots.end(), cell.root);
+        if (root != block.slots.end())
+            cells.emplace_back(static_cast<std::size_t>(root - block.slots.begin()), cell.slot);
+    }
+    for (const auto& [row, slot] : cells) {
+        const auto [cell, D] = stencil_of_slot[static_cast<std::size_t>(slot)];
+        if (cell == nullptr) continue;
         auto k = static_cast<std::size_t>(cell->first);
         for (int b = 0; b < cell->height; ++b) {
             const auto first = static_cast<std::size_t>(cell->base + b * grid.nodes_x());
@@ -199,14 +210,13 @@ void set_up_blocks(const BackgroundGrid& grid, const CellLists& lists, const Nod
                    double dt, const PressureEquations& equations, PressureBlocks& blocks)
 {
     divide(grid, lists, equations, blocks);
-    std::vector<std::pair<const CellStencil*, const TileDivergence*>> stencil_of_slot(
-        lists.cell_of_slot.size());
+    StencilOfSlot stencil_of_slot(lists.cell_of_slot.size());
     for_each_cell(equations, [&](const CellStencil& stencil, const TileDivergence& divergence) {
         stencil_of_slot[static_cast<std::size_t>(stencil.cell)] = {&stencil, &divergence};
     });
     NodeTouches touches(conditions);
     for (CellBlock& block : blocks.blocks) {
-        find_touches(grid, block, stencil_of_slot, touches);
+        find_touches(grid, block, stencil_of_slot, equations.shared, touches);
         factorise(dt, equations, touches, block);
     }
 }

@@ -11,6 +11,7 @@
 #include "solver/boundary_conditions.hpp"
 #include "solver/cell_divergence.hpp"
 #include "solver/cell_lists.hpp"
+#include "solver/cell_roots.hpp"
 #include "solver/grid_momentum.hpp"
 
 #include <cstdint>
@@ -24,6 +25,7 @@ struct PressureEquations {
     NodeCompliances compliance;             // W
     Scalars storage;                        // by slot [m2/Pa]
     Scalars diagonal;                       // of L, by slot [m2/Pa]
+    std::vector<SharedCell> shared;         // cells that have the pressure of their roots
 };
 
 struct CellBlock {

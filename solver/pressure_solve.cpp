@@ -1,7 +1,5 @@
 #include "solver/pressure_solve.hpp"
 
-#include "solver/moving_walls.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -44,33 +42,38 @@ void gather_tied_forces(const NodeConditions& conditions, PressureSolve& solve)
     }
 }
 
-/// Impulses of the moving walls that the forces on their nodes call up.
-std::vector<WallImpulse> wall_impulses(const PressureSolve& solve)
+/// The fluxes of the nodes of the rows, from the forces on them.
+void respond_by_rows(PressureSolve& solve)
 {
-    std::vector<WallImpulse> impulses;
-    for (const WallCompliance& wall : solve.walls) {
-        double solid = 0.0, fluid = 0.0;
-        for (std::size_t a = 0; a < 2; ++a) {
-            const std::size_t i = wall.node[a];
-            const double force = wall.direction.dot(Vector2(solve.force_x[i], solve.force_y[i]));
-            solid += wall.solid[a] * force;
-            fluid += wall.fluid[a] * force;
-        }
-        impulses.push_back({-(wall.solid_solid * solid + wall.solid_fluid * fluid),
-                            -(wall.solid_fluid * solid + wall.fluid_fluid * fluid)});
+    const std::vector<std::size_t>& nodes = solve.rows->nodes();
+    solve.row_fluxes.resize(nodes.size());
+    solve.rows->respond_to_pressure(solve.row_forces, solve.row_fluxes);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        solve.flux_x[nodes[k]] = solve.row_fluxes[k].x();
+        solve.flux_y[nodes[k]] = solve.row_fluxes[k].y();
     }
-    return impulses;
 }
 
-void add_flux_of_walls(const std::vector<WallImpulse>& impulses, PressureSolve& solve)
+void note_row_forces(PressureSolve& solve)
 {
-    for (std::size_t k = 0; k < impulses.size(); ++k) {
-        const WallCompliance& wall = solve.walls[k];
-        for (std::size_t a = 0; a < 2; ++a) {
-            const double flux = wall.solid[a] * impulses[k].solid + wall.fluid[a] * impulses[k].fluid;
-            solve.flux_x[wall.node[a]] += flux * wall.direction.x();
-            solve.flux_y[wall.node[a]] += flux * wall.direction.y();
-        }
+    solve.row_forces.clear();
+    for (const std::size_t i : solve.rows->nodes())
+        solve.row_forces.emplace_back(solve.force_x[i], solve.force_y[i]);
+}
+
+/// Badly filled cells get what their roots have.
+void spread_to_shared(const PressureSolve& solve, Scalars& values)
+{
+    for (const SharedCell& cell : solve.shared)
+        values[static_cast<std::size_t>(cell.slot)] = values[static_cast<std::size_t>(cell.root)];
+}
+
+/// Roots get what their badly filled cells have besides.
+void fold_shared(const PressureSolve& solve, Scalars& values)
+{
+    for (const SharedCell& cell : solve.shared) {
+        values[static_cast<std::size_t>(cell.root)] += values[static_cast<std::size_t>(cell.slot)];
+        values[static_cast<std::size_t>(cell.slot)] = 0.0;
     }
 }
 
@@ -78,7 +81,7 @@ void add_flux_of_walls(const std::vector<WallImpulse>& impulses, PressureSolve& 
 void respond(const NodeConditions& conditions, PressureSolve& solve)
 {
     gather_tied_forces(conditions, solve);
-    const std::vector<WallImpulse> impulses = wall_impulses(solve);
+    if (solve.rows != nullptr) note_row_forces(solve);
     const NodeCompliances& W = solve.compliance;
     for_each_index(solve.force_x.size(), [&](std::size_t i) {
         const double x = solve.force_x[i], y = solve.force_y[i];
@@ -87,7 +90,7 @@ void respond(const NodeConditions& conditions, PressureSolve& solve)
         solve.force_x[i] = 0.0;
         solve.force_y[i] = 0.0;
     });
-    add_flux_of_walls(impulses, solve);
+    if (solve.rows != nullptr) respond_by_rows(solve);
     for (const TiedNodes& tie : conditions.tied) {
         solve.flux_x[tie.node] = solve.flux_x[tie.master];
         solve.flux_y[tie.node] = solve.flux_y[tie.master];
@@ -104,13 +107,14 @@ void scatter_pressure(const BackgroundGrid& grid, const CellLists& lists, const 
     });
 }
 
-/// product = L pressure; returns pressure . product.
+/// product = L pressure; returns pressure . product. Badly filled cells get the pressure of their roots.
 double multiply(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
-                double dt, const Scalars& pressure, PressureSolve& solve)
+                double dt, Scalars& pressure, PressureSolve& solve)
 {
+    spread_to_shared(solve, pressure);
     scatter_pressure(grid, lists, pressure, solve);
     respond(conditions, solve);
-    return sum_over_tiles(lists, solve, [&](const Tile& tile) {
+    const double square = sum_over_tiles(lists, solve, [&](const Tile& tile) {
         const TileDivergence& divergence = solve.divergence[static_cast<std::size_t>(tile.number)];
         outflows(divergence, grid.nodes_x(), solve.flux_x, solve.flux_y, solve.product);
         double sum = 0.0;
@@ -121,6 +125,8 @@ double multiply(const BackgroundGrid& grid, const CellLists& lists, const NodeCo
         }
         return sum;
     });
+    fold_shared(solve, solve.product);
+    return square;
 }
 
 /// Diagonal of L; where nodes are tied to others that the same cell touches it is a little off, which costs
@@ -142,6 +148,8 @@ void set_diagonal(const BackgroundGrid& grid, const CellLists& lists, double dt,
             solve.diagonal[c] = solve.storage[c] + dt * dt * sum;
         });
     });
+    fold_shared(solve, solve.diagonal);
+    spread_to_shared(solve, solve.diagonal); // nothing is divided by zero
 }
 
 /// Sum of residual^2 / diagonal after residual(cell) has been set: the measure of convergence.
@@ -288,6 +296,27 @@ void add_cavities(PressureSolve& solve)
     cavity.cavities.assign(solve.storage.size(), 0);
 }
 
+void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSolve& solve)
+{
+    solve.rows = rows.empty() ? nullptr : &rows;
+    if (rows.empty()) return;
+    rows.set_porosities(porosities);
+    const std::vector<Eigen::Matrix2d> local = rows.local_compliances();
+    for (std::size_t k = 0; k < local.size(); ++k) {
+        const std::size_t i = rows.nodes()[k];
+        solve.compliance.xx[i] = local[k](0, 0);
+        solve.compliance.xy[i] = local[k](0, 1);
+        solve.compliance.yy[i] = local[k](1, 1);
+    }
+}
+
+void share_pressures(const std::vector<SharedCell>& shared, PressureSolve& solve)
+{
+    solve.shared = shared;
+    for (const SharedCell& cell : shared) solve.storage[static_cast<std::size_t>(cell.slot)] = 0.0;
+    spread_to_shared(solve, solve.increment);
+}
+
 bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                       double dt, const PressureSolveControls& controls, PressureSolve& solve)
 {
@@ -296,6 +325,7 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
     solve.blocks_are_due = false;
     scale_blocks(solve.diagonal, solve.blocks);
     const double scale = set_right_hand_side(grid, lists, dt, solve);
+    fold_shared(solve, solve.right_hand_side);
     const double target = controls.tolerance * controls.tolerance * scale;
     const auto converge = [&] { return iterate(grid, lists, conditions, dt, target, controls, solve); };
     solve.iterations = 0;
@@ -312,6 +342,7 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
                           const NodeConditions& conditions, PressureSolve& solve)
 {
+    spread_to_shared(solve, solve.increment);
     scatter_pressure(grid, lists, solve.increment, solve);
     gather_tied_forces(conditions, solve);
 }

@@ -15,12 +15,12 @@
 // Ito and Kunisch 2002). A cell of the set has the pressure of the limit, and its cavities take the flux.
 #pragma once
 
-#include "solver/boundary_compliance.hpp"
 #include "solver/boundary_conditions.hpp"
 #include "solver/cell_divergence.hpp"
 #include "solver/grid_momentum.hpp"
 #include "solver/particles.hpp"
 #include "solver/pressure_blocks.hpp"
+#include "solver/velocity_rows.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -39,16 +39,17 @@ struct CavitySolve {
 /// Unknowns and work arrays, by slot of the cell lists (only cells with soil are touched) and by node.
 struct PressureSolve : PressureEquations {
     PressureBlocks blocks;
-    bool blocks_are_due = true;        // to be set up anew in the next solve
-    std::vector<WallCompliance> walls; // that move
-    Scalars increment;                 // dp: the guess, then the solution [Pa]
-    Scalars flux_x, flux_y;            // of the nodes, flux* at first [m/s]
-    Scalars force_x, force_y;          // of the increments on the nodes, zero before and after a solve [N/m]
-    Scalars right_hand_side;           // [m3/m]
-    Scalars residual;                  // of the equations [m3/m]
-    Scalars answer;                    // of the preconditioner to the residual [Pa]
-    Scalars direction, product;        // of the conjugate gradients, and L direction [Pa, m3/m]
-    Scalars partial;                   // sums of the tiles [of what is summed]
+    bool blocks_are_due = true;                  // to be set up anew in the next solve
+    const VelocityRows* rows = nullptr;          // of walls and followers, none without
+    std::vector<Vector2> row_forces, row_fluxes; // at the nodes of the rows
+    Scalars increment;                           // dp: the guess, then the solution [Pa]
+    Scalars flux_x, flux_y;                      // of the nodes, flux* at first [m/s]
+    Scalars force_x, force_y;   // of the increments on the nodes, zero before and after a solve [N/m]
+    Scalars right_hand_side;    // [m3/m]
+    Scalars residual;           // of the equations [m3/m]
+    Scalars answer;             // of the preconditioner to the residual [Pa]
+    Scalars direction, product; // of the conjugate gradients, and L direction [Pa, m3/m]
+    Scalars partial;            // sums of the tiles [of what is summed]
     CavitySolve cavity;
     std::int32_t iterations = 0; // of the last solve [-]
 };
@@ -65,6 +66,14 @@ PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::siz
 
 /// Give the solve a limit of tension.
 void add_cavities(PressureSolve& solve);
+
+/// Let the nodes of the rows answer the pressure as the rows have it. After the compliances of the nodes have
+/// been set.
+void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSolve& solve);
+
+/// Let badly filled cells have the pressure of their roots. After storage and increments of the roots have
+/// been set.
+void share_pressures(const std::vector<SharedCell>& shared, PressureSolve& solve);
 
 /// Solve for `increment`, from its present value as guess, with `flux_x, flux_y` = flux*; with a limit of
 /// tension for `cavity` as well. Returns whether it converged.

@@ -19,7 +19,7 @@ constexpr std::int64_t steps_between_checks = 50;
 
 double out_of_balance(const Problem& problem, const SinglePhaseWorkspace& work)
 {
-    return unbalanced_forces(problem, 0.0, work.conditions, work.sums);
+    return unbalanced_forces(problem, 0.0, work.conditions, work.walls, work.sums);
 }
 
 void set_at_rest(Particles& particles)
@@ -88,6 +88,8 @@ double out_of_balance(const Problem& problem, const State& state)
     copy.stage = Stage::relaxation;
     locate_particles(problem, 0.0, copy, work);
     scatter_to_nodes(problem, 0.0, copy, work);
+    constexpr double unit_time = 1.0; // forces stand for impulses
+    assemble_walls(problem, unit_time, work.sums, work);
     return out_of_balance(problem, work);
 }
 

@@ -4,7 +4,6 @@
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
 #include "solver/ledger.hpp"
-#include "solver/moving_walls.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/surface_loads.hpp"
 
@@ -80,10 +79,12 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         const bool shaking = state.stage == Stage::shaking;
         const double acceleration = shaking ? base_acceleration(problem.base_motion, state.time) : 0.0;
         const double kick = kick_time(state, dt);
+        assemble_walls(problem, kick, work.sums, work);
+        if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
         solve_single_phase_momentum(problem, work.conditions, kick, acceleration, damping, work.sums,
                                     work.motion);
         brake_by_dashpots(work.conditions, kick, work.dashpots, work.sums, work.motion);
-        hold_at_walls(work.conditions, kick, work.sums, work.motion);
+        hold_at_walls(work.walls, work.motion);
         if (state.ledger)
             enter_nodes(problem, work.ledger_nodes, kick, acceleration, work.sums, work.outer, work.motion,
                         *state.ledger);
@@ -113,7 +114,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress,
-          [&] { update_stress_of_cells(problem, dt, work.lists, particles, work.average); });
+          [&] { update_stress_of_cells(problem, dt, work.volume_lists(), particles, work.average); });
     state.time += dt;
     state.last_step = dt;
     ++state.step;

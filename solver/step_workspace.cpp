@@ -1,8 +1,6 @@
 #include "solver/step_workspace.hpp"
 
 #include "solver/grid_to_particle.hpp"
-#include "solver/ledger.hpp"
-#include "solver/moving_walls.hpp"
 #include "solver/particle_order.hpp"
 #include "solver/pore_pressure.hpp"
 
@@ -51,6 +49,8 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     work.partly_saturated = has_unsaturated_soil(problem);
     if (work.partly_saturated) work.wet_lists = work.lists;
     work.conditions = node_conditions(problem, stage);
+    set_up_wall_rows(problem, stage, work.walls);
+    if (work.walls.any) work.shared_lists = work.shared_wet_lists = work.lists;
     work.wall_kinds = ledger_nodes(work.conditions);
     work.ledger_nodes = work.wall_kinds;
     work.patches.resize(work.lists.tiles.size());
@@ -60,10 +60,9 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
 
 void place_boundaries(const Problem& problem, double dt, const State& state, StepWorkspace& work)
 {
-    const bool moved = move_walls(problem, state, dt, work.conditions);
-    if (moved) work.wall_kinds = ledger_nodes(work.conditions);
-    // nodes that the dashpots of the last step have left count no reaction any more
-    if (moved || !work.dashpots.empty()) work.ledger_nodes = work.wall_kinds;
+    place_wall_rows(problem, dt, state, work.conditions, work.lists, work.patches, work.walls);
+    // nodes that the dashpots and rows of the last step have left count no reaction any more
+    if (work.walls.any || !work.dashpots.empty()) work.ledger_nodes = work.wall_kinds;
     work.dashpots.clear();
     if (state.stage == Stage::shaking)
         gather_dashpots(problem, state.particles, work.conditions, work.places, work.dashpots);
@@ -81,6 +80,11 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
         sort_particles(problem.grid, dt, state, work.lists);
     }
     if (work.partly_saturated) select_saturated(problem, state.particles, work.lists, work.wet_lists);
+    if (!work.walls.any) return;
+    find_roots(problem, work.conditions, work.lists, state.particles, work.walls.roots);
+    merge_shared_cells(work.lists, work.walls.roots.shared, work.shared_lists);
+    if (work.partly_saturated)
+        merge_shared_cells(work.wet_lists, work.walls.roots.shared, work.shared_wet_lists);
 }
 
 } // namespace quicksand

@@ -4,6 +4,7 @@
 #include "solver/boundary_conditions.hpp"
 #include "solver/boundary_pieces.hpp"
 #include "solver/cell_lists.hpp"
+#include "solver/ledger.hpp"
 #include "solver/node_weights.hpp"
 #include "solver/particle_to_grid.hpp"
 #include "solver/phase_timers.hpp"
@@ -12,6 +13,7 @@
 #include "solver/threads.hpp"
 #include "solver/viscous_boundary.hpp"
 #include "solver/volumetric_average.hpp"
+#include "solver/wall_rows.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -26,7 +28,11 @@ struct StepWorkspace {
     CellLists lists;
     CellLists wet_lists;           // the saturated particles alone, where there are others
     bool partly_saturated = false; // a phreatic line runs through the soil
+    CellLists
+        shared_lists; // with badly filled cells in the slots of their roots; where soil ends within cells
+    CellLists shared_wet_lists;
     NodeConditions conditions;
+    WallRows walls;
     std::vector<PatchStore> patches;        // per tile
     bool patches_are_kept = false;          // small strain: they hold for all steps
     VolumetricAverage average;              // of the materials that ask for it
@@ -39,8 +45,15 @@ struct StepWorkspace {
     std::int64_t limited_domains = 0;       // domains scaled down in the last step [-]
     PhaseTimers timers;
 
-    /// The lists of the particles that have a pore pressure.
-    const CellLists& lists_with_pressure() const { return partly_saturated ? wet_lists : lists; }
+    /// The lists by which cells have one change of volume: badly filled cells with their roots.
+    const CellLists& volume_lists() const { return walls.any ? shared_lists : lists; }
+
+    /// The same of the particles that have a pore pressure.
+    const CellLists& lists_with_pressure() const
+    {
+        if (!partly_saturated) return volume_lists();
+        return walls.any ? shared_wet_lists : wet_lists;
+    }
 
     const PatchStore& patches_of(const Tile& tile) const
     {
@@ -50,12 +63,22 @@ struct StepWorkspace {
 
 void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage = Stage::shaking);
 
-/// Bring walls and dashpots up to the state, before the sums of the nodes are gathered.
+/// Bring walls and dashpots up to the state, from the weights of the particles.
 void place_boundaries(const Problem& problem, double dt, const State& state, StepWorkspace& work);
 
 /// Bring the cell lists up to date, and the arrays of a step to the particles' number. In small strain lists
 /// and weights are found once, on the reference shape. Throws NumericalError.
 void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work);
+
+/// Set up the rows of the walls from the nodes' sums, with tied nodes gathered; `kick` is the time over which
+/// forces act [s].
+template <class Sums>
+void assemble_walls(const Problem& problem, double kick, const std::vector<Sums>& sums, StepWorkspace& work)
+{
+    if (!work.walls.any) return;
+    assemble_wall_rows(problem, work.conditions, kick, work.dashpots, sums, work.walls);
+    for (const std::size_t node : work.walls.rows.nodes()) count_reaction(node, work.ledger_nodes);
+}
 
 /// Clear the sums of all nodes.
 template <class Sums>

@@ -14,7 +14,7 @@ public:
     explicit WorkingStepper(Workspace work) : work_(std::move(work)) {}
     std::int64_t limited_domains() const override { return work_.limited_domains; }
     PhaseTimers& timers() override { return work_.timers; }
-    void restart() override { work_.conditions.wall_rows.clear(); }
+    void restart() override {}
 
 protected:
     Workspace work_;
@@ -36,11 +36,7 @@ public:
     {
         advance_semi_implicit_step(problem, dt, state, work_);
     }
-    void restart() override
-    {
-        WorkingStepper::restart();
-        work_.pressure.blocks_are_due = true;
-    }
+    void restart() override { work_.pressure.blocks_are_due = true; }
 };
 
 class SinglePhaseStepper : public WorkingStepper<SinglePhaseWorkspace> {

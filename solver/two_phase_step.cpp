@@ -5,7 +5,6 @@
 #include "solver/grid_momentum.hpp"
 #include "solver/grid_to_particle.hpp"
 #include "solver/ledger.hpp"
-#include "solver/moving_walls.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/particle_to_grid.hpp"
 #include "solver/surface_loads.hpp"
@@ -46,7 +45,7 @@ void solve_velocities(const Problem& problem, double kick, const State& state, T
     const double acceleration = base_acceleration(problem.base_motion, state.time);
     solve_two_phase_momentum(problem, work.conditions, kick, acceleration, work.sums, work.motion);
     brake_by_dashpots(problem, work.conditions, kick, work.dashpots, work.sums, work.motion);
-    hold_at_walls(problem, work.conditions, kick, work.sums, work.motion);
+    hold_at_walls(problem, work.sums, work.walls, work.motion);
     spread_tied_motion(work.conditions, work.motion);
 }
 
@@ -120,7 +119,11 @@ void set_up_pressure(const Problem& problem, double dt, double kick, const Parti
     set_up_cavities(problem, particles, work);
     set_pressure_compliances(problem, work.conditions, kick, work.sums, pressure.compliance);
     include_dashpots(problem, work.conditions, kick, work.dashpots, work.sums, pressure.compliance);
-    pressure.walls = wall_compliances(problem, work.conditions, kick, work.sums);
+    Scalars porosities;
+    for (const std::size_t i : work.walls.rows.nodes())
+        porosities.push_back(node_porosity(problem, work.sums[i]));
+    set_row_response(porosities, work.walls.rows, pressure);
+    if (work.walls.any) share_pressures(work.walls.roots.shared, pressure);
 }
 
 /// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes.
@@ -154,7 +157,7 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress,
-          [&] { update_stress_of_cells(problem, dt, work.lists, state.particles, work.average); });
+          [&] { update_stress_of_cells(problem, dt, work.volume_lists(), state.particles, work.average); });
     state.time += dt;
     state.last_step = dt;
     ++state.step;
@@ -194,6 +197,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     timed(work.timers, Phase::momentum, [&] {
         const double kick = kick_time(state, dt);
         centre_drag(kick, work.sums);
+        assemble_walls(problem, kick, work.sums, work);
         solve_velocities(problem, kick, state, work);
         enter_works(problem, kick, work, state);
     });
@@ -218,7 +222,10 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     // loads between the stresses, which stand at the begin of the step, and the pressures at its end
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time + 0.5 * dt, state, work); });
     const double kick = kick_time(state, dt);
-    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, kick, state, work); });
+    timed(work.timers, Phase::momentum, [&] {
+        assemble_walls(problem, kick, work.sums, work);
+        solve_velocities(problem, kick, state, work);
+    });
     timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, kick, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         solve_velocities(problem, kick, state, work);

@@ -1,18 +1,18 @@
 // How far a body at rest is from equilibrium.
 #pragma once
 
-#include "solver/boundary_conditions.hpp"
 #include "solver/nodes.hpp"
 #include "solver/problem.hpp"
+#include "solver/wall_rows.hpp"
 
 #include <vector>
 
 namespace quicksand {
 
 /// sum |f_i| over the free directions of the nodes / sum of their weights, from sums with tied nodes
-/// gathered; without gravity the internal forces of all nodes stand for the weights. `acceleration` is that
-/// of the base, in x [m/s2].
+/// gathered and assembled wall rows; without gravity the internal forces of all nodes stand for the weights.
+/// `acceleration` is that of the base, in x [m/s2].
 double unbalanced_forces(const Problem& problem, double acceleration, const NodeConditions& conditions,
-                         const std::vector<SinglePhaseSums>& sums);
+                         const WallRows& walls, std::vector<SinglePhaseSums> sums);
 
 } // namespace quicksand

@@ -198,17 +198,21 @@ TEST(Assembly, RefusesTiedCurvesThatAreNotVertical)
               std::string::npos);
 }
 
-TEST(Assembly, WarnsOfWallsBetweenGridLines)
+TEST(Assembly, TakesWallsAtAnyPlaceOfTheGrid)
 {
-    const std::string text = replaced(column_scene, "\"7.5 mm\"", "\"7.5 mm\"\norigin = [0, -0.005]");
-    EXPECT_EQ(
-        SceneFolder().assembly_message(text, column_section()),
-        R"(scene.toml:31:1: warning[off-grid]: the fixed curve "base" lies 0.0025 m from the nearest grid line
-   31 | [boundaries.base]
-      | ^~~~~~~~~~~~~~~~~
-expected: a wall on grid lines; off them the condition acts at the nodes nearest to the wall
-to accept it: accept = ["boundaries.base"] at the top of the scene
-)");
+    const std::string between = replaced(column_scene, "\"7.5 mm\"", "\"7.5 mm\"\norigin = [0, -0.005]");
+    EXPECT_EQ(SceneFolder().assembly_message(between, column_section()), "");
+    const std::string viscous = replaced(between, "soil = \"fixed\"", "soil = \"viscous\"");
+    EXPECT_EQ(SceneFolder().assembly_message(viscous, column_section()), "");
+
+    const std::string moving =
+        replaced(column_scene, "soil = \"free\"", "soil = \"moving\"\nnormal_velocity = \"1 mm/s\"");
+    Section slanted = column_section();
+    const Vector2 top(0.0675, 0.3), left(0.0, 0.3175);
+    slanted.regions[0].polygons[0].outer[2] = top;
+    slanted.curves[1].segments[0].end = top;
+    slanted.curves[2].segments[0] = {top, left};
+    EXPECT_EQ(SceneFolder().assembly_message(moving, slanted).find("off-grid"), std::string::npos);
 }
 
 TEST(Assembly, RefusesALoadWithoutSoilBesideIt)
@@ -232,20 +236,6 @@ hint: choose a smaller cell_size, or move the curve to the soil
 )");
 }
 
-TEST(Assembly, RefusesAViscousCurveOffTheGrid)
-{
-    std::string text = replaced(column_scene, "\"7.5 mm\"", "\"7.5 mm\"\norigin = [0, -0.005]");
-    text = replaced(text, "soil = \"fixed\"", "soil = \"viscous\"");
-    EXPECT_EQ(
-        SceneFolder().assembly_message(text, column_section()),
-        R"(scene.toml:31:1: error[off-grid]: the viscous curve "base" lies 0.0025 m from the nearest grid line
-   31 | [boundaries.base]
-      | ^~~~~~~~~~~~~~~~~
-expected: a curve on grid lines
-hint: choose a cell size that divides the section, or set origin in [grid]
-)");
-}
-
 TEST(Assembly, WarnsOfAViscousSideOfAShakenSection)
 {
     std::string text = replaced(column_scene, "soil = \"tied\"\ntied_to = \"right\"", "soil = \"viscous\"");
@@ -258,23 +248,6 @@ TEST(Assembly, WarnsOfAViscousSideOfAShakenSection)
 expected: sides tied to each other where the base shakes
 to accept it: accept = ["boundaries.left"] at the top of the scene
 )");
-}
-
-TEST(Assembly, WarnsOfASlantedMovingWall)
-{
-    const std::string text =
-        replaced(column_scene, "soil = \"free\"", "soil = \"moving\"\nnormal_velocity = \"1 mm/s\"");
-    Section section = column_section();
-    const Vector2 top(0.0675, 0.3), left(0.0, 0.3175);
-    section.regions[0].polygons[0].outer[2] = top;
-    section.curves[1].segments[0].end = top;
-    section.curves[2].segments[0] = {top, left};
-    const std::string message = SceneFolder().assembly_message(text, section);
-    EXPECT_NE(message.find("warning[off-grid]: the moving curve \"surface\" is not parallel to the grid"),
-              std::string::npos)
-        << message;
-    EXPECT_NE(message.find("a wall parallel to the grid; a slanted one acts at the nodes nearest to it"),
-              std::string::npos);
 }
 
 TEST(Assembly, NamesARegionTooThinForAnyParticle)

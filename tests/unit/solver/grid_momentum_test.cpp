@@ -66,15 +66,13 @@ TEST(CentreDrag, KeepsASteadySeepage)
 }
 
 /// One node of a saturated problem and its velocities under given conditions.
-TwoPhaseMotion solve_one(const Problem& problem, std::uint8_t conditions,
-                         const std::vector<SlantedNode>& slanted = {})
+TwoPhaseMotion solve_one(const Problem& problem, std::uint8_t conditions)
 {
     std::vector<TwoPhaseSums> sums(1);
     sums[0] = {1500.0, 430.0, 1.0, 2e6, 30.0, -15.0, 4.0, 8.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     std::vector<TwoPhaseMotion> motion(1);
     NodeConditions node_conditions;
     node_conditions.of_node = {conditions};
-    node_conditions.slanted = slanted;
     solve_two_phase_momentum(problem, node_conditions, 1e-4, 0.0, sums, motion);
     return motion[0];
 }
@@ -110,15 +108,6 @@ TEST(NodeConditions, AnImperviousFilmHoldsTheWaterOfHeldGrains)
     const TwoPhaseMotion v = solve_one(weightless(), solid_y_fixed | film_y);
     EXPECT_EQ(v.solid_y, 0.0);
     EXPECT_EQ(v.fluid_y, 0.0);
-}
-
-TEST(NodeConditions, ASlantedRollerLeavesOnlyMotionAlongTheWall)
-{
-    const Vector2 normal = Vector2(3.0, 4.0) / 5.0;
-    const TwoPhaseMotion v = solve_one(weightless(), 0, {{0, normal, solid_x_fixed | fluid_x_fixed}});
-    EXPECT_NEAR(v.solid_x * normal.x() + v.solid_y * normal.y(), 0.0, 1e-15);
-    EXPECT_NEAR(v.fluid_x * normal.x() + v.fluid_y * normal.y(), 0.0, 1e-15);
-    EXPECT_GT(std::abs(v.solid_x), 1e-4);
 }
 
 TEST(Submerged, GrainsCarryTheirBuoyantWeightAndWaterNone)

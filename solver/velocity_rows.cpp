@@ -1,0 +1,225 @@
+#include "solver/velocity_rows.hpp"
+
+#include "solver/failure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+/// Added to the diagonal of ones: rows may repeat each other at corners.
+constexpr double ridge = 1e-12;
+/// A row acts on nothing where all of its nodes are held: its P is below this part of what free nodes would
+/// give.
+constexpr double least_response = 1e-14;
+
+/// beta^T R beta, beta = (1-n, n): flux per force of the pressure.
+Eigen::Matrix2d pressure_compliance(const NodeInverse& R, double n)
+{
+    return (1.0 - n) * (1.0 - n) * R.topLeftCorner<2, 2>() +
+           (1.0 - n) * n * (R.topRightCorner<2, 2>() + R.bottomLeftCorner<2, 2>()) +
+           n * n * R.bottomRightCorner<2, 2>();
+}
+
+} // namespace
+
+template <class Visit>
+void VelocityRows::for_each_entry(Visit&& visit) const
+{
+    for (std::size_t r = 0; r < size(); ++r) {
+        const std::size_t last = r + 1 < size() ? first_[r + 1] : entries_.size();
+        for (std::size_t k = first_[r]; k < last; ++k) visit(r, k);
+    }
+}
+
+void VelocityRows::clear(std::size_t node_count)
+{
+    for (const std::size_t node : nodes_) place_of_node_[node] = -1;
+    place_of_node_.resize(node_count, -1);
+    nodes_.clear();
+    values_.clear();
+    first_.clear();
+    entries_.clear();
+    by_pressure_.clear();
+}
+
+void VelocityRows::begin_row(double value)
+{
+    values_.push_back(value);
+    first_.push_back(entries_.size());
+}
+
+void VelocityRows::add(std::size_t node, const NodeVelocities& coefficients)
+{
+    std::int32_t& place = place_of_node_[node];
+    if (place < 0) {
+        place = static_cast<std::int32_t>(nodes_.size());
+        nodes_.push_back(node);
+    }
+    entries_.push_back({static_cast<std::size_t>(place), coefficients});
+}
+
+void VelocityRows::fill_matrix()
+{
+    // rows by node, each with its coefficients and what an impulse of the row does there
+    struct Touch {
+        std::size_t row;
+        NodeVelocities coefficients, response;
+    };
+    std::vector<std::vector<Touch>> touches(nodes_.size());
+    Scalars diagonal(size(), 0.0), of_free_nodes(size(), 0.0);
+    for_each_entry([&](std::size_t r, std::size_t k) {
+        const Entry& entry = entries_[k];
+        const NodeVelocities response = inverses_[entry.place] * entry.coefficients;
+        diagonal[r] += entry.coefficients.dot(response);
+        of_free_nodes[r] += entry.coefficients.squaredNorm() * inverses_[entry.place].diagonal().maxCoeff();
+        touches[entry.place].push_back({r, entry.coefficients, response});
+    });
+    std::vector<Eigen::Triplet<double>> triplets;
+    scale_.resize(size());
+    for (std::size_t r = 0; r < size(); ++r) {
+        scale_[r] = diagonal[r] > least_response * of_free_nodes[r] ? 1.0 / std::sqrt(diagonal[r]) : 0.0;
+        triplets.emplace_back(static_cast<int>(r), static_cast<int>(r), scale_[r] > 0.0 ? ridge : 1.0);
+    }
+    for (const std::vector<Touch>& node : touches) {
+        for (const Touch& a : node) {
+            for (const Touch& b : node) {
+                if (b.row > a.row) continue;
+                triplets.emplace_back(static_cast<int>(a.row), static_cast<int>(b.row),
+                                      scale_[a.row] * scale_[b.row] * a.coefficients.dot(b.response));
+            }
+        }
+    }
+    const auto count = static_cast<Eigen::Index>(size());
+    matrix_.resize(count, count);
+    matrix_.setFromTriplets(triplets.begin(), triplets.end());
+}
+
+void VelocityRows::factorise(std::vector<NodeInverse> inverses)
+{
+    inverses_ = std::move(inverses);
+    if (empty()) return;
+    fill_matrix();
+    std::vector<int> pattern(matrix_.outerIndexPtr(), matrix_.outerIndexPtr() + matrix_.outerSize() + 1);
+    pattern.insert(pattern.end(), matrix_.innerIndexPtr(), matrix_.innerIndexPtr() + matrix_.nonZeros());
+    if (!factor_ || factor_.use_count() > 1) factor_ = std::make_shared<Factor>();
+    if (pattern != factor_->pattern) {
+        factor_->solver.analyzePattern(matrix_);
+        factor_->pattern = std::move(pattern);
+    }
+    factor_->solver.factorize(matrix_);
+    if (factor_->solver.info() != Eigen::Success)
+        throw InternalError("the conditions at the walls cannot be factorised");
+}
+
+Scalars VelocityRows::products(const std::vector<NodeVelocities>& velocities) const
+{
+    Scalars result(size(), 0.0);
+    for_each_entry([&](std::size_t r, std::size_t k) {
+        result[r] += entries_[k].coefficients.dot(velocities[entries_[k].place]);
+    });
+    return result;
+}
+
+Scalars VelocityRows::solve(Scalars right_hand_side) const
+{
+    Eigen::Map<Eigen::VectorXd> vector(right_hand_side.data(), static_cast<Eigen::Index>(size()));
+    const Eigen::Map<const Eigen::VectorXd> scale(scale_.data(), static_cast<Eigen::Index>(size()));
+    vector = scale.cwiseProduct(factor_->solver.solve(scale.cwiseProduct(vector)));
+    return right_hand_side;
+}
+
+Scalars VelocityRows::multipliers(const std::vector<NodeVelocities>& velocities) const
+{
+    Scalars missing = products(velocities);
+    for (std::size_t r = 0; r < size(); ++r) missing[r] -= values_[r];
+    return solve(std::move(missing));
+}
+
+Scalars VelocityRows::multipliers_to_zero(const std::vector<NodeVelocities>& velocities) const
+{
+    return solve(products(velocities));
+}
+
+std::vector<NodeVelocities> VelocityRows::impulses(const Scalars& multipliers) const
+{
+    std::vector<NodeVelocities> result(nodes_.size(), NodeVelocities::Zero());
+    for_each_entry([&](std::size_t r, std::size_t k) {
+        result[entries_[k].place] -= multipliers[r] * entries_[k].coefficients;
+    });
+    return result;
+}
+
+void VelocityRows::correct(bool to_zero, std::vector<NodeVelocities>& velocities) const
+{
+    if (empty()) return;
+    // the second time takes out what the ridge has left
+    for (int refinement = 0; refinement < 2; ++refinement) {
+        const std::vector<NodeVelocities> impulse =
+            impulses(to_zero ? multipliers_to_zero(velocities) : multipliers(velocities));
+        for (std::size_t i = 0; i < nodes_.size(); ++i) velocities[i] += inverses_[i] * impulse[i];
+    }
+}
+
+void VelocityRows::hold(std::vector<NodeVelocities>& velocities) const
+{
+    correct(false, velocities);
+}
+
+void VelocityRows::project(std::vector<NodeVelocities>& velocities) const
+{
+    correct(true, velocities);
+}
+
+void VelocityRows::set_porosities(const Scalars& porosities)
+{
+    porosities_ = porosities;
+    by_pressure_.resize(entries_.size());
+    for (std::size_t k = 0; k < entries_.size(); ++k) {
+        const NodeVelocities response = inverses_[entries_[k].place] * entries_[k].coefficients;
+        const double n = porosities_[entries_[k].place];
+        by_pressure_[k] = (1.0 - n) * response.head<2>() + n * response.tail<2>();
+    }
+}
+
+std::vector<Eigen::Matrix2d> VelocityRows::local_compliances() const
+{
+    constexpr double softness =
+        0.02; // of a row's own response: a node with a small share in a wall stays free
+    std::vector<std::vector<const Entry*>> held(nodes_.size());
+    for_each_entry([&](std::size_t r, std::size_t k) {
+        if (r < first_follower_ || k == first_[r]) held[entries_[k].place].push_back(&entries_[k]);
+    });
+    std::vector<Eigen::Matrix2d> compliances;
+    for (std::size_t i = 0; i < nodes_.size(); ++i) {
+        NodeInverse R = inverses_[i];
+        const double free = R.diagonal().maxCoeff();
+        for (const Entry* entry : held[i]) { // one after the other: their sum is what all of them leave
+            const NodeVelocities response = R * entry->coefficients;
+            const double own = entry->coefficients.dot(response) + softness * free;
+            if (own > 0.0) R -= response * response.transpose() / own;
+        }
+        compliances.push_back(pressure_compliance(R, porosities_[i]));
+    }
+    return compliances;
+}
+
+Eigen::Matrix2d VelocityRows::free_compliance(std::size_t place) const
+{
+    return pressure_compliance(inverses_[place], porosities_[place]);
+}
+
+void VelocityRows::respond_to_pressure(const std::vector<Vector2>& force, std::vector<Vector2>& flux) const
+{
+    for (std::size_t i = 0; i < nodes_.size(); ++i) flux[i] = free_compliance(i) * force[i];
+    Scalars missing(size(), 0.0);
+    for_each_entry(
+        [&](std::size_t r, std::size_t k) { missing[r] += by_pressure_[k].dot(force[entries_[k].place]); });
+    const Scalars multipliers = solve(std::move(missing));
+    for_each_entry(
+        [&](std::size_t r, std::size_t k) { flux[entries_[k].place] -= multipliers[r] * by_pressure_[k]; });
+}
+
+} // namespace quicksand

@@ -1,0 +1,104 @@
+// Linear conditions on the velocities of several nodes, answered together.
+//
+//   sum_i c_ri . u_i = V_r,   u_i = (v_s, v_w) of node i
+//   v = v* - A^-1 C^T lambda,   P lambda = C v* - V,   P = C A^-1 C^T
+//
+// A_i is the matrix of a node: masses, implicit drag and dashpots, with the conditions on the node alone
+// inside. P is symmetric and positive definite but for rows that say the same twice; it is sparse, for a row
+// touches its neighbours along the boundary, and is factorised in every step.
+#pragma once
+
+#include "solver/particles.hpp"
+
+#include <Eigen/Core>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace quicksand {
+
+using NodeVelocities = Eigen::Vector4d; // v_s and v_w of a node [m/s]
+using NodeInverse = Eigen::Matrix4d;    // A^-1: velocities per impulse on grains and water [1/kg]
+
+class VelocityRows {
+public:
+    struct Entry {
+        std::size_t place; // of the node among those of the rows
+        NodeVelocities coefficients;
+    };
+
+    /// No rows on no nodes.
+    void clear(std::size_t node_count);
+
+    /// Begin a row with its value V; add() goes to the last one.
+    void begin_row(double value);
+    void add(std::size_t node, const NodeVelocities& coefficients);
+    /// From here on rows let their first node follow the others.
+    void begin_followers() { first_follower_ = size(); }
+
+    bool empty() const { return values_.empty(); }
+    std::size_t size() const { return values_.size(); }
+    const std::vector<std::size_t>& nodes() const { return nodes_; }
+
+    /// Set P up and factorise it; `inverses` are those of nodes(), in their order. Rows that act on nothing
+    /// are left out.
+    void factorise(std::vector<NodeInverse> inverses);
+
+    const NodeInverse& inverse(std::size_t place) const { return inverses_[place]; }
+
+    /// Multipliers of velocities at nodes() that miss the rows' values, and of those that miss zero [N s].
+    Scalars multipliers(const std::vector<NodeVelocities>& velocities) const;
+    Scalars multipliers_to_zero(const std::vector<NodeVelocities>& velocities) const;
+
+    /// Impulses on the nodes: - C^T multipliers [N s].
+    std::vector<NodeVelocities> impulses(const Scalars& multipliers) const;
+
+    /// Make the velocities meet the rows' values.
+    void hold(std::vector<NodeVelocities>& velocities) const;
+    /// Take out of velocities (or accelerations) what the rows do not let through: they then meet zero.
+    void project(std::vector<NodeVelocities>& velocities) const;
+
+    /// Set up what forces of the pressure do: a force f on node i is the impulse (1-n) f, n f; porosities by
+    /// nodes().
+    void set_porosities(const Scalars& porosities);
+    /// What a force of the pressure does at each node alone if the rows held every node by itself: an answer
+    /// that knows no neighbours, for preconditioners.
+    std::vector<Eigen::Matrix2d> local_compliances() const;
+    /// Flux per unit force of the pressure at a node without the rows, beta^T A^-1 beta.
+    Eigen::Matrix2d free_compliance(std::size_t place) const;
+    /// flux at nodes() = (W - B^T P^-1 B) force, for forces of the pressure at them.
+    void respond_to_pressure(const std::vector<Vector2>& force, std::vector<Vector2>& flux) const;
+
+private:
+    struct Factor {
+        Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
+        std::vector<int> pattern; // of the matrix that the solver was analysed for
+    };
+
+    template <class Visit>
+    void for_each_entry(Visit&& visit) const;
+    Scalars products(const std::vector<NodeVelocities>& velocities) const;
+    void add_impulses(const Scalars& multipliers, std::vector<NodeVelocities>& velocities) const;
+    Scalars solve(Scalars right_hand_side) const;
+    void correct(bool to_zero, std::vector<NodeVelocities>& velocities) const;
+    void fill_matrix();
+
+    std::vector<std::size_t> nodes_;
+    std::vector<std::int32_t> place_of_node_; // -1: in no row
+    std::vector<NodeInverse> inverses_;
+    std::vector<double> values_;         // V of the rows
+    std::size_t first_follower_ = 0;     // row
+    std::vector<std::size_t> first_;     // entry of each row
+    std::vector<Entry> entries_;         // row by row
+    std::vector<Vector2> by_pressure_;   // B of the entries: beta^T A^-1 c [1/kg]
+    Scalars porosities_;                 // of nodes() [-]
+    Scalars scale_;                      // of the rows, 0 of those left out: P scaled has a diagonal of ones
+    Eigen::SparseMatrix<double> matrix_; // the lower half of P, scaled
+    std::shared_ptr<Factor> factor_;     // of the matrix; copies of the rows share it
+};
+
+} // namespace quicksand
