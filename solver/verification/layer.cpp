@@ -85,14 +85,18 @@ double load_on(const Problem& problem, double y, double time)
     return load ? (load->pressure - load->traction.y()) * history_value(load->history, time) : 0.0;
 }
 
+double steady_load(const SurfaceLoad& load, const Vector2& outward)
+{
+    if (!std::holds_alternative<ConstantHistory>(load.history.shape) || load.history.ramp_time > 0.0)
+        throw InputError("the verification needs a load that stands from the start\n"
+                         "hint: take out its ramp_time and its history");
+    return (load.pressure - load.traction.dot(outward)) * history_value(load.history, 0.0);
+}
+
 double steady_load_on(const Problem& problem, double y)
 {
     const std::optional<SurfaceLoad> load = surface_load(problem, y);
-    if (load &&
-        (!std::holds_alternative<ConstantHistory>(load->history.shape) || load->history.ramp_time > 0.0))
-        throw InputError("the verification needs a load that stands from the start\n"
-                         "hint: take out its ramp_time and its history");
-    return load_on(problem, y, 0.0);
+    return load ? steady_load(*load, Vector2::UnitY()) : 0.0;
 }
 
 double root_mean_square(const Particles& particles, const std::function<double(std::size_t)>& difference)

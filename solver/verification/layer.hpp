@@ -34,6 +34,10 @@ std::optional<SurfaceLoad> surface_load(const Problem& problem, double y);
 /// The downward load on the face at height y and a time, zero without one [Pa].
 double load_on(const Problem& problem, double y, double time);
 
+/// The part of a load normal to a face with this outward normal, positive onto the soil. Throws InputError
+/// for a load with a ramp or a history [Pa].
+double steady_load(const SurfaceLoad& load, const Vector2& outward);
+
 /// The same of a load that stands from the start. Throws InputError for one with a ramp or a history.
 double steady_load_on(const Problem& problem, double y);
 

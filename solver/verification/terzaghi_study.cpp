@@ -6,6 +6,7 @@
 #include "solver/verification/layer.hpp"
 #include "solver/verification/terzaghi.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -14,36 +15,63 @@ namespace quicksand {
 
 namespace {
 
+/// The loaded surface that drains the layer, and how deep the layer is below it, in any direction.
+struct DrainedFace {
+    Vector2 place = Vector2::Zero();   // a point of it [m]
+    Vector2 outward = Vector2::Zero(); // [-]
+    double load = 0.0;                 // normal to it [Pa]
+
+    double depth(const Vector2& point) const { return (place - point).dot(outward); } // [m]
+};
+
+Vector2 outward_of(const Segment& segment)
+{
+    const Vector2 along = (segment.end - segment.start).normalized();
+    return {along.y(), -along.x()};
+}
+
+/// The straight curve that is free and drained; of several the one with a load.
+DrainedFace read_face(const Problem& problem)
+{
+    const Boundary* top = nullptr;
+    for (const Boundary& boundary : problem.boundaries) {
+        const bool open = boundary.soil == SoilCondition::free && boundary.water == WaterCondition::drained;
+        if (open && !boundary.segments.empty() && (top == nullptr || boundary.load)) top = &boundary;
+    }
+    if (top == nullptr) throw InputError("the verification needs a column with a free and drained top");
+    DrainedFace face{top->segments.front().start, outward_of(top->segments.front()), 0.0};
+    if (top->load) face.load = steady_load(*top->load, face.outward);
+    return face;
+}
+
 /// The layer and the load that consolidate it.
 struct Consolidation {
-    Layer layer;
+    SaturatedSoil soil;
+    DrainedFace face;
+    double height = 0.0;           // H, across the layer [m]
     double initial_pressure = 0.0; // p_0 [Pa]
-    double load = 0.0;             // on the top, as drawn [Pa]
 
     double duration(double time_factor) const // t of a time factor [s]
     {
-        const double H = layer.height();
-        return time_factor * H * H / layer.soil.consolidation_coefficient();
+        return time_factor * height * height / soil.consolidation_coefficient();
     }
-    double depth_ratio(double y) const { return (layer.top - y) / layer.height(); }
-    double final_settlement() const // [m]
-    {
-        return initial_pressure * layer.height() / layer.soil.constrained_modulus;
-    }
+    double depth_ratio(const Vector2& point) const { return face.depth(point) / height; }
+    double final_settlement() const { return initial_pressure * height / soil.constrained_modulus; } // [m]
 };
 
 Consolidation read_consolidation(const Problem& problem, const State& state)
 {
     Consolidation consolidation;
-    consolidation.layer = read_layer(problem, state);
-    if (is_closed(problem, consolidation.layer.top)) {
-        throw InputError("the verification needs a column with a free and drained top");
+    consolidation.soil = read_layer(problem, state).soil;
+    consolidation.face = read_face(problem);
+    for (const Boundary& boundary : problem.boundaries) {
+        for (const Segment& segment : boundary.segments)
+            consolidation.height = std::max(consolidation.height, consolidation.face.depth(segment.start));
     }
     consolidation.initial_pressure = state.particles.pore_pressure.front();
     if (!(consolidation.initial_pressure > 0.0)) {
         throw InputError("the verification needs initial.excess_pore_pressure");
     }
-    consolidation.load = steady_load_on(problem, consolidation.layer.top);
     return consolidation;
 }
 
@@ -51,24 +79,26 @@ std::vector<StudyError> measure(const Problem& problem, const Consolidation& con
 {
     constexpr std::array<std::pair<double, const char*>, 4> time_factors = {
         {{0.02, "0.02"}, {0.1, "0.1"}, {0.5, "0.5"}, {1.0, "1"}}};
-    const Layer& layer = consolidation.layer;
     const double p0 = consolidation.initial_pressure;
     const Particles& particles = state.particles;
     const auto depth = [&](std::size_t p) {
-        return consolidation.depth_ratio(particles.reference_position.y[p]);
+        return consolidation.depth_ratio(particles.reference_position[p]);
     };
+    std::size_t top = 0; // the particle nearest to the drained face
+    for (std::size_t p = 1; p < particles.size(); ++p)
+        if (depth(p) < depth(top)) top = p;
     std::vector<StudyError> pressures, with_inertia, settlements;
     for (const auto& [T, text] : time_factors) {
         run(problem, consolidation.duration(T), {}, state);
-        const InertialConsolidation inertial(layer.soil, layer.height(), state.time);
+        const InertialConsolidation inertial(consolidation.soil, consolidation.height, state.time);
         const double pressure = root_mean_square(particles, [&, T = T](std::size_t p) {
             return particles.pore_pressure[p] / p0 - terzaghi_pressure_ratio(depth(p), T);
         });
         const double inertial_pressure = root_mean_square(particles, [&](std::size_t p) {
             return particles.pore_pressure[p] / p0 - inertial.pressure_ratio(depth(p));
         });
-        const std::size_t top = highest_particle(particles);
-        const double sunk = particles.reference_position.y[top] - particles.position.y[top];
+        const double sunk = consolidation.face.depth(particles.position[top]) -
+                            consolidation.face.depth(particles.reference_position[top]);
         const double exact = terzaghi_settlement_degree(depth(top), T);
         const std::string at = std::string(" at T = ") + text;
         pressures.push_back({"pressure" + at, "L2 / load", pressure});
@@ -86,8 +116,14 @@ std::vector<StudyError> measure(const Problem& problem, const Consolidation& con
 std::vector<StudyError> terzaghi_study(const Problem& problem, State state)
 {
     const Consolidation consolidation = read_consolidation(problem, state);
-    for (double& stress : state.particles.stress.yy) {
-        stress = consolidation.initial_pressure - consolidation.load;
+    // the grains bear along the column what the load has beyond the pressure
+    const double borne = consolidation.initial_pressure - consolidation.face.load;
+    const Vector2& n = consolidation.face.outward;
+    SymmetricTensors& stress = state.particles.stress;
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        stress.xx[p] = borne * n.x() * n.x();
+        stress.yy[p] = borne * n.y() * n.y();
+        stress.xy[p] = borne * n.x() * n.y();
     }
     return measure(problem, consolidation, std::move(state));
 }

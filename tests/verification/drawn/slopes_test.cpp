@@ -1,0 +1,124 @@
+// Soil on slanted bases: at rest, settling and sliding.
+#include "solver/monitors.hpp"
+#include "tests/verification/drawn/drawn_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+const std::string elastic = R"(
+[materials.soil]
+model = "linear_elastic"
+shear_modulus = "8 MPa"
+poisson_ratio = 0.25
+porosity = 0.4
+[regions.soil]
+material = "soil"
+)";
+
+const std::string mohr_coulomb = R"(
+[materials.soil]
+model = "mohr_coulomb"
+shear_modulus = "8 MPa"
+poisson_ratio = 0.25
+friction_angle = "35 deg"
+cohesion = 1000
+porosity = 0.4
+[regions.soil]
+material = "soil"
+)";
+
+/// Level ground of 10 x 4 m whose base rises by `slope`.
+AssembledCase ground_on(double slope, double h, const std::string& base, const std::string& soil)
+{
+    const std::vector<NamedCorner> corners = {{{0.0, 0.0}, "base"},
+                                              {{10.0, 10.0 * slope}, "right"},
+                                              {{10.0, 4.0}, "surface"},
+                                              {{0.0, 4.0}, "left"}};
+    const std::string walls = "[boundaries.base]\nsoil = \"" + base +
+                              "\"\n[boundaries.left]\nsoil = \"roller\"\n[boundaries.right]\nsoil = "
+                              "\"roller\"\n[relaxation]\ntolerance = 1e-6\n";
+    return assemble(
+        scene_with(h, {0.0, 0.0}, static_cast<int>(10.0 / h), static_cast<int>(5.0 / h), soil + walls),
+        polygon_section(corners));
+}
+
+TEST(SlantedBase, LevelGroundRestsOnIt)
+{
+    for (const std::string& soil : {elastic, mohr_coulomb}) {
+        for (const double slope : {0.05, 0.2}) {
+            AssembledCase assembled = ground_on(slope, 0.2, "fixed", soil);
+            RelaxationControls controls;
+            controls.tolerance = 1e-6;
+            relax(assembled.problem, controls, assembled.state);
+            const Particles& particles = assembled.state.particles;
+            const double weight =
+                0.6 * assembled.problem.materials[0].grain_density * assembled.problem.gravity;
+            double square = 0.0, volume = 0.0, worst = 0.0;
+            for (std::size_t p = 0; p < particles.size(); ++p) {
+                const double error =
+                    (-particles.stress.yy[p] - weight * (4.0 - particles.reference_position.y[p])) /
+                    (weight * 4.0);
+                square += particles.volume[p] * error * error;
+                volume += particles.volume[p];
+                worst = std::max(worst, std::abs(error));
+            }
+            EXPECT_LT(std::sqrt(square / volume), 1e-3) << slope; // measured 2e-5
+            EXPECT_LT(worst, 5e-3) << slope;                      // measured 3e-4
+        }
+    }
+}
+
+TEST(SlantedBase, SoilSettlesOnARoller)
+{
+    for (const double slope : {0.05, 0.25}) {
+        AssembledCase assembled = ground_on(slope, 0.4, "roller", elastic);
+        RelaxationControls controls;
+        controls.tolerance = 1e-6;
+        controls.max_steps = 20000;
+        const RelaxationReport report = relax(assembled.problem, controls, assembled.state);
+        EXPECT_LE(report.out_of_balance, 1e-6) << slope;
+    }
+}
+
+TEST(SlantedBase, ABlockSlidesWithoutFriction)
+{
+    for (const double slope : {0.2, 1.0}) {
+        for (const double offset : {0.0, 0.35}) {
+            const double angle = std::atan(slope) * 180.0 / std::numbers::pi;
+            const auto corners =
+                turned({{{0.0, 0.0}, "base"}, {{3.0, 0.0}, ""}, {{3.0, 1.5}, ""}, {{0.0, 1.5}, ""}}, -angle,
+                       {0.0, 0.0});
+            const std::string walls = "[boundaries.base]\nsoil = \"roller\"\n";
+            AssembledCase assembled =
+                assemble(scene_with(0.2, {-1.0 + 0.2 * offset, -5.0}, 45, 40, elastic + walls),
+                         polygon_section(corners));
+            const Vector2 along = (corners[1].place - corners[0].place).normalized(),
+                          normal(along.y(), -along.x());
+            const double time = 0.6; // through seven cells on the steeper slope
+            run(assembled.problem, time, {}, assembled.state);
+            const Particles& particles = assembled.state.particles;
+            Vector2 moved = Vector2::Zero();
+            double mass = 0.0, deepest = -1.0;
+            for (std::size_t p = 0; p < particles.size(); ++p) {
+                moved += particles.mass_solid[p] * (particles.position[p] - particles.reference_position[p]);
+                mass += particles.mass_solid[p];
+                for (const Vector2& corner : domain_polygon(assembled.problem, particles, p))
+                    deepest = std::max(deepest, corner.dot(normal));
+            }
+            moved /= mass;
+            const double acceleration = 2.0 * moved.dot(along) / (time * time);
+            const double expected = assembled.problem.gravity * std::sin(std::atan(slope));
+            EXPECT_NEAR(acceleration / expected, 1.0, 1e-3) << slope << ' ' << offset; // measured 1e-5
+            EXPECT_LT(deepest, 0.01 * 0.2) << slope << ' ' << offset;
+        }
+    }
+}
+
+} // namespace
+} // namespace quicksand

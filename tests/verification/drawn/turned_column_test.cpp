@@ -1,0 +1,111 @@
+// Consolidation in columns at any angle and offset to the grid (Terzaghi 1923).
+#include "solver/verification/study.hpp"
+#include "tests/verification/drawn/drawn_section.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+std::string column_tables(const std::string& scheme, const std::string& strain)
+{
+    return "[analysis]\nscheme = \"" + scheme + "\"\nstrain = \"" + strain + R"("
+[sampling]
+particles_per_cell = [2, 2]
+[gravity]
+acceleration = 0.0
+[water]
+level = 3.0
+bulk_modulus = "0.2 GPa"
+[materials.soil]
+model = "linear_elastic"
+shear_modulus = "8 MPa"
+poisson_ratio = 0.25
+porosity = 0.4
+hydraulic_conductivity = 5e-5
+[regions.soil]
+material = "soil"
+[boundaries.base]
+soil = "fixed"
+[boundaries.left]
+soil = "roller"
+[boundaries.right]
+soil = "roller"
+[boundaries.surface]
+pressure = 200.0
+[initial]
+excess_pore_pressure = 200.0
+)";
+}
+
+struct Column {
+    double degrees = 0.0;
+    double offset = 0.0; // of the grid [cells]
+    int cells = 10;      // over the height
+    std::string scheme = "semi_implicit";
+    std::string strain = "small";
+};
+
+/// Error of the pressure, L2 over the load, at T = 0.1.
+double error_of(const Column& column)
+{
+    const double h = 1.0 / column.cells;
+    const auto corners =
+        turned({{{0.0, 0.0}, "base"}, {{0.3, 0.0}, "right"}, {{0.3, 1.0}, "surface"}, {{0.0, 1.0}, "left"}},
+               column.degrees, {0.0, 0.0});
+    // grid lines through the origin where there is no offset
+    const Vector2 origin(-1.0 + column.offset * h, -0.2 + 0.7 * column.offset * h);
+    const int nx = static_cast<int>(1.6 / h), ny = static_cast<int>(1.6 / h);
+    const AssembledCase assembled = assemble(
+        scene_with(h, origin, nx, ny, column_tables(column.scheme, column.strain)), polygon_section(corners));
+    for (const StudyError& error : find_study("terzaghi")->measure(assembled.problem, assembled.state, {}))
+        if (error.quantity == "pressure with inertia at T = 0.1") return error.error;
+    return 1.0;
+}
+
+TEST(TurnedColumn, ConsolidatesAtAnyAngleAndOffset)
+{
+    // measured: 0.24 to 0.54 %, and 0.29 % along the grid
+    for (const double degrees : {0.0, 1.0, 5.0, 17.0, 30.0, 45.0})
+        for (const double offset : {0.0, 0.1, 0.25, 0.5, 0.9})
+            EXPECT_LT(error_of({.degrees = degrees, .offset = offset}), 0.02)
+                << degrees << " degrees, " << offset;
+}
+
+TEST(TurnedColumn, ConvergesAsTheGridIsRefined)
+{
+    for (const double degrees : {17.0, 30.0, 45.0}) EXPECT_LT(error_of({degrees, 0.5, 20}), 0.01) << degrees;
+    EXPECT_LT(error_of({30.0, 0.25, 40}), 0.005);
+}
+
+TEST(TurnedColumn, ConsolidatesInExplicitStepsAndInLargeStrain)
+{
+    EXPECT_LT(error_of({.degrees = 30.0, .offset = 0.25, .scheme = "explicit"}), 0.02);
+    EXPECT_LT(error_of({.degrees = 30.0, .offset = 0.25, .strain = "large"}), 0.02);
+    EXPECT_LT(error_of({.degrees = 5.0, .offset = 0.1, .scheme = "explicit", .strain = "large"}), 0.02);
+}
+
+TEST(TurnedColumn, IsTheSameColumnMovedFarAway)
+{
+    // the study's error is that of all pressures: equal to the last digits that 1000 m leave
+    const auto far_away = [](const Vector2& shift) {
+        const auto corners = turned(
+            {{{0.0, 0.0}, "base"}, {{0.3, 0.0}, "right"}, {{0.3, 1.0}, "surface"}, {{0.0, 1.0}, "left"}},
+            17.0, shift);
+        const AssembledCase assembled = assemble(
+            scene_with(0.1, shift + Vector2(-1.0, -0.2), 16, 16, column_tables("semi_implicit", "small")),
+            polygon_section(corners));
+        State state = assembled.state;
+        run(assembled.problem, 0.2, {}, state);
+        return std::pair(state.particles.pore_pressure, state.particles.size());
+    };
+    const auto [near, near_count] = far_away({0.0, 0.0});
+    const auto [far, far_count] = far_away({1000.0, 500.0});
+    ASSERT_EQ(near_count, far_count);
+    for (std::size_t p = 0; p < near.size(); ++p) EXPECT_NEAR(near[p], far[p], 200.0 * 1e-6);
+}
+
+} // namespace
+} // namespace quicksand
