@@ -141,7 +141,7 @@ std::string describe_outer_water(const Problem& problem, const Boundary& boundar
     Range excess; // [Pa]
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : {segment.start, segment.end})
-            excess.include(outer_excess_pressure(problem, outer, point.y()));
+            excess.include(outer_excess_pressure(problem, outer, point));
     }
     return fmt::format("excess pore pressure {} to {} Pa{}", short_number(excess.least, 6),
                        short_number(excess.most, 6), describe_history(outer.history));
