@@ -1,5 +1,6 @@
 #include "app/number_format.hpp"
 #include "app/plan.hpp"
+#include "io/face_water.hpp"
 #include "solver/boundary_pieces.hpp"
 #include "solver/surface_loads.hpp"
 #include "solver/viscous_boundary.hpp"
@@ -141,10 +142,18 @@ std::string describe_outer_water(const Problem& problem, const Boundary& boundar
     Range excess; // [Pa]
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : {segment.start, segment.end})
-            excess.include(outer_excess_pressure(problem, outer, point.y()));
+            excess.include(outer_excess_pressure(problem, outer, point));
     }
     return fmt::format("excess pore pressure {} to {} Pa{}", short_number(excess.least, 6),
                        short_number(excess.most, 6), describe_history(outer.history));
+}
+
+std::string describe_heads(const std::pair<double, double>& heads)
+{
+    Range range;
+    range.include(heads.first);
+    range.include(heads.second);
+    return fmt::format("below the phreatic line, so with its head, {} m", range.text());
 }
 
 } // namespace
@@ -161,7 +170,11 @@ std::string describe_boundaries(const AssembledCase& assembled)
         if (boundary.load) add(describe_load(assembled, boundary));
         if (boundary.motion) add(describe_motion(*boundary.motion));
         if (boundary.soil == SoilCondition::viscous) add(describe_impedance(assembled, boundary));
-        if (boundary.outer_water) add(describe_outer_water(problem, boundary));
+        if (const auto heads = heads_of_line(assembled.scene, boundary)) {
+            add(describe_heads(*heads));
+        } else if (boundary.outer_water) {
+            add(describe_outer_water(problem, boundary));
+        }
     }
     return text;
 }

@@ -8,10 +8,12 @@
 #include "io/results_folder.hpp"
 #include "io/vtk_series.hpp"
 #include "solver/failure.hpp"
+#include "solver/particle_to_grid.hpp"
 #include "solver/strength_reduction.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,6 +30,34 @@ void require_strength(const AssembledCase& assembled)
     throw InputError(assembled.scene.file.string() +
                      ": no soil of this scene has a strength to reduce\nexpected: a material with model = "
                      "\"mohr_coulomb\" or \"ubcsand\"");
+}
+
+/// The search begins at rest: water beyond a curve must be that of the pores already.
+void require_still_water(const AssembledCase& assembled)
+{
+    if (has_pressure(assembled.state.particles)) return; // it balances what is beyond
+    const Problem& problem = assembled.problem;
+    Diagnostics findings;
+    for (const Boundary& boundary : problem.boundaries) {
+        if (!boundary.outer_water) continue;
+        const double factor = history_value(boundary.outer_water->history, 0.0);
+        const bool at_rest =
+            std::all_of(boundary.segments.begin(), boundary.segments.end(), [&](const Segment& segment) {
+                return outer_excess_pressure(problem, *boundary.outer_water, segment.start, factor) == 0.0 &&
+                       outer_excess_pressure(problem, *boundary.outer_water, segment.end, factor) == 0.0;
+            });
+        if (at_rest) continue;
+        const auto condition =
+            std::find_if(assembled.scene.boundaries.begin(), assembled.scene.boundaries.end(),
+                         [&](const SceneBoundary& b) { return b.name == boundary.name; });
+        findings.add(
+            error_at(condition->water_place, "boundary",
+                     fmt::format("the water beyond \"{}\" differs from that in the soil, which stands at "
+                                 "{:.5g} m: a slope at rest has one water",
+                                 boundary.name, problem.water->level),
+                     "water.level or water.phreatic_line at the height of the water beyond the curve"));
+    }
+    if (findings.has_errors()) throw_findings(findings, assembled.scene.text);
 }
 
 void write_curve(const SafetyFactor& safety, const std::filesystem::path& path)
@@ -78,6 +108,7 @@ ExitCode assess_stability(const StabilityChoice& choice)
     SceneSetup setup = set_up_scene(choice.scene, journal);
     AssembledCase& assembled = setup.assembled;
     require_strength(assembled);
+    require_still_water(assembled);
     const ResultsFolder folder = prepare_report_folder(
         report_folder(choice.directory, assembled.scene.file, "stability"), report_file, assembled.scene);
     journal.keep(folder.directory / report_file);

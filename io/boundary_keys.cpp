@@ -39,7 +39,8 @@ std::vector<SceneKey> boundary_keys()
         {.pattern = "boundaries.*.water", .type = word, .saturated_only = true,
          .derived = {.sibling = "soil", .choices = water_beside_soil},
          .words = {"drained", "impervious", "head", "pore_pressure"},
-         .doc = "Whether pore water passes the curve, or what head or pressure it has there."},
+         .doc = "Whether pore water passes the curve, with the still water or the phreatic line beyond it, or what "
+                "head or pressure it has there."},
         {.pattern = "boundaries.*.tied_to", .type = text, .required = true, .when = {"soil", {"tied"}},
          .doc = "The opposite curve, whose points of equal height move together with this one's."},
         {.pattern = "boundaries.*.pressure", .dimension = Dimension::pressure, .default_note = "none",
@@ -77,7 +78,7 @@ std::vector<SceneKey> boundary_keys()
          .doc = "Pore pressure along the curve, with its static part."},
         {.pattern = "boundaries.*.ramp_time", .dimension = Dimension::time, .default_note = "at once",
          .allowed = positive,
-         .doc = "Time over which what acts on the curve rises linearly, a head from the still water level."},
+         .doc = "Time over which what acts on the curve rises linearly, a head from the water at rest."},
         {.pattern = "boundaries.*.frequency", .dimension = Dimension::frequency, .default_note = "no wave",
          .allowed = positive, .doc = "What acts on the curve varies as sin(2 pi f t) times its value."},
         {.pattern = "boundaries.*.history", .type = path, .default_note = "constant",

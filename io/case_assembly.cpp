@@ -3,6 +3,7 @@
 #include "geometry/gmsh_file.hpp"
 #include "geometry/section_check.hpp"
 #include "geometry/section_rim.hpp"
+#include "io/face_water.hpp"
 #include "io/ground_water.hpp"
 #include "io/probe_sample.hpp"
 #include "io/scene_grid.hpp"
@@ -142,6 +143,7 @@ void check_case(AssembledCase& assembled)
         problem.boundaries = find_boundaries(scene, section, *grid, findings);
         problem.rim = rim_of(section);
         problem.tied_sides = find_tied_sides(scene, section, *grid, findings);
+        set_face_water(scene, section, problem, findings);
     }
     findings.accept(scene.accepted);
     throw_errors(findings, scene);

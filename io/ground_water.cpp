@@ -70,8 +70,8 @@ double vertical_effective_stress(const Section& section, const std::vector<UnitW
 bool differs_from_still_water(const Problem& problem, const Boundary& boundary)
 {
     return std::any_of(boundary.segments.begin(), boundary.segments.end(), [&](const Segment& segment) {
-        return outer_excess_pressure(problem, *boundary.outer_water, segment.start.y()) != 0.0 ||
-               outer_excess_pressure(problem, *boundary.outer_water, segment.end.y()) != 0.0;
+        return outer_excess_pressure(problem, *boundary.outer_water, segment.start) != 0.0 ||
+               outer_excess_pressure(problem, *boundary.outer_water, segment.end) != 0.0;
     });
 }
 
@@ -85,13 +85,7 @@ bool keeps_initial_stress(const Material& material)
 
 double phreatic_elevation(const Scene& scene, double x)
 {
-    const std::vector<Vector2>& line = scene.phreatic_line;
-    if (line.empty()) return scene.water->level;
-    const auto right = std::find_if(line.begin(), line.end(), [&](const Vector2& p) { return p.x() >= x; });
-    if (right == line.begin()) return line.front().y();
-    if (right == line.end()) return line.back().y();
-    const Vector2 &b = *right, &a = *(right - 1);
-    return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
+    return scene.phreatic_line.empty() ? scene.water->level : elevation(scene.phreatic_line, x);
 }
 
 void check_phreatic_line(const Scene& scene, Diagnostics& findings)
@@ -181,7 +175,8 @@ void set_initial_state(const Scene& scene, const Section& section, const std::ve
             particles.stress.xx[p] = particles.stress.zz[p] = -scene.k0 * vertical;
         }
         if (particles.pore_pressure.empty() || !water_of(problem, material)) continue; // drained, or dry
-        const double pressure = problem.water->density * problem.gravity * std::max(0.0, line - point.y());
+        if (!particles.water_table.empty()) particles.water_table[p] = line;
+        const double pressure = pressure_below(problem, line, point.y());
         particles.pore_pressure[p] =
             pressure - static_water_pressure(problem, point.y()) + scene.excess_pore_pressure;
     }

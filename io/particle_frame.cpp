@@ -54,7 +54,7 @@ void add_fluid(const Problem& problem, const Particles& particles, std::vector<F
     arrays.push_back(scalar("pore_pressure", "Pa", count,
                             [&](std::size_t p) { return total_pore_pressure(problem, particles, p); }));
     arrays.push_back(scalar("excess_pore_pressure", "Pa", count,
-                            [&](std::size_t p) { return excess_pore_pressure(particles, p); }));
+                            [&](std::size_t p) { return risen_pore_pressure(problem, particles, p); }));
     arrays.push_back(scalar("ru", "-", count,
                             [&](std::size_t p) { return excess_pressure_ratio(problem, particles, p); }));
     arrays.push_back(scalar("porosity", "-", count, [&](std::size_t p) { return particles.porosity[p]; }));

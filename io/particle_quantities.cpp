@@ -23,7 +23,7 @@ double excess_pressure_ratio(const Problem& problem, const Particles& particles,
 {
     const double initial = particles.initial_vertical_effective_stress[p];
     return initial < ru_stress_threshold(problem) ? std::numeric_limits<double>::quiet_NaN()
-                                                  : excess_pore_pressure(particles, p) / initial;
+                                                  : risen_pore_pressure(problem, particles, p) / initial;
 }
 
 double mean_effective_stress(const SymmetricTensors& stress, std::size_t p)

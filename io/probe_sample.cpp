@@ -57,7 +57,7 @@ ProbeSample sample_particle(const Problem& problem, const Particles& particles, 
     sample.velocity = particles.velocity_solid[p];
     if (particles.has_fluid()) {
         sample.pore_pressure = total_pore_pressure(problem, particles, p);
-        sample.excess_pore_pressure = excess_pore_pressure(particles, p);
+        sample.excess_pore_pressure = risen_pore_pressure(problem, particles, p);
         sample.ru = excess_pressure_ratio(problem, particles, p);
     }
     sample.mean_effective_stress = mean_effective_stress(particles.stress, p);

@@ -107,7 +107,8 @@ std::vector<SceneKey> ground_keys()
          .doc = "y of the lowest still water; soil above it is dry, unless a phreatic line rises over it."},
         {.pattern = "water.phreatic_line", .type = point_list, .dimension = Dimension::length,
          .default_note = "the level",
-         .doc = "Points from left to right: soil below is saturated, soil above drained; level beyond its ends."},
+         .doc = "Points from left to right: soil below is saturated, soil above drained, curves below that have no head of "
+                "their own get the line's; level beyond its ends."},
         {.pattern = "water.flow", .type = word, .default_value = "coupled",
          .words = {"coupled", "undrained", "drained"},
          .doc = "Water with a velocity of its own, moving with the grains, or leaving no excess pressure."},

@@ -25,7 +25,7 @@ void add_fluid(const Problem& problem, const Particles& particles, std::size_t p
     monitors.mass_fluid += mass;
     monitors.kinetic_energy_fluid += 0.5 * mass * velocity_of_water(particles, p).squaredNorm();
     add_phase(mass, velocity_of_water(particles, p), monitors);
-    const double pressure = excess_pore_pressure(particles, p);
+    const double pressure = risen_pore_pressure(problem, particles, p);
     monitors.max_excess_pore_pressure = std::max(monitors.max_excess_pore_pressure, pressure);
     const double initial = particles.initial_vertical_effective_stress[p];
     if (initial >= ru_stress_threshold(problem))

@@ -19,7 +19,7 @@ struct Monitors {
     double kinetic_energy_fluid = 0.0;     // of the water [J/m]
     double max_velocity = 0.0;             // of the grains [m/s]
     double max_displacement = 0.0;         // since the reference [m]
-    double max_excess_pore_pressure = 0.0; // [Pa]
+    double max_excess_pore_pressure = 0.0; // over the water at the start [Pa]
     double max_ru = 0.0;           // largest excess pore pressure / initial vertical effective stress [-]
     double crest_settlement = 0.0; // mean of the particles that lay highest, downward positive [m]
 };

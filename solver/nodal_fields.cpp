@@ -48,9 +48,9 @@ void particle_values(const Problem& problem, const Particles& particles, std::si
     *values++ = -stress.yy[p];
     *values++ = stress.xy[p];
     if (!particles.has_fluid()) return;
-    const double excess = excess_pore_pressure(particles, p);
+    const double excess = risen_pore_pressure(problem, particles, p);
     const double initial = particles.initial_vertical_effective_stress[p];
-    *values++ = static_water_pressure(problem, particles.position.y[p]) + excess;
+    *values++ = static_water_pressure(problem, particles.position.y[p]) + excess_pore_pressure(particles, p);
     *values++ = excess;
     *values++ = excess / std::max(initial, ru_stress_threshold(problem));
     *values++ = particles.porosity[p];

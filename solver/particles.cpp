@@ -23,6 +23,7 @@ bool needs(std::optional<WaterFlow> flow, ArrayGroup group)
     case ArrayGroup::kept_water:
         return flow == WaterFlow::undrained;
     case ArrayGroup::cavities:
+    case ArrayGroup::water_table:
     case ArrayGroup::pressure_rate:
     case ArrayGroup::twist:
     case ArrayGroup::cycles:
@@ -52,6 +53,7 @@ ArrayGroup group_of(std::string_view name)
     if (name == "pore_pressure_rate") return ArrayGroup::pressure_rate;
     if (name == "water_volume") return ArrayGroup::kept_water;
     if (name == "tension_deficit") return ArrayGroup::cavities;
+    if (name == "water_table") return ArrayGroup::water_table;
     if (name.starts_with("twist")) return ArrayGroup::twist;
     return name.starts_with("cycles_") ? ArrayGroup::cycles : ArrayGroup::always;
 }

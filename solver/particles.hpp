@@ -70,6 +70,7 @@ struct Particles {
     Scalars pore_pressure;      // excess over the static water pressure, compression positive [Pa]
     Scalars pore_pressure_rate; // of the cell in the last semi-implicit step, none in explicit runs [Pa/s]
     Scalars initial_vertical_effective_stress; // sigma'_v0 at the start of shaking, compression positive [Pa]
+    Scalars water_table; // y to which the water stood at the start, none where it is the level [m]
 
     CycleMemory cycles; // none without a material of UBCSAND
 
@@ -120,6 +121,7 @@ void for_each_array(ParticleSet& particles, Visitor&& visit)
     visit("pore_pressure", particles.pore_pressure);
     visit("pore_pressure_rate", particles.pore_pressure_rate);
     visit("initial_vertical_effective_stress", particles.initial_vertical_effective_stress);
+    visit("water_table", particles.water_table);
     visit("cycles_eta_max", particles.cycles.eta_max);
     visit("cycles_branch", particles.cycles.branch);
     vectors("cycles_peak_x", "cycles_peak_y", particles.cycles.peak);
@@ -150,6 +152,7 @@ enum class ArrayGroup {
     fluid_motion,  // with water that moves by itself
     kept_water,    // with water that cannot
     cavities,      // with a cavitation limit
+    water_table,   // with a phreatic line above the level
     pressure_rate, // with the semi-implicit scheme
     twist,         // with quadrilaterals
     cycles,        // with a material of UBCSAND

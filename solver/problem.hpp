@@ -112,10 +112,19 @@ struct PorePressure {
     double pressure = 0.0; // with its static part, compression positive [Pa]
 };
 
-/// Water with a given pressure at a curve; the history is a factor on the excess over the still water.
+/// Still water up to a line, level beyond its ends; at every x as deep as the line is high there.
+struct WaterLine {
+    std::vector<Vector2> points; // from left to right, at least one [m]
+};
+
+/// y at x of a line from left to right, level beyond its ends [m].
+double elevation(const std::vector<Vector2>& line, double x);
+
+/// Water with a given pressure at a curve; the history is a factor on what it has beyond the water at rest.
 struct OuterWater {
-    std::variant<WaterHead, PorePressure> value;
+    std::variant<WaterHead, PorePressure, WaterLine> value;
     History history;
+    std::optional<WaterLine> at_rest = {}; // none: the still water at the level
 };
 
 /// A piece of a boundary curve, carried by the particle beside it: straight between two points that keep
@@ -196,8 +205,17 @@ void resize_particles(const Problem& problem, std::size_t count, Particles& part
 /// Static pressure of the still water at height y, zero above the level [Pa].
 double static_water_pressure(const Problem& problem, double y);
 
-/// Excess over the still water that a boundary's outer water has at height y, at its full value [Pa].
-double outer_excess_pressure(const Problem& problem, const OuterWater& outer, double y);
+/// Static pressure of water that stands up to a height, at height y, zero above [Pa].
+double pressure_below(const Problem& problem, double surface, double y);
+
+/// Excess over the still water that a boundary's outer water has at a point, its history having the value
+/// `factor` [Pa].
+double outer_excess_pressure(const Problem& problem, const OuterWater& outer, const Vector2& point,
+                             double factor = 1.0);
+
+/// Pore pressure beyond that of the water at the start of the shaking, whose table lay at the level or at a
+/// phreatic line; what the scene begins with as excess is counted [Pa].
+double risen_pore_pressure(const Problem& problem, const Particles& particles, std::size_t p);
 
 /// Modulus of water that holds air bubbles (Verruijt 1969): 1/K = S/K_w + (1-S)/p_air, with the saturation S
 /// and the absolute pressure p_air of the air, both constant [Pa].

@@ -36,6 +36,19 @@ bool has_cycle_memory(const Problem& problem)
     });
 }
 
+/// Pores keep their pressure while soil settles: let it be that of the water at the start of the shaking.
+void sink_water_table(const Problem& problem, Particles& particles)
+{
+    const double weight = problem.water ? problem.water->density * problem.gravity : 0.0; // [N/m3]
+    if (weight <= 0.0) return;
+    const auto total_head = [&](double y) { return y + static_water_pressure(problem, y) / weight; };
+    for (std::size_t p = 0; p < particles.water_table.size(); ++p) {
+        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+        particles.water_table[p] +=
+            total_head(particles.position.y[p]) - total_head(particles.reference_position.y[p]);
+    }
+}
+
 /// Call visit(sand, first, last) for every run of particles of one material of UBCSAND.
 template <class Visit>
 void for_each_sand_run(const Problem& problem, const Particles& particles, Visit&& visit)
@@ -146,6 +159,7 @@ std::size_t begin_shaking(const Problem& problem, State& state)
                       [&](const UbcSand& sand, std::size_t first, std::size_t last) {
                           limited += start_memory(sand, first, last, state.particles);
                       });
+    sink_water_table(problem, state.particles);
     begin_shaking(state);
     return limited;
 }

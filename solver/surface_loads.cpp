@@ -52,7 +52,7 @@ void for_each_nodal_water(const Problem& problem, double time, const Particles& 
         const OuterWater& water = *boundary.outer_water;
         const double factor = history_value(water.history, time);
         const auto force = [&](const BoundaryPiece&, const PresentPiece& present) -> Vector2 {
-            const double excess = factor * outer_excess_pressure(problem, water, present.middle().y());
+            const double excess = outer_excess_pressure(problem, water, present.middle(), factor);
             return -excess * present.outward();
         };
         share_out(problem, boundary, particles, places, force, add);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 namespace quicksand {
 
 namespace {
@@ -37,6 +39,61 @@ TEST(Stability, OfASlopeThatStandsLeavesNoFormerFailure)
         << outcome.output;
     for (const char* gone : {"fields.pvd", "fields", "grid.pvd", "grid"})
         EXPECT_FALSE(std::filesystem::exists(folder / "out" / gone)) << gone;
+}
+
+/// A slope of 1:2 from 3 m up to 6 m in water, with these lines in its scene.
+void write_slope(const WorkFolder& folder, const std::string& water, const std::string& surface)
+{
+    std::ofstream(folder / "slope.geo")
+        << "Point(1)={0,0,0}; Point(2)={20,0,0}; Point(3)={20,3,0}; Point(4)={14,3,0}; Point(5)={8,6,0};"
+           "Point(6)={0,6,0}; Line(1)={1,2}; Line(2)={2,3}; Line(3)={3,4}; Line(4)={4,5}; Line(5)={5,6};"
+           "Line(6)={6,1}; Curve Loop(1)={1:6}; Plane Surface(1)={1}; Physical Surface(\"clay\")={1};"
+           "Physical Curve(\"base\")={1}; Physical Curve(\"sides\")={2,6};"
+           "Physical Curve(\"surface\")={3,4,5};\n";
+    std::ofstream(folder / "slope.toml")
+        << "scene_version = 1\n[geometry]\nfile = \"slope.geo\"\n[grid]\ncell_size = 1\n[sampling]\n"
+           "particles_per_cell = [2, 2]\n[water]\n"
+        << water
+        << "\n[materials.clay]\nmodel = \"mohr_coulomb\"\nshear_modulus = 2e7\npoisson_ratio = 0.33\n"
+           "cohesion = 2e3\nfriction_angle = 20\nporosity = 0.4\nhydraulic_conductivity = 1e-5\n"
+           "[regions.clay]\nmaterial = \"clay\"\n[boundaries.base]\nsoil = \"fixed\"\n"
+           "[boundaries.sides]\nsoil = \"roller\"\n[boundaries.surface]\n"
+        << surface << "\n[run]\nend_time = 1\n";
+}
+
+/// The last line but one that the search says about the slope: its factor.
+std::string factor_of(const WorkFolder& folder)
+{
+    const std::string text = run_program("stability " + folder.string() + "/slope.toml --tolerance 0.02 -o " +
+                                         folder.string() + "/out")
+                                 .output;
+    const auto begin = text.find("The factor of safety is");
+    return begin == std::string::npos ? text : text.substr(begin, text.find('\n', begin) - begin);
+}
+
+TEST(Stability, OfASlopeInStillWaterIsTheSameHoweverTheWaterIsSaid)
+{
+    const WorkFolder folder;
+    write_slope(folder, "level = 7", "soil = \"free\"");
+    const std::string factor = factor_of(folder);
+    EXPECT_TRUE(factor.starts_with("The factor of safety is 1.") ||
+                factor.starts_with("The factor of safety is 2."))
+        << factor;
+    write_slope(folder, "level = -2\nphreatic_line = [[0, 7], [20, 7]]", "water = \"head\"\nhead = 7");
+    EXPECT_EQ(factor_of(folder), factor);
+    write_slope(folder, "level = -2\nphreatic_line = [[0, 7], [20, 7]]", "soil = \"free\"");
+    EXPECT_EQ(factor_of(folder), factor);
+}
+
+TEST(Stability, RefusesWaterThatComesLater)
+{
+    const WorkFolder folder;
+    write_slope(folder, "level = 6", "water = \"head\"\nhead = 7");
+    const std::string said = factor_of(folder);
+    EXPECT_NE(said.find("error[boundary]: the water beyond \"surface\" differs from that in the soil, which "
+                        "stands at 6 m: a slope at rest has one water"),
+              std::string::npos)
+        << said;
 }
 
 TEST(Stability, RefusesASceneWithoutStrength)

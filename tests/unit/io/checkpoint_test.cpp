@@ -102,6 +102,15 @@ TEST(Checkpoint, KeepsTheTwistOfQuadrilaterals)
     EXPECT_TRUE(same_bits(written, read_checkpoint(folder / "state.h5", "abc")));
 }
 
+TEST(Checkpoint, KeepsTheWaterTable)
+{
+    const TemporaryFolder folder;
+    State written = varied_state(true);
+    written.particles.water_table = written.particles.stress.xy;
+    write_checkpoint(folder / "state.h5", written, "abc");
+    EXPECT_TRUE(same_bits(written, read_checkpoint(folder / "state.h5", "abc")));
+}
+
 TEST(Checkpoint, KeepsTheArraysOfEveryFlowOfWater)
 {
     const TemporaryFolder folder;
