@@ -2,6 +2,7 @@
 #include "app/plan.hpp"
 #include "io/face_water.hpp"
 #include "solver/boundary_pieces.hpp"
+#include "solver/patch_test.hpp"
 #include "solver/surface_loads.hpp"
 #include "solver/viscous_boundary.hpp"
 
@@ -156,6 +157,16 @@ std::string describe_heads(const std::pair<double, double>& heads)
     return fmt::format("below the phreatic line, so with its head, {} m", range.text());
 }
 
+/// What the curve leaves unbalanced of pressures that it should bear.
+std::string describe_patch_test(const PatchTest& test)
+{
+    const auto percent = [](double share) {
+        return share < 1e-8 ? std::string("0") : short_number(100.0 * share, 2);
+    };
+    return fmt::format("patch tests: {} % of a constant pressure left unbalanced, {} % of a geostatic one",
+                       percent(test.constant_pressure), percent(test.geostatic));
+}
+
 } // namespace
 
 std::string describe_boundaries(const AssembledCase& assembled)
@@ -163,7 +174,9 @@ std::string describe_boundaries(const AssembledCase& assembled)
     const Problem& problem = assembled.problem;
     std::string text = "Boundaries\n";
     const auto add = [&](const std::string& line) { text += fmt::format("  {:<16}{}\n", "", line); };
-    for (const Boundary& boundary : problem.boundaries) {
+    const std::vector<PatchTest> tests = test_patches(problem, assembled.state);
+    for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
+        const Boundary& boundary = problem.boundaries[b];
         text += fmt::format("  {:<16}{:.4g} m, {}{}{}\n", boundary.name, length_of(boundary),
                             name_of(boundary.soil), problem.water ? ", water " : "",
                             problem.water ? name_of(boundary.water) : "");
@@ -175,6 +188,11 @@ std::string describe_boundaries(const AssembledCase& assembled)
         } else if (boundary.outer_water) {
             add(describe_outer_water(problem, boundary));
         }
+        add(describe_patch_test(tests[b]));
+    }
+    if (tests.size() > problem.boundaries.size()) {
+        text += "  edges without a name\n";
+        add(describe_patch_test(tests.back()));
     }
     return text;
 }

@@ -61,55 +61,86 @@ void VelocityRows::add(std::size_t node, const NodeVelocities& coefficients)
     entries_.push_back({static_cast<std::size_t>(place), coefficients});
 }
 
-void VelocityRows::fill_matrix()
+void VelocityRows::find_pattern()
 {
-    // rows by node, each with its coefficients and what an impulse of the row does there
-    struct Touch {
-        std::size_t row;
-        NodeVelocities coefficients, response;
-    };
-    std::vector<std::vector<Touch>> touches(nodes_.size());
-    Scalars diagonal(size(), 0.0), of_free_nodes(size(), 0.0);
-    for_each_entry([&](std::size_t r, std::size_t k) {
-        const Entry& entry = entries_[k];
-        const NodeVelocities response = inverses_[entry.place] * entry.coefficients;
-        diagonal[r] += entry.coefficients.dot(response);
-        of_free_nodes[r] += entry.coefficients.squaredNorm() * inverses_[entry.place].diagonal().maxCoeff();
-        touches[entry.place].push_back({r, entry.coefficients, response});
-    });
+    Pattern& pattern = factor_->pattern;
+    pattern.first = first_;
+    pattern.places.clear();
+    for (const Entry& entry : entries_) pattern.places.push_back(entry.place);
+
+    std::vector<std::size_t> row_of(entries_.size());
+    for_each_entry([&](std::size_t r, std::size_t k) { row_of[k] = r; });
+    std::vector<std::vector<std::size_t>> of_node(nodes_.size());
+    for (std::size_t k = 0; k < entries_.size(); ++k) of_node[entries_[k].place].push_back(k);
+
+    pattern.products.clear();
     std::vector<Eigen::Triplet<double>> triplets;
-    scale_.resize(size());
-    for (std::size_t r = 0; r < size(); ++r) {
-        scale_[r] = diagonal[r] > least_response * of_free_nodes[r] ? 1.0 / std::sqrt(diagonal[r]) : 0.0;
-        triplets.emplace_back(static_cast<int>(r), static_cast<int>(r), scale_[r] > 0.0 ? ridge : 1.0);
-    }
-    for (const std::vector<Touch>& node : touches) {
-        for (const Touch& a : node) {
-            for (const Touch& b : node) {
-                if (b.row > a.row) continue;
-                triplets.emplace_back(static_cast<int>(a.row), static_cast<int>(b.row),
-                                      scale_[a.row] * scale_[b.row] * a.coefficients.dot(b.response));
+    const auto index = [](std::size_t r) { return static_cast<int>(r); };
+    for (std::size_t r = 0; r < size(); ++r) triplets.emplace_back(index(r), index(r), 0.0);
+    for (const std::vector<std::size_t>& node : of_node) {
+        for (const std::size_t a : node) {
+            for (const std::size_t b : node) {
+                if (row_of[b] > row_of[a]) continue;
+                pattern.products.push_back({a, b, 0});
+                triplets.emplace_back(index(row_of[a]), index(row_of[b]), 0.0);
             }
         }
     }
-    const auto count = static_cast<Eigen::Index>(size());
-    matrix_.resize(count, count);
-    matrix_.setFromTriplets(triplets.begin(), triplets.end());
+    Eigen::SparseMatrix<double>& matrix = factor_->matrix;
+    matrix.resize(index(size()), index(size()));
+    matrix.setFromTriplets(triplets.begin(), triplets.end());
+    for (Product& product : pattern.products) {
+        double& value = matrix.coeffRef(index(row_of[product.a]), index(row_of[product.b]));
+        product.target = static_cast<std::size_t>(&value - matrix.valuePtr());
+    }
+    pattern.diagonal.clear();
+    for (std::size_t r = 0; r < size(); ++r)
+        pattern.diagonal.push_back(
+            static_cast<std::size_t>(&matrix.coeffRef(index(r), index(r)) - matrix.valuePtr()));
+    factor_->solver.analyzePattern(matrix);
+}
+
+bool VelocityRows::has_pattern() const
+{
+    const Pattern& pattern = factor_->pattern;
+    const auto is_same = [](const Entry& entry, std::size_t place) { return entry.place == place; };
+    return pattern.first == first_ && pattern.places.size() == entries_.size() &&
+           std::equal(entries_.begin(), entries_.end(), pattern.places.begin(), is_same);
+}
+
+void VelocityRows::fill_matrix()
+{
+    std::vector<NodeVelocities> responses(entries_.size()); // to an impulse of the row
+    Scalars own(size(), 0.0), of_free_nodes(size(), 0.0);
+    for_each_entry([&](std::size_t r, std::size_t k) {
+        const Entry& entry = entries_[k];
+        responses[k] = inverses_[entry.place] * entry.coefficients;
+        own[r] += entry.coefficients.dot(responses[k]);
+        of_free_nodes[r] += entry.coefficients.squaredNorm() * inverses_[entry.place].diagonal().maxCoeff();
+    });
+    scale_.resize(size());
+    for (std::size_t r = 0; r < size(); ++r)
+        scale_[r] = own[r] > least_response * of_free_nodes[r] ? 1.0 / std::sqrt(own[r]) : 0.0;
+
+    std::vector<double> scale_of(entries_.size());
+    for_each_entry([&](std::size_t r, std::size_t k) { scale_of[k] = scale_[r]; });
+    const Pattern& pattern = factor_->pattern;
+    double* values = factor_->matrix.valuePtr();
+    std::fill(values, values + factor_->matrix.nonZeros(), 0.0);
+    for (std::size_t r = 0; r < size(); ++r) values[pattern.diagonal[r]] = scale_[r] > 0.0 ? ridge : 1.0;
+    for (const Product& product : pattern.products)
+        values[product.target] += scale_of[product.a] * scale_of[product.b] *
+                                  entries_[product.a].coefficients.dot(responses[product.b]);
 }
 
 void VelocityRows::factorise(std::vector<NodeInverse> inverses)
 {
     inverses_ = std::move(inverses);
     if (empty()) return;
-    fill_matrix();
-    std::vector<int> pattern(matrix_.outerIndexPtr(), matrix_.outerIndexPtr() + matrix_.outerSize() + 1);
-    pattern.insert(pattern.end(), matrix_.innerIndexPtr(), matrix_.innerIndexPtr() + matrix_.nonZeros());
     if (!factor_ || factor_.use_count() > 1) factor_ = std::make_shared<Factor>();
-    if (pattern != factor_->pattern) {
-        factor_->solver.analyzePattern(matrix_);
-        factor_->pattern = std::move(pattern);
-    }
-    factor_->solver.factorize(matrix_);
+    if (!has_pattern()) find_pattern();
+    fill_matrix();
+    factor_->solver.factorize(factor_->matrix);
     if (factor_->solver.info() != Eigen::Success)
         throw InternalError("the conditions at the walls cannot be factorised");
 }

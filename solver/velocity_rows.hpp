@@ -74,31 +74,43 @@ public:
     void respond_to_pressure(const std::vector<Vector2>& force, std::vector<Vector2>& flux) const;
 
 private:
+    /// Two entries at one node, whose product is part of P.
+    struct Product {
+        std::size_t a, b;   // of the entries
+        std::size_t target; // among the matrix's values
+    };
+    /// Where the rows' products go in the matrix, as long as rows touch the same nodes.
+    struct Pattern {
+        std::vector<std::size_t> first, places; // of the rows that it was made for
+        std::vector<Product> products;
+        std::vector<std::size_t> diagonal; // among the matrix's values
+    };
     struct Factor {
+        Pattern pattern;
+        Eigen::SparseMatrix<double> matrix; // the lower half of P, scaled
         Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
-        std::vector<int> pattern; // of the matrix that the solver was analysed for
     };
 
     template <class Visit>
     void for_each_entry(Visit&& visit) const;
     Scalars products(const std::vector<NodeVelocities>& velocities) const;
-    void add_impulses(const Scalars& multipliers, std::vector<NodeVelocities>& velocities) const;
     Scalars solve(Scalars right_hand_side) const;
     void correct(bool to_zero, std::vector<NodeVelocities>& velocities) const;
+    bool has_pattern() const;
+    void find_pattern();
     void fill_matrix();
 
     std::vector<std::size_t> nodes_;
     std::vector<std::int32_t> place_of_node_; // -1: in no row
     std::vector<NodeInverse> inverses_;
-    std::vector<double> values_;         // V of the rows
-    std::size_t first_follower_ = 0;     // row
-    std::vector<std::size_t> first_;     // entry of each row
-    std::vector<Entry> entries_;         // row by row
-    std::vector<Vector2> by_pressure_;   // B of the entries: beta^T A^-1 c [1/kg]
-    Scalars porosities_;                 // of nodes() [-]
-    Scalars scale_;                      // of the rows, 0 of those left out: P scaled has a diagonal of ones
-    Eigen::SparseMatrix<double> matrix_; // the lower half of P, scaled
-    std::shared_ptr<Factor> factor_;     // of the matrix; copies of the rows share it
+    std::vector<double> values_;       // V of the rows
+    std::size_t first_follower_ = 0;   // row
+    std::vector<std::size_t> first_;   // entry of each row
+    std::vector<Entry> entries_;       // row by row
+    std::vector<Vector2> by_pressure_; // B of the entries: beta^T A^-1 c [1/kg]
+    Scalars porosities_;               // of nodes() [-]
+    Scalars scale_;                    // of the rows, 0 of those left out: P scaled has a diagonal of ones
+    std::shared_ptr<Factor> factor_;   // copies of the rows share it
 };
 
 } // namespace quicksand

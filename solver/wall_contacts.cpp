@@ -158,4 +158,13 @@ WallContacts find_contacts(const Problem& problem, const SoilEdges& edges, const
     return contacts;
 }
 
+std::vector<NodeLength> lengths_along(const BackgroundGrid& grid, const Segment& segment)
+{
+    std::vector<NodeLength> lengths;
+    integrate_along(grid, segment, [&](std::size_t node, double weight, double) {
+        lengths.push_back({node, weight});
+    });
+    return lengths;
+}
+
 } // namespace quicksand

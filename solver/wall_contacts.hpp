@@ -38,4 +38,11 @@ struct WallContacts {
 WallContacts find_contacts(const Problem& problem, const SoilEdges& edges, const NodeConditions& conditions,
                            Stage stage, double time, double dt);
 
+/// Length of a segment under each node's function, int N_i ds; a node may come several times.
+struct NodeLength {
+    std::size_t node = 0;
+    double length = 0.0; // [m]
+};
+std::vector<NodeLength> lengths_along(const BackgroundGrid& grid, const Segment& segment);
+
 } // namespace quicksand
