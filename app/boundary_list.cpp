@@ -183,7 +183,7 @@ std::string describe_boundaries(const AssembledCase& assembled)
         if (boundary.load) add(describe_load(assembled, boundary));
         if (boundary.motion) add(describe_motion(*boundary.motion));
         if (boundary.soil == SoilCondition::viscous) add(describe_impedance(assembled, boundary));
-        if (const auto heads = heads_of_line(assembled.scene, boundary)) {
+        if (const auto heads = heads_of_line(assembled.scene, problem.grid, boundary)) {
             add(describe_heads(*heads));
         } else if (boundary.outer_water) {
             add(describe_outer_water(problem, boundary));

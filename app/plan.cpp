@@ -149,6 +149,9 @@ std::string describe_soil(const AssembledCase& assembled)
                     grouped(static_cast<long long>(grid.cells_x) * grid.cells_y),
                     short_number(grid.cell_size), assembled.sampling.particles_per_cell,
                     grouped(static_cast<long long>(assembled.sampling.occupied_cells)));
+    for (const std::string& reason : assembled.grid_reasons)
+        text +=
+            fmt::format("  {:<16}{}\n", &reason == &assembled.grid_reasons.front() ? "the grid" : "", reason);
     text += fmt::format("  mass of the grains {} kg/m, of the water {} kg/m\n",
                         short_number(sums.mass_solid, 6), short_number(sums.mass_fluid, 6));
     return text;

@@ -3,6 +3,7 @@
 #include "geometry/gmsh_file.hpp"
 #include "geometry/section_check.hpp"
 #include "geometry/section_rim.hpp"
+#include "io/cell_size.hpp"
 #include "io/face_water.hpp"
 #include "io/ground_water.hpp"
 #include "io/probe_sample.hpp"
@@ -135,14 +136,15 @@ void check_case(AssembledCase& assembled)
     Diagnostics& findings = assembled.warnings;
     check_names(scene, section, findings);
     check_phreatic_line(scene, findings);
-    if (const auto grid = choose_grid(scene, section, findings)) {
-        problem.grid = *grid;
-        for (std::string& what : check_section(section, *grid)) {
+    if (auto choice = choose_grid(scene, section, findings)) {
+        const BackgroundGrid& grid = problem.grid = choice->grid;
+        assembled.grid_reasons = std::move(choice->reasons);
+        for (std::string& what : check_section(section, grid)) {
             findings.add(error_at(scene.geometry_place, "section", std::move(what)));
         }
-        problem.boundaries = find_boundaries(scene, section, *grid, findings);
+        problem.boundaries = find_boundaries(scene, section, grid, findings);
         problem.rim = rim_of(section);
-        problem.tied_sides = find_tied_sides(scene, section, *grid, findings);
+        problem.tied_sides = find_tied_sides(scene, section, grid, findings);
         set_face_water(scene, section, problem, findings);
     }
     findings.accept(scene.accepted);
@@ -247,7 +249,14 @@ AssembledCase assemble_case(SceneReading reading, Section section)
 
 AssembledCase assemble_case(SceneReading reading)
 {
-    Section section = read_gmsh_file(request_of(reading.scene));
+    GmshRequest request = request_of(reading.scene);
+    const bool asks_for_size = request.quad_size && !(*request.quad_size > 0.0);
+    if (asks_for_size) request.quad_size = std::nullopt;
+    Section section = read_gmsh_file(request);
+    if (asks_for_size) { // quadrilaterals of a third of the cells that suit the outlines
+        request.quad_size = choose_cell_size(reading.scene, section).size / 3.0;
+        section = read_gmsh_file(request);
+    }
     return assemble_case(std::move(reading), std::move(section));
 }
 

@@ -9,6 +9,9 @@
 #include "solver/problem.hpp"
 #include "solver/state.hpp"
 
+#include <string>
+#include <vector>
+
 namespace quicksand {
 
 struct AssembledCase {
@@ -16,8 +19,9 @@ struct AssembledCase {
     Problem problem;
     State state;
     Section section;
-    Sampling sampling;    // its domains have become the particles
-    Diagnostics warnings; // of the scene and of the assembly
+    std::vector<std::string> grid_reasons; // what was chosen of the grid and why, lines for the user
+    Sampling sampling;                     // its domains have become the particles
+    Diagnostics warnings;                  // of the scene and of the assembly
 };
 
 /// Read the drawing, choose the grid, sample the section and set the K0 state. Throws InputError with all

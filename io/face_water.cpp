@@ -325,7 +325,8 @@ void set_face_water(const Scene& scene, const Section& section, Problem& problem
     if (problem.water && !findings.has_errors()) FaceWater(scene, section, problem, findings).set();
 }
 
-std::optional<std::pair<double, double>> heads_of_line(const Scene& scene, const Boundary& boundary)
+std::optional<std::pair<double, double>> heads_of_line(const Scene& scene, const BackgroundGrid& grid,
+                                                       const Boundary& boundary)
 {
     const bool given =
         boundary.outer_water && !std::holds_alternative<WaterLine>(boundary.outer_water->value);
@@ -334,7 +335,7 @@ std::optional<std::pair<double, double>> heads_of_line(const Scene& scene, const
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : marks_along(scene, segment)) {
             const double below = depth(scene, point);
-            if (below > rounding * scene.cell_size) heads.include(point.y() + below);
+            if (below > rounding * grid.cell_size) heads.include(point.y() + below);
         }
     }
     if (heads.width() < 0.0) return std::nullopt;

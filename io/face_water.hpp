@@ -20,6 +20,7 @@ void set_face_water(const Scene& scene, const Section& section, Problem& problem
 
 /// Lowest and highest head that a curve takes from the phreatic line; none where it lies above or has a head
 /// of its own [m].
-std::optional<std::pair<double, double>> heads_of_line(const Scene& scene, const Boundary& boundary);
+std::optional<std::pair<double, double>> heads_of_line(const Scene& scene, const BackgroundGrid& grid,
+                                                       const Boundary& boundary);
 
 } // namespace quicksand

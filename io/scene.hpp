@@ -31,7 +31,7 @@ struct LatticeSampling {
 };
 
 struct MeshSampling {
-    double quad_size = 0.0; // edge length of the quadrilaterals; 0: a third of a cell [m]
+    double quad_size = 0.0; // edge length of the quadrilaterals; 0: a third of a chosen cell [m]
 };
 
 struct SceneMaterial {
@@ -108,10 +108,10 @@ struct Scene {
     std::map<std::string, double> geometry_parameters;
     SourcePlace geometry_place;
 
-    double cell_size = 0.0;                        // h [m]
-    std::optional<Vector2> grid_origin;            // none: lower left corner of the section [m]
-    std::optional<std::pair<int, int>> grid_cells; // none: what covers the section, plus room above it
-    SourcePlace grid_place;
+    double cell_size = 0.0;                        // h; 0: chosen for the section [m]
+    std::optional<Vector2> grid_origin;            // none: chosen for the section [m]
+    std::optional<std::pair<int, int>> grid_cells; // none: what covers the section, plus room
+    SourcePlace grid_place;                        // of [grid], or else of the drawing's name
     std::variant<LatticeSampling, MeshSampling> sampling;
 
     Interpolation interpolation = Interpolation::cpdi;

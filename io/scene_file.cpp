@@ -71,12 +71,12 @@ void fill_geometry(const SceneValues& values, const std::filesystem::path& folde
     scene.geometry_parameters = values.find<std::map<std::string, double>>("geometry.parameters")
                                     .value_or(std::map<std::string, double>());
     scene.geometry_place = values.place("geometry.file");
-    scene.cell_size = values.number("grid.cell_size");
+    scene.cell_size = values.find<double>("grid.cell_size").value_or(0.0);
     scene.grid_origin = values.find<Vector2>("grid.origin");
     scene.grid_cells = values.find<std::pair<int, int>>("grid.cells");
-    if (values.has_table("grid")) scene.grid_place = values.tables.at("grid");
+    scene.grid_place = values.has_table("grid") ? values.tables.at("grid") : scene.geometry_place;
     if (values.text("sampling.kind") == "mesh") {
-        scene.sampling = MeshSampling{values.number("sampling.quad_size")};
+        scene.sampling = MeshSampling{values.find<double>("sampling.quad_size").value_or(0.0)};
         return;
     }
     LatticeSampling lattice;

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <numbers>
+#include <unsupported/Eigen/FFT>
+#include <variant>
 
 namespace quicksand {
 
@@ -28,6 +31,24 @@ double time_of_share(const SampledMotion& motion, double share, double whole)
         before += part;
     }
     return duration(motion);
+}
+
+/// By the discrete Fourier transform of the record, zeros added up to a power of two.
+double highest_frequency(const SampledMotion& record)
+{
+    constexpr double share = 0.95;
+    std::size_t count = 1;
+    while (count < record.accelerations.size()) count *= 2;
+    std::vector<double> padded = record.accelerations;
+    padded.resize(count, 0.0);
+    std::vector<std::complex<double>> spectrum;
+    Eigen::FFT<double>().fwd(spectrum, padded);
+    std::vector<double> sums = {0.0}; // over the frequencies k / (count * interval), k >= 1
+    for (std::size_t k = 1; k <= count / 2; ++k) sums.push_back(sums.back() + std::norm(spectrum[k]));
+    const auto reached = std::find_if(sums.begin(), sums.end(),
+                                      [&](double sum) { return sum > 0.0 && sum >= share * sums.back(); });
+    if (reached == sums.end()) return 0.0;
+    return static_cast<double>(reached - sums.begin()) / (static_cast<double>(count) * record.interval);
 }
 
 } // namespace
@@ -57,6 +78,13 @@ MotionMeasures measure(const SampledMotion& motion)
     measures.residual_velocity = velocity;
     measures.residual_displacement = displacement;
     return measures;
+}
+
+double highest_frequency(const BaseMotion& motion)
+{
+    if (const auto* sine = std::get_if<SineMotion>(&motion)) return sine->frequency;
+    const auto* record = std::get_if<SampledMotion>(&motion);
+    return record != nullptr ? highest_frequency(*record) : 0.0;
 }
 
 SampledMotion without_linear_baseline(SampledMotion motion)

@@ -19,6 +19,9 @@ struct MotionMeasures {
 
 MotionMeasures measure(const SampledMotion& motion);
 
+/// The frequency of a sine, or that below which a record has 95 % of its intensity; 0 without shaking [Hz].
+double highest_frequency(const BaseMotion& motion);
+
 /// The record without the straight line that fits its accelerations best (least squares). The velocity then
 /// ends near zero, for the accelerations add up to zero.
 SampledMotion without_linear_baseline(SampledMotion motion);

@@ -78,8 +78,6 @@ expected: scene_version: Version of the scene format: 1.
 hint: begin the scene with the line scene_version = 1
 scene.toml: error[missing-table]: there is no table [geometry]
 expected: a table [geometry] with file: The drawn cross-section.
-scene.toml: error[missing-table]: there is no table [grid]
-expected: a table [grid] with cell_size: The background grid of square cells.
 scene.toml: error[missing-table]: there is no table [materials.NAME]
 expected: a table [materials.NAME]: The soils.
 scene.toml: error[missing-table]: there is no table [regions.NAME]

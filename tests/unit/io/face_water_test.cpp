@@ -108,11 +108,11 @@ TEST(FaceWater, ACurveBelowTheLineTakesItsHead)
         EXPECT_NEAR(excess(1.0, 2.0), 1.5 * water_weight, 1e-9);
         EXPECT_NEAR(excess(6.0, 3.0), 0.5 * water_weight, 1e-9);
         EXPECT_EQ(excess(7.5, 3.75), 0.0) << "above the water";
-        const auto heads = heads_of_line(dam.scene, ground);
+        const auto heads = heads_of_line(dam.scene, dam.problem.grid, ground);
         EXPECT_EQ(heads.has_value(), !std::holds_alternative<WaterHead>(ground.outer_water->value));
         EXPECT_EQ(heads.value_or(std::pair(3.5, 3.5)), std::pair(3.5, 3.5));
         EXPECT_FALSE(boundary(dam, "base").outer_water) << "a wall needs none";
-        EXPECT_FALSE(heads_of_line(dam.scene, boundary(dam, "left")));
+        EXPECT_FALSE(heads_of_line(dam.scene, dam.problem.grid, boundary(dam, "left")));
     }
 }
 

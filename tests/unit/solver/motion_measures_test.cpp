@@ -49,6 +49,24 @@ TEST(MotionMeasures, OfSilenceAreZero)
     EXPECT_EQ(measures.significant_duration, 0.0);
 }
 
+TEST(HighestFrequency, IsThatOfASineOrOfNearlyAllOfARecord)
+{
+    EXPECT_EQ(highest_frequency(NoMotion{}), 0.0);
+    EXPECT_EQ(highest_frequency(SineMotion{1.0, 7.0, 5.0, 0.0}), 7.0);
+    EXPECT_NEAR(highest_frequency(sine_record(2.0)), 1.0, 0.1);
+    SampledMotion record = sine_record(1.0);
+    const auto add_wave = [&](double amplitude, double frequency) {
+        for (std::size_t k = 0; k < record.accelerations.size(); ++k)
+            record.accelerations[k] +=
+                amplitude * std::sin(2.0 * std::numbers::pi * frequency * 0.001 * static_cast<double>(k));
+    };
+    add_wave(0.1, 40.0); // one per cent of the intensity
+    EXPECT_NEAR(highest_frequency(record), 1.0, 0.2);
+    add_wave(0.5, 12.0); // a fifth of it
+    EXPECT_NEAR(highest_frequency(record), 12.0, 0.2);
+    EXPECT_EQ(highest_frequency(SampledMotion{0.01, std::vector<double>(50, 0.0)}), 0.0);
+}
+
 TEST(Baseline, OfALineIsTheLine)
 {
     SampledMotion record = sine_record(2.0);
