@@ -23,6 +23,17 @@ inline PlaceInCell place_in_cell(const Vector2& cells)
     return {i, j, cells.x() - i, cells.y() - j};
 }
 
+/// The same; where it is nearer to a grid line than `tolerance` [cells] the point lies on it.
+inline PlaceInCell place_in_cell(const Vector2& cells, double tolerance)
+{
+    PlaceInCell place = place_in_cell(cells);
+    for (double* part : {&place.xi, &place.eta}) {
+        if (*part < tolerance) *part = 0.0;
+        if (*part > 1.0 - tolerance) *part = 1.0;
+    }
+    return place;
+}
+
 struct BackgroundGrid {
     static constexpr int ghost_cells = 4;
 

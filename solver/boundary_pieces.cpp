@@ -2,6 +2,7 @@
 
 #include "solver/cpdi.hpp"
 #include "solver/cpdi2.hpp"
+#include "solver/cross_product.hpp"
 #include "solver/failure.hpp"
 #include "solver/gimp.hpp"
 
@@ -46,19 +47,47 @@ Vector2 local_coordinates(const std::array<Vector2, 4>& x, const Vector2& point)
 /// A particle that may carry a piece of a segment.
 struct Candidate {
     std::size_t p;
-    std::array<Vector2, 4> corners; // [m]
-    double size;                    // largest distance of a corner from the particle [m]
-    double first, last;             // the corners' range along the segment [m]
+    std::array<Vector2, 4> frame; // where the local coordinates are +-1 [m]
+    std::vector<Vector2> corners; // of the domain [m]
+    bool is_cut;                  // the domain is not the frame
+    double size = 0.0;            // largest distance of a corner from the particle [m]
+    double first = std::numeric_limits<double>::infinity(); // the corners' range along the segment [m]
+    double last = -std::numeric_limits<double>::infinity();
 };
 
 /// How far a point is outside the candidate's domain; negative inside [m].
 double distance_outside(const Candidate& candidate, const Vector2& point)
 {
-    return (local_coordinates(candidate.corners, point).cwiseAbs().maxCoeff() - 1.0) * candidate.size;
+    if (!candidate.is_cut)
+        return (local_coordinates(candidate.frame, point).cwiseAbs().maxCoeff() - 1.0) * candidate.size;
+    const std::vector<Vector2>& x = candidate.corners;
+    double farthest = -std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < x.size(); ++c) {
+        const Vector2 along = x[(c + 1) % x.size()] - x[c];
+        farthest = std::max(farthest, cross(point - x[c], along) / along.norm());
+    }
+    return farthest;
+}
+
+/// The edge of a cut domain that a point lies nearest to; -1 of a whole one.
+std::int32_t nearest_edge(const Candidate& candidate, const Vector2& point)
+{
+    if (!candidate.is_cut) return -1;
+    const std::vector<Vector2>& x = candidate.corners;
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t c = 0; c < x.size(); ++c) {
+        const Vector2 along = x[(c + 1) % x.size()] - x[c];
+        const double share = std::clamp((point - x[c]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        const double distance = (x[c] + share * along - point).norm();
+        if (distance < least) nearest = c, least = distance;
+    }
+    return static_cast<std::int32_t>(nearest);
 }
 
 /// Particles whose domains touch the segment or come close to it, in their order along it.
-std::vector<Candidate> find_candidates(const Particles& particles, const Segment& segment)
+std::vector<Candidate> find_candidates(const Problem& problem, const Particles& particles,
+                                       const Segment& segment)
 {
     const double length = (segment.end - segment.start).norm();
     const Vector2 along = (segment.end - segment.start) / length, normal(along.y(), -along.x());
@@ -66,20 +95,18 @@ std::vector<Candidate> find_candidates(const Particles& particles, const Segment
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Vector2 from_start = particles.position[p] - segment.start;
         const double size = particles.half_edge_1[p].norm() + particles.half_edge_2[p].norm();
-        // the stairs of domains along a slanted curve leave gaps of less than a domain
         constexpr double reach = 2.5; // sizes
         const double s = from_start.dot(along);
         if (std::abs(from_start.dot(normal)) > reach * size || s < -reach * size || s > length + reach * size)
             continue;
-        Candidate candidate{p, quadrilateral_corners(particles, p), 0.0, 0.0, 0.0};
-        candidate.first = std::numeric_limits<double>::infinity();
-        candidate.last = -candidate.first;
+        Candidate candidate{p, quadrilateral_corners(particles, p), domain_polygon(problem, particles, p),
+                            problem.cut_domains.find(particles.identifier[p]) != nullptr};
         for (const Vector2& corner : candidate.corners) {
             candidate.size = std::max(candidate.size, (corner - particles.position[p]).norm());
             candidate.first = std::min(candidate.first, (corner - segment.start).dot(along));
             candidate.last = std::max(candidate.last, (corner - segment.start).dot(along));
         }
-        candidates.push_back(candidate);
+        candidates.push_back(std::move(candidate));
     }
     std::sort(candidates.begin(), candidates.end(), [&](const Candidate& a, const Candidate& b) {
         return a.first != b.first ? a.first < b.first : particles.identifier[a.p] < particles.identifier[b.p];
@@ -128,9 +155,10 @@ const Candidate* find_carrier(const Particles& particles, const std::vector<Cand
 }
 
 /// Cut one segment; false where there is no soil beside it.
-bool cut_segment(const Particles& particles, const Segment& segment, std::vector<BoundaryPiece>& pieces)
+bool cut_segment(const Problem& problem, const Particles& particles, const Segment& segment,
+                 std::vector<BoundaryPiece>& pieces)
 {
-    const std::vector<Candidate> candidates = find_candidates(particles, segment);
+    const std::vector<Candidate> candidates = find_candidates(problem, particles, segment);
     if (candidates.empty()) return false;
     double widest = 0.0;
     for (const Candidate& c : candidates) widest = std::max({widest, c.last - c.first, c.size});
@@ -141,21 +169,25 @@ bool cut_segment(const Particles& particles, const Segment& segment, std::vector
     };
 
     const std::vector<double> cuts = find_cuts(candidates, segment);
+    constexpr double inset = 1e-7; // into the soil: thinner than any piece of a domain [sizes]
     const Candidate* carrier = nullptr;
+    std::int32_t edge = -1;
     double begin = 0.0;
     const auto finish = [&](double end) {
         if (carrier == nullptr) return;
-        pieces.push_back({particles.identifier[carrier->p], local_coordinates(carrier->corners, point(begin)),
-                          local_coordinates(carrier->corners, point(end)), end - begin});
+        pieces.push_back({particles.identifier[carrier->p], local_coordinates(carrier->frame, point(begin)),
+                          local_coordinates(carrier->frame, point(end)), end - begin, edge});
     };
     for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
         const double middle = 0.5 * (cuts[k] + cuts[k + 1]);
-        const Vector2 inside = point(middle) + 1e-3 * candidates.front().size * inward;
+        const Vector2 inside = point(middle) + inset * widest * inward;
         const Candidate* next = find_carrier(particles, candidates, widest, middle, inside);
         if (next == nullptr) return false;
-        if (carrier == next) continue;
+        const std::int32_t next_edge = nearest_edge(*next, point(middle));
+        if (carrier == next && edge == next_edge) continue;
         finish(cuts[k]);
         carrier = next;
+        edge = next_edge;
         begin = cuts[k];
     }
     finish(length);
@@ -181,6 +213,26 @@ ParallelogramDomain domain_in_equations(const Problem& problem, const Particles&
     return {particles.reference_position[p], particles.reference_edge_1[p], particles.reference_edge_2[p]};
 }
 
+/// Move corners to the box, or the cell, whose nodes have weights of the particle.
+void move_into_reach(const Problem& problem, const Particles& particles, std::size_t p,
+                     std::array<Vector2, 4>& corners)
+{
+    const BackgroundGrid& grid = problem.grid;
+    const Vector2 x = domain_in_equations(problem, particles, p).centre;
+    Vector2 lower, upper;
+    if (problem.interpolation == Interpolation::linear) {
+        lower = grid.rim_origin() + grid.cell_size * grid.cells_from_rim(x).array().floor().matrix();
+        upper = lower + Vector2::Constant(grid.cell_size);
+    } else {
+        const bool keeps_size =
+            problem.interpolation == Interpolation::gimp || problem.strain == StrainForm::small;
+        const Vector2 box = keeps_size ? uniform_box(grid, particles, p) : contiguous_box(grid, particles, p);
+        lower = x - 0.5 * box;
+        upper = x + 0.5 * box;
+    }
+    for (Vector2& corner : corners) corner = corner.cwiseMax(lower).cwiseMin(upper);
+}
+
 /// Where the corners of a domain pass their load to the grid: within the reach of the particle's weights, so
 /// that a loaded node has mass.
 std::array<Vector2, 4> loaded_corners(const Problem& problem, const Particles& particles, std::size_t p)
@@ -195,21 +247,32 @@ std::array<Vector2, 4> loaded_corners(const Problem& problem, const Particles& p
     limit_domain(grid.cell_size, domain);
     const Vector2 &x = domain.centre, &r1 = domain.half_edge_1, &r2 = domain.half_edge_2;
     std::array<Vector2, 4> corners = {x - r1 - r2, x + r1 - r2, x + r1 + r2, x - r1 + r2};
-    if (problem.interpolation == Interpolation::cpdi) return corners;
-
-    Vector2 lower, upper;
-    if (problem.interpolation == Interpolation::linear) {
-        lower = grid.rim_origin() + grid.cell_size * grid.cells_from_rim(x).array().floor().matrix();
-        upper = lower + Vector2::Constant(grid.cell_size);
-    } else {
-        const bool keeps_size =
-            problem.interpolation == Interpolation::gimp || problem.strain == StrainForm::small;
-        const Vector2 box = keeps_size ? uniform_box(grid, particles, p) : contiguous_box(grid, particles, p);
-        lower = x - 0.5 * box;
-        upper = x + 0.5 * box;
-    }
-    for (Vector2& corner : corners) corner = corner.cwiseMax(lower).cwiseMin(upper);
+    if (problem.interpolation != Interpolation::cpdi) move_into_reach(problem, particles, p, corners);
     return corners;
+}
+
+/// A piece on an edge of a cut domain.
+PresentPiece piece_on_edge(const Problem& problem, const Particles& particles, const BoundaryPiece& piece,
+                           std::size_t p)
+{
+    const CutDomain* shape = problem.cut_domains.find(piece.identifier);
+    ENSURE(shape != nullptr);
+    const auto [centre, r1, r2] = domain_in_equations(problem, particles, p);
+    const std::size_t from = static_cast<std::size_t>(piece.edge), to = (from + 1) % shape->corners.size();
+    const Vector2 along = shape->corners[to] - shape->corners[from];
+    const Vector2 middle = 0.5 * (piece.start + piece.end);
+    const double share = (middle - shape->corners[from]).dot(along) / along.squaredNorm();
+
+    std::vector<Vector2> corners = corners_in_frame(*shape, centre, r1, r2);
+    limit_polygon(problem.grid.cell_size, centre, corners);
+    PresentPiece present;
+    present.start = centre + piece.start.x() * r1 + piece.start.y() * r2;
+    present.end = centre + piece.end.x() * r1 + piece.end.y() * r2;
+    present.corners = {corners[from], corners[to], corners[from], corners[to]};
+    present.shares = {1.0 - share, share, 0.0, 0.0};
+    present.tolerance = line_tolerance(problem.grid, centre);
+    if (problem.interpolation != Interpolation::cpdi) move_into_reach(problem, particles, p, present.corners);
+    return present;
 }
 
 } // namespace
@@ -222,7 +285,7 @@ std::vector<std::string> attach_boundaries(Problem& problem, const Particles& pa
         if (!carries_something(boundary)) continue;
         bool complete = true;
         for (const Segment& segment : boundary.segments)
-            complete = cut_segment(particles, segment, boundary.pieces) && complete;
+            complete = cut_segment(problem, particles, segment, boundary.pieces) && complete;
         if (!complete) without_soil.push_back(boundary.name);
     }
     return without_soil;
@@ -250,6 +313,7 @@ std::size_t ParticlePlaces::find(const Particles& particles, std::int32_t identi
 PresentPiece present_piece(const Problem& problem, const Particles& particles, const BoundaryPiece& piece,
                            std::size_t p)
 {
+    if (piece.edge >= 0) return piece_on_edge(problem, particles, piece, p);
     const std::array<Vector2, 4> domain = domain_corners(problem, particles, p);
     const std::array<double, 4> at_start = corner_shares(piece.start), at_end = corner_shares(piece.end);
     PresentPiece present;

@@ -5,7 +5,9 @@
 // that it moves, turns and stretches with the domain. What acts on a piece is shared among the corners of the
 // domain by the bilinear functions of the local coordinates and goes from there to the nodes, as CPDI does
 // with everything else (Sadeghirad, Brannon and Burghardt 2011). Nodes that a piece loads thus carry mass of
-// the piece's particle, the total is exact, and so is the moment.
+// the piece's particle, the total is exact, and so is the moment. A piece of a cut domain lies on an edge of
+// its polygon, whose two corners share the load: with the trapezoid rule of the polygon's gradient, equal
+// pressures on both sides of the edge balance.
 #pragma once
 
 #include "solver/problem.hpp"
@@ -37,6 +39,7 @@ struct PresentPiece {
     Vector2 start, end;             // [m]
     std::array<Vector2, 4> corners; // where its load reaches the grid: corners of the domain [m]
     std::array<double, 4> shares;   // of the load for the corners, adding up to 1 [-]
+    double tolerance = 0.0;         // how near to a grid line a corner lies on it [cells]
 
     Vector2 middle() const { return 0.5 * (start + end); }
     /// Outward normal times the present length [m].
@@ -54,7 +57,7 @@ template <class Add>
 void for_each_loaded_node(const BackgroundGrid& grid, const PresentPiece& piece, Add&& add)
 {
     for (std::size_t c = 0; c < 4; ++c) {
-        const auto [i, j, xi, eta] = place_in_cell(grid.cells_from_rim(piece.corners[c]));
+        const auto [i, j, xi, eta] = place_in_cell(grid.cells_from_rim(piece.corners[c]), piece.tolerance);
         const std::size_t node = grid.node_index(i, j), above = grid.node_index(i, j + 1);
         add(node, piece.shares[c] * (1.0 - xi) * (1.0 - eta));
         add(node + 1, piece.shares[c] * xi * (1.0 - eta));

@@ -39,12 +39,7 @@ void sum_corner_weights(const BackgroundGrid& grid, std::span<const CornerWeight
     const Vector2 rim = grid.rim_origin();
     const double inverse = 1.0 / grid.cell_size;
     const auto place_of = [&](const CornerWeights& corner) {
-        PlaceInCell cell = place_in_cell((corner.position - rim) * inverse);
-        for (double* part : {&cell.xi, &cell.eta}) {
-            if (*part < tolerance) *part = 0.0;
-            if (*part > 1.0 - tolerance) *part = 1.0;
-        }
-        return cell;
+        return place_in_cell((corner.position - rim) * inverse, tolerance);
     };
     PlaceInCell lower = place_of(corners.front()), upper = lower;
     for (const CornerWeights& corner : corners) {

@@ -24,12 +24,6 @@ double polygon_area(const std::vector<Vector2>& corners)
     return 0.5 * twice;
 }
 
-/// How far from a grid line a corner lies on it: rounding gives no node mass [cells].
-double line_tolerance(const BackgroundGrid& grid, const Vector2& place)
-{
-    return 1e-12 + 4e-16 * place.cwiseAbs().maxCoeff() / grid.cell_size;
-}
-
 std::vector<Vector2> as_vector(const std::array<Vector2, 4>& corners)
 {
     return {corners.begin(), corners.end()};
@@ -77,6 +71,11 @@ std::vector<Vector2> reference_polygon(const Problem& problem, const Particles& 
     if (shape == nullptr) return as_vector(reference_corners(particles, p));
     return corners_in_frame(*shape, particles.reference_position[p], particles.reference_edge_1[p],
                             particles.reference_edge_2[p]);
+}
+
+double line_tolerance(const BackgroundGrid& grid, const Vector2& place)
+{
+    return 1e-12 + 4e-16 * place.cwiseAbs().maxCoeff() / grid.cell_size;
 }
 
 bool limit_polygon(double cell_size, const Vector2& centre, std::vector<Vector2>& corners)

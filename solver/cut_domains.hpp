@@ -57,6 +57,10 @@ std::vector<Vector2> domain_polygon(const Problem& problem, const Particles& par
 /// The same at the reference, when displacements were last set to zero [m].
 std::vector<Vector2> reference_polygon(const Problem& problem, const Particles& particles, std::size_t p);
 
+/// How near to a grid line corners of cut domains around a place lie on it, so that rounding gives no node
+/// mass [cells].
+double line_tolerance(const BackgroundGrid& grid, const Vector2& place);
+
 /// Scale down a polygon that reaches farther than BackgroundGrid::domain_reach from its centre, about the
 /// centre; returns whether it was.
 bool limit_polygon(double cell_size, const Vector2& centre, std::vector<Vector2>& corners);

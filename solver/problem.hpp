@@ -131,9 +131,10 @@ struct OuterWater {
 /// their places in the particle's domain. Found by attach_boundaries (boundary_pieces.hpp).
 struct BoundaryPiece {
     std::int32_t identifier = 0;     // lasting number of the particle [-]
-    Vector2 start = Vector2::Zero(); // local coordinates, -1..1 in the domain, beyond where the domains'
-    Vector2 end = Vector2::Zero();   // stairs do not reach a slanted curve [-]
-    double length = 0.0;             // as drawn [m]
+    Vector2 start = Vector2::Zero(); // local coordinates in the half edges, -1..1 in a whole domain [-]
+    Vector2 end = Vector2::Zero();
+    double length = 0.0;    // as drawn [m]
+    std::int32_t edge = -1; // of a cut domain's polygon, from the corner of this number; -1: a whole domain
 };
 
 /// One named boundary curve.
