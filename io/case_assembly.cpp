@@ -142,7 +142,7 @@ void check_case(AssembledCase& assembled)
         for (std::string& what : check_section(section, grid)) {
             findings.add(error_at(scene.geometry_place, "section", std::move(what)));
         }
-        problem.boundaries = find_boundaries(scene, section, grid, findings);
+        problem.boundaries = find_boundaries(scene, section, findings);
         problem.rim = rim_of(section);
         problem.tied_sides = find_tied_sides(scene, section, grid, findings);
         set_face_water(scene, section, problem, findings);

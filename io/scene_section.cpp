@@ -160,8 +160,7 @@ void check_names(const Scene& scene, const Section& section, Diagnostics& findin
     }
 }
 
-std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section, const BackgroundGrid& grid,
-                                      Diagnostics& findings)
+std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section, Diagnostics& findings)
 {
     std::vector<Boundary> boundaries;
     for (const SceneBoundary& condition : scene.boundaries) {

@@ -15,8 +15,7 @@ namespace quicksand {
 void check_names(const Scene& scene, const Section& section, Diagnostics& findings);
 
 /// The boundary conditions on every physical curve; those the scene does not name are free and drained.
-std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section, const BackgroundGrid& grid,
-                                      Diagnostics& findings);
+std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section, Diagnostics& findings);
 
 /// The tied sides of the scene, if any; they must be vertical, on grid lines and of equal height.
 std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& section,

@@ -40,6 +40,14 @@ std::size_t end_of_cell(const BackgroundGrid& grid, const Particles& particles, 
     return p;
 }
 
+bool has_cut_domain(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last)
+{
+    if (problem.cut_domains.shapes.empty()) return false;
+    for (std::size_t p = first; p < last; ++p)
+        if (problem.cut_domains.find(particles.identifier[p]) != nullptr) return true;
+    return false;
+}
+
 void include_cell(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last,
                   MaterialExtremes& extremes)
 {
@@ -55,8 +63,10 @@ void include_cell(const Problem& problem, const Particles& particles, std::size_
     const ParticleModuli moduli = std::visit(
         [&](const auto& law) { return particle_moduli(law, first, last, particles); }, material.law);
     const double h = problem.grid.cell_size, empty = std::max(0.0, 1.0 - volume / (h * h));
-    extremes.stiffest_modulus =
-        std::max(extremes.stiffest_modulus, moduli.mean + empty * (moduli.stiffest - moduli.mean));
+    const double modulus = moduli.mean + empty * (moduli.stiffest - moduli.mean);
+    extremes.stiffest_modulus = std::max(extremes.stiffest_modulus, modulus);
+    if (has_cut_domain(problem, particles, first, last))
+        extremes.stiffest_cut_modulus = std::max(extremes.stiffest_cut_modulus, modulus);
 }
 
 void include_chunk(const Problem& problem, const Particles& particles, std::size_t begin, std::size_t end,
@@ -76,6 +86,7 @@ void include(const MaterialExtremes& other, MaterialExtremes& extremes)
     extremes.min_porosity = std::min(extremes.min_porosity, other.min_porosity);
     extremes.max_porosity = std::max(extremes.max_porosity, other.max_porosity);
     extremes.stiffest_modulus = std::max(extremes.stiffest_modulus, other.stiffest_modulus);
+    extremes.stiffest_cut_modulus = std::max(extremes.stiffest_cut_modulus, other.stiffest_cut_modulus);
 }
 
 } // namespace

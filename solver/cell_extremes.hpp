@@ -16,6 +16,7 @@ namespace quicksand {
 struct MaterialExtremes {
     double min_porosity = 1.0, max_porosity = 0.0; // [-]
     double stiffest_modulus = 0.0;                 // of a P wave of the skeleton [Pa]
+    double stiffest_cut_modulus = 0.0;             // the same of cells that an outline cuts [Pa]
 };
 
 struct CellExtremes {

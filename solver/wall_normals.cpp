@@ -102,7 +102,9 @@ void place_wall_rows(const Problem& problem, double dt, const State& state, cons
         mark_touched(problem.grid, conditions, lists, walls);
         walls.contacts_are_due = false;
     }
+    if (walls.normals_are_kept) return;
     sum_normals(problem, state.particles, conditions, lists, patches, walls);
+    walls.normals_are_kept = problem.strain == StrainForm::small;
 }
 
 } // namespace quicksand

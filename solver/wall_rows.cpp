@@ -11,6 +11,9 @@ namespace quicksand {
 
 namespace {
 
+/// Of the mass of a node with a good cell: a corner that touches a grid line by rounding makes no follower
+/// [-].
+constexpr double least_mass = 1e-9;
 constexpr double least_row = 1e-6; // sum of a row's shares below which no soil touches the wall there [-]
 
 /// What a row holds of each node.
@@ -91,6 +94,16 @@ void add_water_rows(const Problem& problem, const std::vector<std::uint8_t>& act
     }
 }
 
+double mass_of(const TwoPhaseSums& node)
+{
+    return node.mass_solid;
+}
+
+double mass_of(const SinglePhaseSums& node)
+{
+    return node.mass;
+}
+
 bool has_water(const TwoPhaseSums& node)
 {
     return node.mass_fluid > 0.0;
@@ -111,7 +124,9 @@ void add_followers(const Problem& problem, const NodeConditions& conditions, con
     for (std::size_t k = 0; k < sums.size(); ++k) {
         if (walls.roots.good_nodes[k] != 0 || !sums[k].active() || conditions.master[k] != k) continue;
         const std::vector<FollowedNode> followed = follow(problem.grid, walls.roots, k);
-        if (followed.empty()) continue;
+        if (followed.empty() ||
+            mass_of(sums[k]) < least_mass * mass_of(sums[conditions.master[followed[0].node]]))
+            continue;
         bool water = has_water(sums[k]);
         for (const FollowedNode& other : followed)
             water = water && has_water(sums[conditions.master[other.node]]);

@@ -35,15 +35,27 @@ void correct_lengths(const Vector2& normal, std::vector<Curve>& curves)
         for (Curve& curve : curves) curve.length *= factor;
         return;
     }
-    constexpr double weak = 1e-5; // of the weaker direction: then it is left as it is
-    Eigen::Matrix2d metric = weak * total * Eigen::Matrix2d::Identity();
+    Eigen::Matrix2d metric = Eigen::Matrix2d::Zero();
     Vector2 missing = normal;
     for (const Curve& curve : curves) {
         metric += curve.length * curve.normal * curve.normal.transpose();
         missing -= curve.length * curve.normal;
     }
+    // curves that are almost parallel tell little across themselves: there their lengths stay nearly as they
+    // are
+    constexpr double telling = 1e-3, weak = 1e-5;
+    const bool tells = metric.determinant() > telling * total * total;
+    if (!tells) metric += weak * total * Eigen::Matrix2d::Identity();
     const Vector2 change = metric.inverse() * missing;
-    for (Curve& curve : curves) curve.length *= std::max(0.0, 1.0 + curve.normal.dot(change));
+    double sum = 0.0;
+    for (Curve& curve : curves) {
+        curve.length *= std::max(0.0, 1.0 + curve.normal.dot(change));
+        sum += curve.length;
+    }
+    // a node that next to no soil touches has next to no share, however long the curves beside it
+    constexpr double most = 20.0; // of the normal's length, in a tip of some three degrees
+    if (!tells && sum > most * normal.norm())
+        for (Curve& curve : curves) curve.length *= most * normal.norm() / sum;
 }
 
 /// Direction of a bent wall at a node that no other curve touches.
