@@ -172,7 +172,7 @@ void check_sampling(const Sampling& sampling, AssembledCase& assembled)
 /// Whether soil lies at one of the points where a probe begins.
 bool begins_in_soil(const SceneProbe& probe, const Problem& problem, const Particles& particles)
 {
-    if (probe.kind == ProbeKind::surface) return surface_point(particles, probe.at->x()).found;
+    if (probe.kind == ProbeKind::surface) return surface_point(problem, particles, probe.at->x()).found;
     const std::vector<Vector2> points = points_of(probe);
     return std::any_of(points.begin(), points.end(),
                        [&](const Vector2& point) { return !outside_soil(problem, particles, point); });

@@ -1,5 +1,6 @@
 #include "io/grid_frame.hpp"
 
+#include <array>
 #include <utility>
 
 namespace quicksand {
@@ -42,7 +43,7 @@ Renumbering add_cells(const BackgroundGrid& grid, const Scalars& volume, Frame& 
             if (!active) continue;
             std::array<std::int64_t, 4> quad{};
             for (std::size_t k = 0; k < 4; ++k) quad[k] = renumbering.take(nodes[k]);
-            frame.quads.push_back(quad);
+            frame.cells.add(quad);
         }
     }
     return renumbering;

@@ -1,7 +1,7 @@
 #include "io/particle_frame.hpp"
 
 #include "io/particle_quantities.hpp"
-#include "solver/cpdi2.hpp"
+#include "solver/cut_domains.hpp"
 
 #include <Eigen/LU>
 #include <utility>
@@ -98,11 +98,16 @@ Frame particle_frame(const Problem& problem, const State& state)
     Frame frame;
     frame.time = state.time;
     frame.points.reserve(4 * particles.size());
-    frame.quads.reserve(particles.size());
+    frame.cells.corners.reserve(4 * particles.size());
+    frame.cells.starts.reserve(particles.size() + 1);
+    std::vector<std::int64_t> numbers;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        const auto first = static_cast<std::int64_t>(frame.points.size());
-        for (const Vector2& corner : quadrilateral_corners(particles, p)) frame.points.push_back(corner);
-        frame.quads.push_back({first, first + 1, first + 2, first + 3});
+        numbers.clear();
+        for (const Vector2& corner : domain_polygon(problem, particles, p)) {
+            numbers.push_back(static_cast<std::int64_t>(frame.points.size()));
+            frame.points.push_back(corner);
+        }
+        frame.cells.add(numbers);
     }
     add_solid(particles, frame.cell_data);
     if (particles.has_fluid()) add_fluid(problem, particles, frame.cell_data);

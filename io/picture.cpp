@@ -17,18 +17,20 @@ constexpr double frame_line = 1.2;  // [pixel]
 constexpr TextStyle small_text{.size = 17.0};
 constexpr TextStyle axis_text{.size = 19.0};
 
-PixelQuad to_pixels(const PictureLayout& layout, const DomainCorners& domain)
+PixelPolygon to_pixels(const PictureLayout& layout, const DomainCorners& domain)
 {
-    return {layout.place(domain[0]), layout.place(domain[1]), layout.place(domain[2]),
-            layout.place(domain[3])};
+    PixelPolygon polygon;
+    polygon.reserve(domain.size());
+    for (const Vector2& corner : domain) polygon.push_back(layout.place(corner));
+    return polygon;
 }
 
-std::vector<PixelQuad> to_pixels(const PictureLayout& layout, const std::vector<DomainCorners>& domains)
+std::vector<PixelPolygon> to_pixels(const PictureLayout& layout, const std::vector<DomainCorners>& domains)
 {
-    std::vector<PixelQuad> quads;
-    quads.reserve(domains.size());
-    for (const DomainCorners& domain : domains) quads.push_back(to_pixels(layout, domain));
-    return quads;
+    std::vector<PixelPolygon> polygons;
+    polygons.reserve(domains.size());
+    for (const DomainCorners& domain : domains) polygons.push_back(to_pixels(layout, domain));
+    return polygons;
 }
 
 void draw_section(const FieldPicture& picture, const PictureLayout& layout, const PlotRange& limits,

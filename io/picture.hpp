@@ -6,7 +6,6 @@
 #include "io/picture_ticks.hpp"
 #include "solver/conventions.hpp"
 
-#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -15,7 +14,7 @@
 namespace quicksand {
 
 /// Corners of one particle domain in order [m].
-using DomainCorners = std::array<Vector2, 4>;
+using DomainCorners = std::vector<Vector2>;
 
 /// What is drawn.
 struct FieldPicture {

@@ -6,6 +6,7 @@
 #include <cairo/cairo.h>
 
 #include <numbers>
+#include <span>
 
 namespace quicksand {
 namespace {
@@ -24,11 +25,10 @@ void use_font(cairo_t* context, const TextStyle& style)
     cairo_set_font_size(context, style.size);
 }
 
-template <std::size_t count>
-void trace(cairo_t* context, const std::array<PixelPoint, count>& corners)
+void trace(cairo_t* context, std::span<const PixelPoint> corners)
 {
     cairo_move_to(context, corners[0].x, corners[0].y);
-    for (std::size_t k = 1; k < count; ++k) cairo_line_to(context, corners[k].x, corners[k].y);
+    for (const PixelPoint& corner : corners.subspan(1)) cairo_line_to(context, corner.x, corner.y);
     cairo_close_path(context);
 }
 
@@ -78,21 +78,22 @@ Canvas::Canvas(int width, int height)
     cairo_set_line_join(context_.get(), CAIRO_LINE_JOIN_ROUND);
 }
 
-void Canvas::fill_seamless(const PixelQuad& quad, const Colour& colour)
+void Canvas::fill_seamless(const PixelPolygon& polygon, const Colour& colour)
 {
     cairo_t* context = context_.get();
     cairo_set_antialias(context, CAIRO_ANTIALIAS_NONE);
     use_colour(context, colour);
-    trace(context, quad);
+    trace(context, polygon);
     cairo_fill_preserve(context);
     cairo_set_line_width(context, 1.0);
     cairo_stroke(context);
     cairo_set_antialias(context, CAIRO_ANTIALIAS_DEFAULT);
 }
 
-void Canvas::draw_union_outline(const std::vector<PixelQuad>& quads, const Colour& colour, double line_width)
+void Canvas::draw_union_outline(const std::vector<PixelPolygon>& polygons, const Colour& colour,
+                                double line_width)
 {
-    // Every quad is outlined broadly on a transparent sheet; then all insides are wiped out again. What is
+    // Every polygon is outlined broadly on a transparent sheet; then all insides are wiped out again. What is
     // left is a band around the union, whether or not neighbours share whole edges. The sheet is finer than
     // the picture and unsmoothed: smoothed strokes would add up where they meet.
     const double fineness = 3.0;
@@ -104,14 +105,14 @@ void Canvas::draw_union_outline(const std::vector<PixelQuad>& quads, const Colou
     cairo_set_antialias(pen.get(), CAIRO_ANTIALIAS_NONE);
     cairo_set_line_join(pen.get(), CAIRO_LINE_JOIN_MITER);
     cairo_set_line_width(pen.get(), gap + 2.0 * line_width);
-    for (const PixelQuad& quad : quads) {
-        trace(pen.get(), quad);
+    for (const PixelPolygon& polygon : polygons) {
+        trace(pen.get(), polygon);
         cairo_stroke(pen.get());
     }
     cairo_set_operator(pen.get(), CAIRO_OPERATOR_DEST_OUT);
     cairo_set_line_width(pen.get(), gap);
-    for (const PixelQuad& quad : quads) {
-        trace(pen.get(), quad);
+    for (const PixelPolygon& polygon : polygons) {
+        trace(pen.get(), polygon);
         cairo_fill_preserve(pen.get());
         cairo_stroke(pen.get());
     }

@@ -19,7 +19,7 @@ struct PixelPoint {
     double x = 0.0, y = 0.0;
 };
 
-using PixelQuad = std::array<PixelPoint, 4>;
+using PixelPolygon = std::vector<PixelPoint>;
 
 struct PixelBox {
     double left = 0.0, top = 0.0, width = 0.0, height = 0.0; // [pixel]
@@ -46,9 +46,10 @@ public:
     Canvas(int width, int height);
 
     /// Fill and outline in the same colour, unsmoothed, so that no seam shows between neighbours.
-    void fill_seamless(const PixelQuad& quad, const Colour& colour);
-    /// The outline of the union of the quads, just outside of it.
-    void draw_union_outline(const std::vector<PixelQuad>& quads, const Colour& colour, double line_width);
+    void fill_seamless(const PixelPolygon& polygon, const Colour& colour);
+    /// The outline of the union of the polygons, just outside of it.
+    void draw_union_outline(const std::vector<PixelPolygon>& polygons, const Colour& colour,
+                            double line_width);
     void fill_box(const PixelBox& box, const Colour& colour);
     void stroke_box(const PixelBox& box, const Colour& colour, double line_width);
     void fill_triangle(const std::array<PixelPoint, 3>& corners, const Colour& colour);

@@ -36,14 +36,14 @@ std::vector<DomainCorners> match_initial(const ParticleFrame& first, const Parti
 {
     const auto first_ids = first.scalars.find("particle_id");
     const auto present_ids = present.scalars.find("particle_id");
-    if (first_ids == first.scalars.end() || present_ids == present.scalars.end()) return first.quads;
+    if (first_ids == first.scalars.end() || present_ids == present.scalars.end()) return first.domains;
     std::map<double, std::size_t> place;
     for (std::size_t p = 0; p < first_ids->second.size(); ++p) place[first_ids->second[p]] = p;
     std::vector<DomainCorners> matched;
-    matched.reserve(present.quads.size());
-    for (std::size_t p = 0; p < present.quads.size(); ++p) {
+    matched.reserve(present.domains.size());
+    for (std::size_t p = 0; p < present.domains.size(); ++p) {
         const auto found = place.find(present_ids->second[p]);
-        matched.push_back(found == place.end() ? present.quads[p] : first.quads[found->second]);
+        matched.push_back(found == place.end() ? present.domains[p] : first.domains[found->second]);
     }
     return matched;
 }
@@ -71,7 +71,7 @@ FramePair read_frames(const fs::path& results, const PictureRequest& request)
     FramePair frames{read_particle_frame(index.parent_path() / chosen->file), {}};
     frames.initial =
         chosen == entries.begin()
-            ? frames.present.quads
+            ? frames.present.domains
             : match_initial(read_particle_frame(index.parent_path() / entries.front().file), frames.present);
     return frames;
 }
@@ -116,7 +116,7 @@ void draw_field(const FramePair& frames, const std::string& field, const std::st
     std::optional<DrawnField> drawn = drawn_field(frames.present, field);
     if (!drawn) refuse_field(field, frames.present);
     FieldPicture picture;
-    picture.domains = exaggerate(frames.initial, frames.present.quads, request.exaggeration);
+    picture.domains = exaggerate(frames.initial, frames.present.domains, request.exaggeration);
     picture.initial_domains = frames.initial;
     picture.values = std::move(drawn->values);
     picture.quantity = drawn->label;

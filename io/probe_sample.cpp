@@ -1,13 +1,13 @@
 #include "io/probe_sample.hpp"
 
 #include "io/particle_quantities.hpp"
-#include "solver/cpdi2.hpp"
+#include "solver/cut_domains.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <utility>
 
 namespace quicksand {
 
@@ -15,11 +15,11 @@ namespace {
 
 /// Calls visit(y) for the heights at which the domain's outline meets the vertical line at x.
 template <class Visit>
-void for_each_crossing(const std::array<Vector2, 4>& outline, double x, Visit&& visit)
+void for_each_crossing(const std::vector<Vector2>& outline, double x, Visit&& visit)
 {
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::size_t k = 0; k < outline.size(); ++k) {
         const Vector2& a = outline[k];
-        const Vector2& b = outline[(k + 1) % 4];
+        const Vector2& b = outline[(k + 1) % outline.size()];
         if ((a.x() - x) * (b.x() - x) > 0.0) continue;
         if (a.x() == b.x()) {
             visit(std::max(a.y(), b.y()));
@@ -27,6 +27,21 @@ void for_each_crossing(const std::array<Vector2, 4>& outline, double x, Visit&& 
             visit(a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x()));
         }
     }
+}
+
+/// The middle of a domain's width and half of it [m].
+std::pair<double, double> width_of(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    const CutDomain* shape = problem.cut_domains.find(particles.identifier[p]);
+    if (shape == nullptr)
+        return {particles.position.x[p],
+                std::abs(particles.half_edge_1.x[p]) + std::abs(particles.half_edge_2.x[p])};
+    double first = particles.position.x[p], last = first;
+    for (const Vector2& corner : domain_polygon(problem, particles, p)) {
+        first = std::min(first, corner.x());
+        last = std::max(last, corner.x());
+    }
+    return {0.5 * (first + last), 0.5 * (last - first)};
 }
 
 /// du_x/dy + du_y/dx of the bilinear displacements in the point's cell [-].
@@ -127,16 +142,16 @@ std::vector<Vector2> points_of(const SceneProbe& probe)
     return points;
 }
 
-SurfacePoint surface_point(const Particles& particles, double x)
+SurfacePoint surface_point(const Problem& problem, const Particles& particles, double x)
 {
     constexpr double rounding = 1e-9; // where two domains meet, x lies beside both or neither without it [-]
     SurfacePoint surface;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double reach = std::abs(particles.half_edge_1.x[p]) + std::abs(particles.half_edge_2.x[p]);
-        const double apart = x - particles.position.x[p], rim = (1.0 - rounding) * reach;
+        const auto [middle, reach] = width_of(problem, particles, p);
+        const double apart = x - middle, rim = (1.0 - rounding) * reach;
         if (std::abs(apart) > (1.0 + rounding) * reach) continue;
-        const double inside = std::abs(apart) > rim ? particles.position.x[p] + std::copysign(rim, apart) : x;
-        for_each_crossing(quadrilateral_corners(particles, p), inside, [&](double y) {
+        const double inside = std::abs(apart) > rim ? middle + std::copysign(rim, apart) : x;
+        for_each_crossing(domain_polygon(problem, particles, p), inside, [&](double y) {
             const bool tie = surface.found && y == surface.height &&
                              particles.identifier[p] < particles.identifier[surface.particle];
             if (!surface.found || y > surface.height || tie) surface = {true, p, y};

@@ -55,7 +55,7 @@ struct SurfacePoint {
     std::size_t particle = 0;
     double height = 0.0; // [m]
 };
-SurfacePoint surface_point(const Particles& particles, double x);
+SurfacePoint surface_point(const Problem& problem, const Particles& particles, double x);
 
 /// Column names and cells of a sample, without the leading time. A dry scene has no columns of the water.
 std::vector<std::string> sample_columns(bool saturated);

@@ -165,7 +165,7 @@ std::vector<ProbeSample> ProbeWriter::sample(const Probe& probe, const Problem& 
         return {sample_point(problem, fields, *probe.scene.at)};
     case ProbeKind::surface: {
         const double x = probe.scene.at->x();
-        const SurfacePoint surface = surface_point(particles, x);
+        const SurfacePoint surface = surface_point(problem, particles, x);
         if (!surface.found) return {ProbeSample{}};
         ProbeSample sample = sample_particle(problem, particles, surface.particle);
         sample.position = {x, surface.height};

@@ -12,6 +12,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
@@ -110,7 +111,8 @@ struct Box {
 std::optional<std::vector<double>> interpolate(const Frame& frame, const std::vector<FieldComponent>& fields,
                                                const Vector2& at)
 {
-    for (const auto& quad : frame.quads) {
+    for (std::size_t cell = 0; cell < frame.cells.size(); ++cell) {
+        const std::span<const std::int64_t> quad = frame.cells[cell];
         const Vector2& lower = frame.points[static_cast<std::size_t>(quad[0])];
         const Vector2& upper = frame.points[static_cast<std::size_t>(quad[2])];
         if ((at.array() < lower.array()).any() || (at.array() > upper.array()).any()) continue;
@@ -128,12 +130,19 @@ std::optional<std::vector<double>> interpolate(const Frame& frame, const std::ve
     return std::nullopt;
 }
 
-Vector2 centre_of(const Frame& frame, std::size_t quad)
+std::vector<Vector2> corners_of(const Frame& frame, std::size_t cell)
 {
-    Vector2 centre = Vector2::Zero();
-    for (const std::int64_t point : frame.quads[quad])
-        centre += 0.25 * frame.points[static_cast<std::size_t>(point)];
-    return centre;
+    std::vector<Vector2> corners;
+    for (const std::int64_t point : frame.cells[cell])
+        corners.push_back(frame.points[static_cast<std::size_t>(point)]);
+    return corners;
+}
+
+Vector2 centre_of(const std::vector<Vector2>& corners)
+{
+    Vector2 sum = Vector2::Zero();
+    for (const Vector2& corner : corners) sum += corner;
+    return sum / static_cast<double>(corners.size());
 }
 
 FieldComponent find_component(const Frame& frame, const std::string& name)
@@ -152,11 +161,11 @@ public:
         if (identifier_ == unknown) choose(frame);
         if (identifier_ == unknown) return std::nullopt;
         const FieldComponent identifiers = find_component(frame, "particle_id");
-        for (std::size_t quad = 0; quad < frame.quads.size(); ++quad) {
-            if (value_at(frame.cell_data, identifiers, quad) != identifier_) continue;
+        for (std::size_t cell = 0; cell < frame.cells.size(); ++cell) {
+            if (value_at(frame.cell_data, identifiers, cell) != identifier_) continue;
             std::vector<double> values;
             for (const FieldComponent& field : fields)
-                values.push_back(value_at(frame.cell_data, field, quad));
+                values.push_back(value_at(frame.cell_data, field, cell));
             return values;
         }
         return std::nullopt;
@@ -171,17 +180,15 @@ private:
         const FieldComponent identifiers = find_component(frame, "particle_id");
         const std::vector<FieldComponent> displacement = select(frame.cell_data, {"displacement"});
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t quad = 0; quad < frame.quads.size(); ++quad) {
-            const Vector2 moved(value_at(frame.cell_data, displacement[0], quad),
-                                value_at(frame.cell_data, displacement[1], quad));
-            const double distance = (centre_of(frame, quad) - moved - at_).norm();
-            const auto& corners = frame.quads[quad];
-            const double size = (frame.points[static_cast<std::size_t>(corners[2])] -
-                                 frame.points[static_cast<std::size_t>(corners[0])])
-                                    .norm();
+        for (std::size_t cell = 0; cell < frame.cells.size(); ++cell) {
+            const Vector2 moved(value_at(frame.cell_data, displacement[0], cell),
+                                value_at(frame.cell_data, displacement[1], cell));
+            const std::vector<Vector2> corners = corners_of(frame, cell);
+            const double distance = (centre_of(corners) - moved - at_).norm();
+            const double size = (corners[2] - corners[0]).norm();
             if (distance >= least || distance > 2.0 * size) continue;
             least = distance;
-            identifier_ = value_at(frame.cell_data, identifiers, quad);
+            identifier_ = value_at(frame.cell_data, identifiers, cell);
         }
     }
 
@@ -220,15 +227,12 @@ ParticleFrame read_particle_frame(const std::filesystem::path& file)
     const Frame frame = read_frame(file);
     ParticleFrame particles;
     particles.time = frame.time;
-    for (const auto& quad : frame.quads) {
-        std::array<Vector2, 4> corners;
-        for (std::size_t k = 0; k < 4; ++k) corners[k] = frame.points[static_cast<std::size_t>(quad[k])];
-        particles.quads.push_back(corners);
-    }
+    for (std::size_t cell = 0; cell < frame.cells.size(); ++cell)
+        particles.domains.push_back(corners_of(frame, cell));
     for (const FieldComponent& field : components_of(frame.cell_data)) {
         std::vector<double>& values = particles.scalars[field.name];
-        for (std::size_t quad = 0; quad < frame.quads.size(); ++quad)
-            values.push_back(value_at(frame.cell_data, field, quad));
+        for (std::size_t cell = 0; cell < frame.cells.size(); ++cell)
+            values.push_back(value_at(frame.cell_data, field, cell));
         particles.units[field.name] = field.unit;
     }
     for (const FrameText& text : frame.texts) {

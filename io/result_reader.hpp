@@ -4,7 +4,6 @@
 #include "io/scene.hpp"
 #include "io/vtk_series.hpp"
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,9 +14,9 @@ namespace quicksand {
 /// The particles of one frame of fields.pvd.
 struct ParticleFrame {
     double time = 0.0;                         // [s]
-    std::vector<std::array<Vector2, 4>> quads; // corners of the domains, counter-clockwise [m]
+    std::vector<std::vector<Vector2>> domains; // their corners, counter-clockwise [m]
     std::map<std::string, std::vector<double>>
-        scalars;                              // one value a quad; "displacement_x", "stress_xy", "ru"
+        scalars;                              // one value a domain; "displacement_x", "stress_xy", "ru"
     std::map<std::string, std::string> units; // of `scalars`
     std::vector<std::string> material_names;  // behind the numbers of scalars["material"]
     std::vector<std::string> region_names;    // behind the numbers of scalars["region"]

@@ -16,7 +16,9 @@
 #include <vtkObject.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
@@ -91,6 +93,14 @@ FrameText units_text(const Frame& frame)
     return text;
 }
 
+vtkSmartPointer<vtkIdTypeArray> numbers(const std::vector<std::int64_t>& values)
+{
+    const auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+    array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    return array;
+}
+
 void fill_geometry(const Frame& frame, vtkUnstructuredGrid& grid)
 {
     vtkNew<vtkPoints> points;
@@ -99,15 +109,15 @@ void fill_geometry(const Frame& frame, vtkUnstructuredGrid& grid)
     for (std::size_t k = 0; k < frame.points.size(); ++k)
         points->SetPoint(static_cast<vtkIdType>(k), frame.points[k].x(), frame.points[k].y(), 0.0);
 
-    vtkNew<vtkIdTypeArray> corners;
-    corners->SetNumberOfTuples(static_cast<vtkIdType>(4 * frame.quads.size()));
-    vtkIdType* corner = corners->GetPointer(0);
-    for (const auto& quad : frame.quads) corner = std::copy(quad.begin(), quad.end(), corner);
+    vtkNew<vtkUnsignedCharArray> types;
+    types->SetNumberOfValues(static_cast<vtkIdType>(frame.cells.size()));
+    for (std::size_t c = 0; c < frame.cells.size(); ++c)
+        types->SetValue(static_cast<vtkIdType>(c), frame.cells[c].size() == 4 ? VTK_QUAD : VTK_POLYGON);
     vtkNew<vtkCellArray> cells;
-    cells->SetData(4, corners);
+    cells->SetData(numbers(frame.cells.starts), numbers(frame.cells.corners));
 
     grid.SetPoints(points);
-    grid.SetCells(VTK_QUAD, cells);
+    grid.SetCells(types, cells);
 }
 
 std::vector<std::string> component_names(vtkAbstractArray& array)
@@ -153,7 +163,7 @@ void read_geometry(vtkUnstructuredGrid& grid, Frame& frame)
         vtkIdType count = 0;
         const vtkIdType* corners = nullptr;
         grid.GetCellPoints(c, count, corners);
-        if (count == 4) frame.quads.push_back({corners[0], corners[1], corners[2], corners[3]});
+        frame.cells.add(std::vector<std::int64_t>(corners, corners + count));
     }
 }
 

@@ -1,11 +1,12 @@
-// One .vtu file as plain data: points, quadrilaterals and named arrays. VTK itself stays in vtk_frame.cpp.
+// One .vtu file as plain data: points, polygons and named arrays. VTK itself stays in vtk_frame.cpp.
 #pragma once
 
 #include "solver/conventions.hpp"
 
-#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -28,10 +29,28 @@ struct FrameText {
     std::vector<std::string> lines;
 };
 
+/// Polygons by the numbers of their points, each counter-clockwise.
+struct FrameCells {
+    std::vector<std::int64_t> corners;      // cell by cell
+    std::vector<std::int64_t> starts = {0}; // where a cell's corners begin; one more than cells
+
+    bool operator==(const FrameCells&) const = default;
+    std::size_t size() const { return starts.size() - 1; }
+    std::span<const std::int64_t> operator[](std::size_t cell) const
+    {
+        return {corners.data() + starts[cell], corners.data() + starts[cell + 1]};
+    }
+    void add(std::span<const std::int64_t> points)
+    {
+        corners.insert(corners.end(), points.begin(), points.end());
+        starts.push_back(static_cast<std::int64_t>(corners.size()));
+    }
+};
+
 struct Frame {
-    double time = 0.0;                              // kept as TimeValue [s]
-    std::vector<Vector2> points;                    // [m]
-    std::vector<std::array<std::int64_t, 4>> quads; // point numbers, counter-clockwise
+    double time = 0.0;           // kept as TimeValue [s]
+    std::vector<Vector2> points; // [m]
+    FrameCells cells;            // quadrilaterals where they have four corners, polygons otherwise
     std::vector<FrameArray> point_data;
     std::vector<FrameArray> cell_data;
     std::vector<FrameText> texts;

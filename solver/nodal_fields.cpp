@@ -80,14 +80,40 @@ std::size_t node_of(const BackgroundGrid& grid, const PlaceInCell& cell, int k)
 /// Which nodes are asked for.
 using NodeMask = std::vector<std::uint8_t>;
 
+/// A particle's present domain within its reach.
+struct PresentDomain {
+    ParallelogramDomain whole;
+    const CutDomain* shape = nullptr; // of a cut domain
+    std::vector<Vector2> corners;     // of a cut domain [m]
+    Vector2 reach;                    // greatest distance from the centre along the axes [m]
+};
+
+PresentDomain present_domain(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    const double h = problem.grid.cell_size;
+    PresentDomain domain;
+    domain.whole = {particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
+    domain.shape = problem.cut_domains.find(particles.identifier[p]);
+    if (domain.shape == nullptr) {
+        limit_domain(h, domain.whole);
+        domain.reach = domain.whole.half_edge_1.cwiseAbs() + domain.whole.half_edge_2.cwiseAbs();
+        return domain;
+    }
+    domain.corners = domain_polygon(problem, particles, p);
+    limit_polygon(h, domain.whole.centre, domain.corners);
+    domain.reach = Vector2::Zero();
+    for (const Vector2& corner : domain.corners)
+        domain.reach = domain.reach.cwiseMax((corner - domain.whole.centre).cwiseAbs());
+    return domain;
+}
+
 /// Whether a domain may give weight to a node that is asked for.
-bool may_reach(const BackgroundGrid& grid, const ParallelogramDomain& domain, const NodeMask& wanted)
+bool may_reach(const BackgroundGrid& grid, const PresentDomain& domain, const NodeMask& wanted)
 {
     constexpr double rounding = 1e-6; // [cells]
-    const Vector2 reach = domain.half_edge_1.cwiseAbs() + domain.half_edge_2.cwiseAbs();
-    const Vector2 centre = grid.cells_from_rim(domain.centre);
-    const Vector2 lower = centre - reach / grid.cell_size - Vector2::Constant(rounding),
-                  upper = centre + reach / grid.cell_size + Vector2::Constant(1.0 + rounding);
+    const Vector2 centre = grid.cells_from_rim(domain.whole.centre);
+    const Vector2 lower = centre - domain.reach / grid.cell_size - Vector2::Constant(rounding),
+                  upper = centre + domain.reach / grid.cell_size + Vector2::Constant(1.0 + rounding);
     const bool meets_grid =
         upper.x() >= 0.0 && upper.y() >= 0.0 && lower.x() < grid.nodes_x() && lower.y() < grid.nodes_y();
     if (!meets_grid) return false;
@@ -102,15 +128,17 @@ bool may_reach(const BackgroundGrid& grid, const ParallelogramDomain& domain, co
 
 /// Weights of a domain that may lie partly outside the grid, as displaced domains of small strain do: the
 /// patch's columns and rows then lie outside, too.
-void evaluate_anywhere(const BackgroundGrid& grid, const ParallelogramDomain& domain, NodePatch& patch)
+void evaluate_anywhere(const BackgroundGrid& grid, const PresentDomain& domain, NodePatch& patch)
 {
-    const Vector2 reach = domain.half_edge_1.cwiseAbs() + domain.half_edge_2.cwiseAbs();
-    const Vector2 lower = grid.cells_from_rim(domain.centre) - reach / grid.cell_size;
+    const Vector2 lower = grid.cells_from_rim(domain.whole.centre) - domain.reach / grid.cell_size;
     const int columns = std::max(0, static_cast<int>(std::ceil(-lower.x()))),
               rows = std::max(0, static_cast<int>(std::ceil(-lower.y())));
     BackgroundGrid around = grid;
     around.origin -= grid.cell_size * Vector2(columns, rows);
-    evaluate_cpdi(around, domain, patch);
+    if (domain.shape == nullptr)
+        evaluate_cpdi(around, domain.whole, patch);
+    else
+        evaluate_polygon(around, *domain.shape, domain.corners, patch);
     patch.column -= columns;
     patch.row -= rows;
 }
@@ -129,8 +157,7 @@ NodalFields average(const Problem& problem, const Particles& particles, const No
     NodePatch patch;
     double values[most_fields];
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        ParallelogramDomain domain{particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
-        limit_domain(grid.cell_size, domain);
+        const PresentDomain domain = present_domain(problem, particles, p);
         if (!may_reach(grid, domain, wanted)) continue;
         evaluate_anywhere(grid, domain, patch);
         particle_values(problem, particles, p, values);

@@ -57,7 +57,8 @@ TEST(CutScene, EqualPressuresInsideAndOutsideBalanceAtEveryNode)
         problem.strain = strain;
         EXPECT_GT(problem.cut_domains.shapes.size(), 10u);
         constexpr double pressure = 1000.0; // [Pa]
-        for (Boundary& boundary : problem.boundaries) boundary.load = SurfaceLoad{Vector2::Zero(), pressure, {}};
+        for (Boundary& boundary : problem.boundaries)
+            boundary.load = SurfaceLoad{Vector2::Zero(), pressure, {}};
         EXPECT_TRUE(attach_boundaries(problem, dike.state.particles).empty());
         const std::vector<Vector2> normals = nodal_normals(problem, dike.state.particles),
                                    loads = nodal_loads(problem, dike.state.particles);

@@ -11,9 +11,11 @@ TEST(GridFrame, IsTheConnectedGridOfTheActiveCells)
     const Frame frame =
         grid_frame(problem, nodal_fields(problem, fixtures::small_state(problem).particles), 0.5);
     EXPECT_EQ(frame.time, 0.5);
-    EXPECT_EQ(frame.quads.size(), 12u);
+    EXPECT_EQ(frame.cells.size(), 12u);
     EXPECT_EQ(frame.points.size(), 20u);
-    for (const auto& quad : frame.quads) {
+    for (std::size_t cell = 0; cell < frame.cells.size(); ++cell) {
+        const auto quad = frame.cells[cell];
+        ASSERT_EQ(quad.size(), 4u);
         const Vector2 diagonal =
             frame.points[static_cast<std::size_t>(quad[2])] - frame.points[static_cast<std::size_t>(quad[0])];
         EXPECT_EQ(diagonal, Vector2(0.5, 0.5));

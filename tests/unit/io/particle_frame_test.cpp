@@ -93,7 +93,8 @@ TEST(ParticleFrame, CarriesTheStateInItsSigns)
                     static_cast<float>(1000.0 * problem.gravity * (depth - 0.1) + 0.25 * initial));
     EXPECT_NEAR(single(frame, "shear_strain", p), 0.02F, 1e-8);
     EXPECT_NEAR(single(frame, "volumetric_strain", p), 0.0F, 1e-8);
-    EXPECT_EQ(frame.quads[p], (std::array<std::int64_t, 4>{20, 21, 22, 23}));
+    const auto corners = frame.cells[p];
+    EXPECT_EQ(std::vector(corners.begin(), corners.end()), (std::vector<std::int64_t>{20, 21, 22, 23}));
 }
 
 } // namespace quicksand

@@ -28,13 +28,13 @@ TEST(ProbeSample, SurfaceIsTheHighestDomainOverTheLine)
     State state = fixtures::small_state(problem);
     Particles& particles = state.particles;
     const std::size_t p = nearest_particle(particles, {1.1, 1.4});
-    EXPECT_EQ(surface_point(particles, 1.1).particle, p);
-    EXPECT_NEAR(surface_point(particles, 1.1).height, 1.5, 1e-12);
+    EXPECT_EQ(surface_point(problem, particles, 1.1).particle, p);
+    EXPECT_NEAR(surface_point(problem, particles, 1.1).height, 1.5, 1e-12);
     // a top that slopes up to the right by 0.1 over the half edge
     particles.half_edge_1.y[p] = 0.1;
     const double x = particles.position.x[p] + 0.5 * particles.half_edge_1.x[p];
-    EXPECT_NEAR(surface_point(particles, x).height, 1.55, 1e-12);
-    EXPECT_FALSE(surface_point(particles, 7.0).found);
+    EXPECT_NEAR(surface_point(problem, particles, x).height, 1.55, 1e-12);
+    EXPECT_FALSE(surface_point(problem, particles, 7.0).found);
 }
 
 TEST(ProbeSample, ASurfaceIsFoundWhereDomainsMeetButForRounding)
@@ -46,10 +46,10 @@ TEST(ProbeSample, ASurfaceIsFoundWhereDomainsMeetButForRounding)
     for (std::size_t p = 0; p < particles.size(); ++p)
         edge = std::max(edge, particles.position.x[p] + std::abs(particles.half_edge_1.x[p]) +
                                   std::abs(particles.half_edge_2.x[p]));
-    const SurfacePoint beside = surface_point(particles, std::nextafter(edge, 2.0 * edge));
+    const SurfacePoint beside = surface_point(problem, particles, std::nextafter(edge, 2.0 * edge));
     EXPECT_TRUE(beside.found);
-    EXPECT_NEAR(beside.height, surface_point(particles, 0.999 * edge).height, 1e-9);
-    EXPECT_FALSE(surface_point(particles, 1.001 * edge).found);
+    EXPECT_NEAR(beside.height, surface_point(problem, particles, 0.999 * edge).height, 1e-9);
+    EXPECT_FALSE(surface_point(problem, particles, 1.001 * edge).found);
 }
 
 TEST(ProbeSample, FixedPointInterpolatesLinearFieldsExactly)

@@ -114,14 +114,14 @@ TEST(ResultReader, TakesNoPointsOfTheSurface)
               "only fixed and material points can be extracted from the frames");
 }
 
-TEST(ResultReader, ParticleFrameHasOneNumberAQuad)
+TEST(ResultReader, ParticleFrameHasOneNumberADomain)
 {
     const TemporaryFolder folder;
     write_results(folder);
     const auto index = read_series_index(folder / "fields.pvd");
     const ParticleFrame frame = read_particle_frame(folder.path() / index[1].file);
     EXPECT_EQ(frame.time, 0.1);
-    ASSERT_EQ(frame.quads.size(), 48u);
+    ASSERT_EQ(frame.domains.size(), 48u);
     for (const auto& [name, values] : frame.scalars) EXPECT_EQ(values.size(), 48u) << name;
     EXPECT_NEAR(frame.scalars.at("displacement_x")[0], 0.01, 1e-8);
     EXPECT_EQ(frame.units.at("stress_xy"), "Pa");

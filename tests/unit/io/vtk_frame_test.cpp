@@ -17,7 +17,7 @@ Frame two_quads()
     Frame frame;
     frame.time = 1.0 / 3.0;
     frame.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}, {2.0, 0.0}, {2.0, 1.0 / 3.0}};
-    frame.quads = {{0, 1, 2, 3}, {1, 4, 5, 2}};
+    frame.cells = {{0, 1, 2, 3, 1, 4, 5, 2}, {0, 4, 8}};
     frame.point_data = {{"pore_pressure", "Pa", {}, std::vector<double>{0.1, 0.2, 0.3, 0.4, 0.5, 1.0 / 3.0}}};
     frame.cell_data = {{"stress", "Pa", {"XX", "YY", "ZZ", "XY"}, std::vector<float>{1, 2, 3, 4, 5, 6, 7, 8}},
                        {"material", "-", {}, std::vector<std::int32_t>{7, 9}}};
@@ -35,7 +35,7 @@ TEST(VtkFrame, ReadsBackWhatWasWritten)
     const Frame read = read_frame(folder / "a.vtu");
     EXPECT_EQ(read.time, written.time);
     EXPECT_EQ(read.points, written.points);
-    EXPECT_EQ(read.quads, written.quads);
+    EXPECT_EQ(read.cells, written.cells);
     ASSERT_EQ(read.point_data.size(), 1u);
     EXPECT_EQ(read.point_data[0].values, written.point_data[0].values);
     ASSERT_EQ(read.cell_data.size(), 2u);
@@ -99,11 +99,25 @@ TEST(VtkFrame, ADamagedFileIsAFileError)
               (folder / "missing.vtu").string() + ": cannot read the frame: no such file");
 }
 
+TEST(VtkFrame, PolygonsReadBackBesideQuadrilaterals)
+{
+    const TemporaryFolder folder;
+    Frame written = two_quads();
+    written.cells = {{0, 1, 3, 1, 4, 5, 2, 0, 1, 4, 5, 3}, {0, 3, 7, 12}};
+    written.cell_data = {{"material", "-", {}, std::vector<std::int32_t>{7, 9, 8}}};
+    write_frame(folder / "a.vtu", written);
+    const Frame read = read_frame(folder / "a.vtu");
+    EXPECT_EQ(read.cells, written.cells);
+    EXPECT_EQ(read.cells[2].size(), 5u);
+    EXPECT_EQ(read.cells[2][3], 5);
+    EXPECT_EQ(read.cell_data[0].values, written.cell_data[0].values);
+}
+
 TEST(VtkFrame, AnEmptyFrameReadsBack)
 {
     const TemporaryFolder folder;
     write_frame(folder / "a.vtu", Frame{});
-    EXPECT_TRUE(read_frame(folder / "a.vtu").quads.empty());
+    EXPECT_EQ(read_frame(folder / "a.vtu").cells.size(), 0u);
 }
 
 } // namespace quicksand

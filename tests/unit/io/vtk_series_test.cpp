@@ -16,7 +16,7 @@ Frame quad_at(double time)
     Frame frame;
     frame.time = time;
     frame.points = {{0.0, 0.0}, {1.0, 0.0}, {1.0, 1.0}, {0.0, 1.0}};
-    frame.quads = {{0, 1, 2, 3}};
+    frame.cells = {{0, 1, 2, 3}, {0, 4}};
     return frame;
 }
 
