@@ -102,7 +102,7 @@ TEST(TurnedColumn, IsTheSameColumnMovedFarAway)
         return std::pair(state.particles.pore_pressure, state.particles.size());
     };
     const auto [near, near_count] = far_away({0.0, 0.0});
-    const auto [far, far_count] = far_away({1000.0, 500.0});
+    const auto [far, far_count] = far_away({1000.0, -500.0});
     ASSERT_EQ(near_count, far_count);
     for (std::size_t p = 0; p < near.size(); ++p) EXPECT_NEAR(near[p], far[p], 200.0 * 1e-6);
 }
