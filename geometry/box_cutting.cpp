@@ -137,8 +137,8 @@ public:
             for (const Vector2& vertex : ring) rings.back().push_back({vertex.x(), vertex.y()});
         }
         for (const std::size_t axis : {0u, 1u}) { // nothing beyond the lattice
-            rings = divide_area(rings, axis, 0).above;
-            rings = divide_area(rings, axis, axis == 0 ? lattice_.columns : lattice_.rows).below;
+            rings = part_above(rings, axis, 0);
+            rings = part_below(rings, axis, axis == 0 ? lattice_.columns : lattice_.rows);
         }
         divide(rings, {0, lattice_.columns, 0, lattice_.rows});
     }
@@ -156,9 +156,9 @@ private:
         const int middle = across_x ? (span.i_begin + span.i_end) / 2 : (span.j_begin + span.j_end) / 2;
         (across_x ? below.i_end : below.j_end) = middle;
         (across_x ? above.i_begin : above.j_begin) = middle;
-        const DividedArea parts = divide_area(rings, across_x ? 0 : 1, middle);
-        divide(parts.below, below);
-        divide(parts.above, above);
+        const std::size_t axis = across_x ? 0 : 1;
+        divide(part_below(rings, axis, middle), below);
+        divide(part_above(rings, axis, middle), above);
     }
 
     void keep(const ExactRings& rings, const Span& box)

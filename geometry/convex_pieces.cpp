@@ -80,6 +80,17 @@ std::vector<Ring> rounded(const ExactRings& exact_rings)
     return rings;
 }
 
+/// The parts of an area on either side of the line through a corner.
+std::vector<std::vector<Ring>> cut(const std::vector<Ring>& area, const ReflexCorner& corner)
+{
+    const ExactRings whole = exact(area);
+    const double at = corner.place[static_cast<Eigen::Index>(corner.axis)];
+    std::vector<std::vector<Ring>> parts;
+    for (const ExactRings& part : {part_above(whole, corner.axis, at), part_below(whole, corner.axis, at)})
+        if (!part.empty()) parts.push_back(rounded(part));
+    return parts;
+}
+
 } // namespace
 
 double signed_area(const Ring& ring)
@@ -129,14 +140,14 @@ std::vector<Ring> convex_pieces(const std::vector<Ring>& rings, double tolerance
             continue;
         }
         const auto corner = first_reflex_corner(area);
-        if (!corner) {
+        const std::vector<std::vector<Ring>> parts =
+            corner ? cut(area, *corner) : std::vector<std::vector<Ring>>();
+        // a cut beside all of the area is one at a corner that only rounding makes reflex
+        if (parts.size() < 2) {
             for (Ring& ring : area) pieces.push_back(std::move(ring));
             continue;
         }
-        const auto at = corner->place[static_cast<Eigen::Index>(corner->axis)];
-        const DividedArea parts = divide_area(exact(area), corner->axis, at);
-        areas.push_back(rounded(parts.above));
-        areas.push_back(rounded(parts.below));
+        areas.insert(areas.end(), parts.begin(), parts.end());
     }
     return pieces;
 }

@@ -15,13 +15,9 @@ using ExactPoint = std::array<ExactNumber, 2>;
 /// Rings that together bound an area, which lies to their left: outer ones and holes, in any order.
 using ExactRings = std::vector<std::vector<ExactPoint>>;
 
-/// The parts of an area on either side of a line.
-struct DividedArea {
-    ExactRings below, above;
-};
-
-/// Divide an area along the line on which the coordinate `axis` (0: x, 1: y) is `at`. Decided without
-/// rounding; the parts may have collinear and repeated vertices, and rings without area.
-DividedArea divide_area(const ExactRings& rings, std::size_t axis, const ExactNumber& at);
+/// The part of an area below and above the line on which the coordinate `axis` (0: x, 1: y) is `at`. Decided
+/// without rounding; the part may have collinear and repeated vertices, and rings without area.
+ExactRings part_below(const ExactRings& rings, std::size_t axis, const ExactNumber& at);
+ExactRings part_above(const ExactRings& rings, std::size_t axis, const ExactNumber& at);
 
 } // namespace quicksand

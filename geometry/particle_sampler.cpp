@@ -63,10 +63,11 @@ bool is_rectangle(const std::vector<Vector2>& corners)
 /// area and the same ratio of second moments.
 void add_piece(const Lattice& lattice, int i, int j, const BoxPiece& piece, Sampling& sampling)
 {
-    std::vector<Vector2> corners;
-    for (const Vector2& corner : piece.corners) corners.push_back(corner.cwiseProduct(lattice.size));
-    const Moments at_corner = moments_of(corners);
-    const Vector2 centroid = at_corner.first / at_corner.area;
+    std::vector<Vector2> corners; // from the first of them, then from the centroid
+    for (const Vector2& corner : piece.corners)
+        corners.push_back((corner - piece.corners.front()).cwiseProduct(lattice.size));
+    const Moments about_first = moments_of(corners);
+    const Vector2 centroid = about_first.first / about_first.area;
     for (Vector2& corner : corners) corner -= centroid;
     const Moments moments = moments_of(corners);
     const double slimness = std::sqrt(std::sqrt(moments.second.x() / moments.second.y()));
@@ -74,7 +75,8 @@ void add_piece(const Lattice& lattice, int i, int j, const BoxPiece& piece, Samp
     for (Vector2& corner : corners) corner = corner.cwiseQuotient(half);
 
     ParticleDomain domain;
-    domain.centre = lattice.origin + lattice.size.cwiseProduct(Vector2(i, j)) + centroid;
+    domain.centre =
+        lattice.origin + lattice.size.cwiseProduct(Vector2(i, j) + piece.corners.front()) + centroid;
     domain.half_edge_1 = Vector2(half.x(), 0.0);
     domain.half_edge_2 = Vector2(0.0, half.y());
     domain.volume = moments.area;

@@ -157,8 +157,9 @@ void check_sampling(const Sampling& sampling, AssembledCase& assembled)
         if (sampling.regions[r].particles > 0) continue;
         assembled.warnings.add(error_at(
             assembled.scene.grid_place, "sampling",
-            fmt::format("the region \"{}\" ({:.4g} m2) got no particle: it is thinner than a particle",
-                        assembled.section.regions[r].name, sampling.regions[r].area),
+            fmt::format(
+                "the region \"{}\" ({:.4g} m2) got no particle: it is thinner than a millionth of one",
+                assembled.section.regions[r].name, sampling.regions[r].area),
             "", "use smaller cells or more particles_per_cell"));
     }
     if (sampling.domains.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {

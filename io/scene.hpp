@@ -27,7 +27,6 @@ struct SourcePlace {
 struct LatticeSampling {
     int per_cell_x = 3; // particles per cell [-]
     int per_cell_y = 3;
-    int boundary_refinement = 1; // splits of domains cut by the outline, each way [-]
 };
 
 struct MeshSampling {

@@ -82,8 +82,6 @@ void fill_geometry(const SceneValues& values, const std::filesystem::path& folde
     LatticeSampling lattice;
     std::tie(lattice.per_cell_x, lattice.per_cell_y) =
         values.find<std::pair<int, int>>("sampling.particles_per_cell").value_or(std::pair(3, 3));
-    lattice.boundary_refinement =
-        static_cast<int>(values.find<std::int64_t>("sampling.boundary_refinement").value_or(1));
     scene.sampling = lattice;
 }
 

@@ -220,8 +220,8 @@ TEST(Assembly, RefusesALoadWithoutSoilBesideIt)
     std::string text = replaced(column_scene, "soil = \"free\"", "soil = \"free\"\npressure = 1000");
     text = replaced(text, "level = 0.3175", "level = 0.4");
     // a needle on the surface, too thin for any material point
-    const Vector2 a(0.0, 0.0), b(0.0675, 0.0), c(0.0675, 0.3175), d(0.04, 0.3175), e(0.0399, 0.34),
-        f(0.0398, 0.3175), g(0.0, 0.3175);
+    const Vector2 a(0.0, 0.0), b(0.0675, 0.0), c(0.0675, 0.3175), d(0.04, 0.3175), e(0.04 - 1e-9, 0.34),
+        f(0.04 - 2e-9, 0.3175), g(0.0, 0.3175);
     const Vector2 tip_1 = 0.5 * (d + e), tip_2 = 0.5 * (e + f);
     Section section = column_section();
     section.regions[0].polygons[0].outer = {a, b, c, d, tip_1, e, tip_2, f, g};
@@ -255,13 +255,14 @@ TEST(Assembly, NamesARegionTooThinForAnyParticle)
     Section section = column_section();
     Region film = section.regions[0];
     film.name = "film";
-    for (Vector2& corner : film.polygons[0].outer) corner.y() = corner.y() > 0.1 ? 0.3185 : 0.3175;
+    for (Vector2& corner : film.polygons[0].outer) corner.y() = corner.y() > 0.1 ? 0.317500002 : 0.3175;
     section.regions.push_back(film);
     const std::string text =
         replaced(column_scene, "[regions.sand]", "[regions.film]\nmaterial = \"sand\"\n[regions.sand]");
     const std::string message = SceneFolder().assembly_message(text, section);
     EXPECT_NE(message.find("error[sampling]: the region \"film\" ("), std::string::npos) << message;
-    EXPECT_NE(message.find("got no particle: it is thinner than a particle"), std::string::npos) << message;
+    EXPECT_NE(message.find("got no particle: it is thinner than a millionth of one"), std::string::npos)
+        << message;
 }
 
 TEST(Assembly, NamesAProbeOutsideTheSoil)

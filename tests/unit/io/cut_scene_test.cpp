@@ -1,4 +1,8 @@
 // Scenes whose outline cuts particles, from the drawing to what acts on the nodes.
+#include "io/particle_frame.hpp"
+#include "io/probe_sample.hpp"
+#include "io/result_reader.hpp"
+#include "io/vtk_frame.hpp"
 #include "solver/boundary_pieces.hpp"
 #include "solver/cell_lists.hpp"
 #include "solver/particle_to_grid.hpp"
@@ -10,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 namespace quicksand {
 namespace {
@@ -115,6 +120,50 @@ TEST(CutScene, ATractionGoesToTheCornersOfTheEdgesThatItActsOn)
     expected = length * (middle.x() * traction.y() - middle.y() * traction.x());
     EXPECT_LT((sum - length * traction).norm(), 1e-11);
     EXPECT_NEAR(moment, expected, 1e-11);
+}
+
+TEST(CutScene, FramesHoldThePolygonsAndReadThemBack)
+{
+    const AssembledCase dike = assemble_cut_dike();
+    const fixtures::TemporaryFolder folder;
+    write_frame(folder / "a.vtu", particle_frame(dike.problem, dike.state));
+    const ParticleFrame read = read_particle_frame(folder / "a.vtu");
+    const Particles& particles = dike.state.particles;
+    ASSERT_EQ(read.domains.size(), particles.size());
+    double area = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        EXPECT_EQ(read.domains[p], domain_polygon(dike.problem, particles, p));
+        area += quicksand::area(Region{"", {{read.domains[p], {}}}});
+    }
+    EXPECT_NEAR(area, quicksand::area(dike.section.regions[0]), 1e-12);
+    for (const auto& [name, values] : read.scalars) EXPECT_EQ(values.size(), particles.size()) << name;
+}
+
+TEST(CutScene, SurfacesLieOnTheSlopeAsDrawn)
+{
+    const AssembledCase dike = assemble_cut_dike();
+    for (int k = 0; k <= 100; ++k) {
+        const double x = 0.6 + 0.87 * k / 100;
+        const SurfacePoint surface = surface_point(dike.problem, dike.state.particles, x);
+        ASSERT_TRUE(surface.found);
+        EXPECT_NEAR(surface.height, 0.75 - 0.4 / 0.87 * (x - 0.6), 1e-8) << x;
+    }
+    EXPECT_NEAR(surface_point(dike.problem, dike.state.particles, 0.3).height, 0.75, 1e-12);
+}
+
+TEST(CutScene, NodalAveragesTakeTheVolumesOfThePolygons)
+{
+    const AssembledCase dike = assemble_cut_dike();
+    const Scalars volume = nodal_fields(dike.problem, dike.state.particles).volume;
+    const double drawn = quicksand::area(dike.section.regions[0]);
+    EXPECT_NEAR(std::accumulate(volume.begin(), volume.end(), 0.0), drawn, 1e-12);
+    for (std::size_t i = 0; i < volume.size(); ++i) {
+        // nodes farther than a cell from the outline, above it and to the right
+        const Vector2 place = dike.problem.grid.node_position(i);
+        if (place.y() > 0.96 || place.x() > 2.21) {
+            EXPECT_EQ(volume[i], 0.0);
+        }
+    }
 }
 
 } // namespace quicksand

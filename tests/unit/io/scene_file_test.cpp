@@ -31,7 +31,6 @@ TEST(SceneFile, ConvertsToSiAndTakesDefaults)
     EXPECT_FALSE(scene.grid_origin);
     EXPECT_FALSE(scene.grid_cells);
     EXPECT_EQ(std::get<LatticeSampling>(scene.sampling).per_cell_x, 3);
-    EXPECT_EQ(std::get<LatticeSampling>(scene.sampling).boundary_refinement, 1);
     EXPECT_EQ(scene.gravity, 120 * 9.81);
     EXPECT_EQ(scene.water->density, 1000.0);
     EXPECT_EQ(scene.water->bulk_modulus, 2.2e9);
