@@ -141,12 +141,12 @@ std::string describe_soil(const AssembledCase& assembled)
     }
     const Monitors sums = monitor(problem, assembled.state, {});
     const BackgroundGrid& grid = problem.grid;
+    const std::string of_them =
+        cut > 0 ? fmt::format(", of them {} cut at the outline,", grouped(static_cast<long long>(cut))) : "";
     text +=
-        fmt::format("  {} particles, of them {} cut at the outline, in {} x {} = {} cells of {} m; {:.2f} "
-                    "per occupied cell ({} cells)\n",
-                    grouped(static_cast<long long>(assembled.state.particles.size())),
-                    grouped(static_cast<long long>(cut)), grid.cells_x, grid.cells_y,
-                    grouped(static_cast<long long>(grid.cells_x) * grid.cells_y),
+        fmt::format("  {} particles{} in {} x {} = {} cells of {} m; {:.2f} per occupied cell ({} cells)\n",
+                    grouped(static_cast<long long>(assembled.state.particles.size())), of_them, grid.cells_x,
+                    grid.cells_y, grouped(static_cast<long long>(grid.cells_x) * grid.cells_y),
                     short_number(grid.cell_size), assembled.sampling.particles_per_cell,
                     grouped(static_cast<long long>(assembled.sampling.occupied_cells)));
     for (const std::string& reason : assembled.grid_reasons)

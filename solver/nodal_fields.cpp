@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 namespace quicksand {
@@ -102,8 +103,13 @@ PresentDomain present_domain(const Problem& problem, const Particles& particles,
     domain.corners = domain_polygon(problem, particles, p);
     limit_polygon(h, domain.whole.centre, domain.corners);
     domain.reach = Vector2::Zero();
-    for (const Vector2& corner : domain.corners)
-        domain.reach = domain.reach.cwiseMax((corner - domain.whole.centre).cwiseAbs());
+    bool finite = true;
+    for (const Vector2& corner : domain.corners) {
+        const Vector2 apart = (corner - domain.whole.centre).cwiseAbs();
+        domain.reach = domain.reach.cwiseMax(apart);
+        finite = finite && apart.allFinite();
+    }
+    if (!finite) domain.reach.setConstant(std::numeric_limits<double>::quiet_NaN()); // reaches no node
     return domain;
 }
 

@@ -76,6 +76,29 @@ TEST(CutScene, EqualPressuresInsideAndOutsideBalanceAtEveryNode)
     }
 }
 
+TEST(CutScene, AConstantStressIsInEquilibriumAcrossABentInterface)
+{
+    const Vector2 bends[] = {{2, 0.55}, {1.13, 0.31}, {0.47, 0.62}, {0, 0.41}};
+    Section section = fixtures::rectangular_section(0.0, 0.0, 2.0, 1.0);
+    section.regions = {{"sand", {{{{0, 0}, {2, 0}, bends[0], bends[1], bends[2], bends[3]}, {}}}},
+                       {"clay", {{{bends[3], bends[2], bends[1], bends[0], {2, 1}, {0, 1}}, {}}}}};
+    section.curves = {section.curves[0]};
+    const std::string text = fixtures::replaced(
+        fixtures::replaced(fixtures::cut_dike_scene, "[boundaries.slope]\nsoil = \"free\"\n", ""),
+        "[regions.sand]", "[regions.clay]\nmaterial = \"sand\"\n[regions.sand]");
+    const AssembledCase layers = assemble_case(fixtures::SceneFolder().read(text), section);
+    const BackgroundGrid& grid = layers.problem.grid;
+    EXPECT_GT(layers.problem.cut_domains.shapes.size(), 40u);
+    const std::vector<Vector2> normals = nodal_normals(layers.problem, layers.state.particles);
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+        const Vector2 place = grid.node_position(i);
+        const bool inside = place.x() > 0.1 && place.x() < 1.9 && place.y() > 0.1 && place.y() < 0.9;
+        if (inside) {
+            EXPECT_LT(normals[i].norm(), 1e-14) << place.transpose();
+        }
+    }
+}
+
 TEST(CutScene, ATractionGoesToTheCornersOfTheEdgesThatItActsOn)
 {
     AssembledCase dike = assemble_cut_dike();
@@ -164,6 +187,18 @@ TEST(CutScene, NodalAveragesTakeTheVolumesOfThePolygons)
             EXPECT_EQ(volume[i], 0.0);
         }
     }
+}
+
+TEST(CutScene, NodalAveragesLeaveOutAPolygonThatIsNoNumber)
+{
+    AssembledCase dike = assemble_cut_dike();
+    Particles& particles = dike.state.particles;
+    std::size_t cut = 0;
+    while (dike.problem.cut_domains.find(particles.identifier[cut]) == nullptr) ++cut;
+    particles.half_edge_2.y[cut] = std::nan("");
+    const Scalars volume = nodal_fields(dike.problem, particles).volume;
+    const double drawn = quicksand::area(dike.section.regions[0]) - particles.volume[cut];
+    EXPECT_NEAR(std::accumulate(volume.begin(), volume.end(), 0.0), drawn, 1e-12);
 }
 
 } // namespace quicksand
