@@ -133,9 +133,26 @@ void extend_ends(const Problem& problem, WallChain& chain)
     }
 }
 
-/// Hats at even distances over the drawn part, going on at the same distance beyond it.
-void place_hats(double drawn_length, double cell_size, WallChain& chain)
+/// The axis that a straight chain is parallel to, -1 without.
+int parallel_axis(const WallChain& chain)
 {
+    const int normal = chain.straight ? normal_axis(chain.edges.front().drawn) : -1;
+    return normal < 0 ? -1 : 1 - normal;
+}
+
+/// Hats at even distances over the drawn part, going on at the same distance beyond it. Along the grid the
+/// nodes of a line across the wall are all that touch it there: each line has a hat of its own, and none
+/// lock.
+void place_hats(const BackgroundGrid& grid, double drawn_length, WallChain& chain)
+{
+    chain.line_axis = parallel_axis(chain);
+    if (chain.line_axis >= 0) {
+        chain.closed = false;
+        chain.spacing = 1.0;
+        chain.hats = static_cast<std::size_t>(chain.line_axis == 0 ? grid.nodes_x() : grid.nodes_y());
+        return;
+    }
+    const double cell_size = grid.cell_size;
     const double wanted = hat_spacing * cell_size;
     const auto least = chain.closed ? 3.0 : 0.0;
     const double intervals = std::max(least, std::round(drawn_length / wanted));
@@ -181,7 +198,7 @@ WallChain make_chain(const Problem& problem, const std::vector<Link>& links, con
     const double drawn_length = chain.last;
     chain.closed = chain.closed || spans_tied_sides(problem, chain);
     if (!chain.closed) extend_ends(problem, chain);
-    place_hats(drawn_length, problem.grid.cell_size, chain);
+    place_hats(problem.grid, drawn_length, chain);
     return chain;
 }
 

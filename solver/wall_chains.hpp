@@ -58,6 +58,8 @@ struct WallChain {
     double first_hat = 0.0;         // where the first stands [m]
     bool closed = false; // its end is its start: a ring, or a chain from one tied side to the other
     bool straight = true;
+    int line_axis = -1; // of a wall parallel to x (0) or y (1): its hats are the grid's lines across it,
+                        // whose numbers stand for arc lengths; -1 at any other angle
 };
 
 /// Edges of the soil beside the chains: their share of the normals is not the chains'.

@@ -104,8 +104,13 @@ double lap_between(const WallChain& chain, const WallContact& sum, const WallCon
     return -chain.last * std::round(apart / chain.last);
 }
 
-double within_lap(const WallChain& chain, double s)
+/// Where a chain has a contact, from its sums: the mean arc length, or the number of the grid line across the
+/// chain.
+double place_along(const BackgroundGrid& grid, const WallChain& chain, const WallContact& sum)
 {
+    if (chain.line_axis >= 0)
+        return std::round(grid.cells_from_rim(grid.node_position(sum.node))[chain.line_axis]);
+    const double s = sum.s / sum.length;
     return chain.closed ? s - chain.last * std::floor(s / chain.last) : s;
 }
 
@@ -146,7 +151,7 @@ WallContacts find_contacts(const Problem& problem, const SoilEdges& edges, const
             sum.velocity += part.velocity;
         });
     for (WallContact& contact : contacts.walls) {
-        contact.s = within_lap(edges.chains[contact.chain], contact.s / contact.length);
+        contact.s = place_along(problem.grid, edges.chains[contact.chain], contact);
         contact.normal.normalize();
         contact.velocity /= contact.length;
     }

@@ -44,7 +44,11 @@ TEST(WallChains, JoinSegmentsThatTurnLittleAndPartAtCorners)
 
 TEST(WallChains, HatsAddUpToOneEverywhere)
 {
-    const SoilEdges edges = make_soil_edges(box_at({0.3, 0.3}, SoilCondition::fixed), Stage::shaking);
+    Problem problem = box_at({0.3, 0.3}, SoilCondition::fixed);
+    problem.boundaries[0].segments = {{{0.3, 0.3}, {2.0, 0.0}}, {{2.0, 0.0}, {4.3, 0.3}}};
+    const SoilEdges edges = make_soil_edges(problem, Stage::shaking);
+    EXPECT_EQ(edges.chains[0].line_axis, -1);
+    EXPECT_EQ(edges.chains[1].line_axis, 1);
     for (const WallChain& chain : edges.chains) {
         for (double s = chain.first; s <= chain.last; s += 0.05) {
             double sum = 0.0;
