@@ -234,6 +234,17 @@ std::vector<Eigen::Matrix2d> VelocityRows::local_compliances() const
         }
         compliances.push_back(pressure_compliance(R, porosities_[i]));
     }
+    for (std::size_t r = first_follower_; r < size(); ++r) {
+        const std::size_t last = r + 1 < size() ? first_[r + 1] : entries_.size();
+        const Entry& follower = entries_[first_[r]];
+        if (follower.coefficients[0] == 0.0) continue; // one row tells: those of the other directions are alike
+        Eigen::Matrix2d of_followed = Eigen::Matrix2d::Zero();
+        for (std::size_t k = first_[r] + 1; k < last; ++k) {
+            const double weight = entries_[k].coefficients[0];
+            of_followed += weight * weight * compliances[entries_[k].place];
+        }
+        compliances[follower.place] = of_followed;
+    }
     return compliances;
 }
 
