@@ -1,0 +1,108 @@
+// Sealed bodies of any shape keep a constant pressure, and a wall that moves through the grid feels no grid
+// lines.
+#include "solver/stepper.hpp"
+#include "solver/time_step_control.hpp"
+#include "tests/verification/drawn/drawn_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+const std::string saturated = R"([sampling]
+particles_per_cell = [2, 2]
+[gravity]
+acceleration = 0.0
+[water]
+level = 20.0
+[materials.soil]
+model = "linear_elastic"
+shear_modulus = "8 MPa"
+poisson_ratio = 0.25
+porosity = 0.4
+hydraulic_conductivity = 1e-4
+[regions.soil]
+material = "soil"
+)";
+
+/// Largest relative deviation of a pressure of 10 kPa in a body whose edges are all sealed rollers, after
+/// 1,000 steps.
+double deviation_in(const std::vector<Vector2>& corners, const std::string& scheme)
+{
+    std::vector<NamedCorner> named;
+    std::string tables = "[analysis]\nscheme = \"" + scheme + "\"\n" + saturated;
+    for (std::size_t k = 0; k < corners.size(); ++k) {
+        named.push_back({corners[k], "edge" + std::to_string(k)});
+        tables += "[boundaries.edge" + std::to_string(k) + "]\nsoil = \"roller\"\n";
+    }
+    AssembledCase assembled =
+        assemble(scene_with(0.25, {-0.55, -0.45}, 26, 22, tables), polygon_section(named));
+    State& state = assembled.state;
+    begin_shaking(assembled.problem, state);
+    std::fill(state.particles.pore_pressure.begin(), state.particles.pore_pressure.end(), 1e4);
+    const auto stepper = make_stepper(assembled.problem);
+    for (int step = 0; step < 1000; ++step)
+        stepper->advance(assembled.problem, stable_time_step(assembled.problem, state.particles).dt, state);
+    double deviation = 0.0;
+    for (const double p : state.particles.pore_pressure)
+        deviation = std::max(deviation, std::abs(p / 1e4 - 1.0));
+    return deviation;
+}
+
+TEST(SealedBody, KeepsAConstantPressureWhateverItsCorners)
+{
+    const double tangent = std::tan(20.0 * std::numbers::pi / 180.0);
+    const std::vector<std::vector<Vector2>> shapes = {
+        {{0.0, 0.0}, {5.0, 0.1}, {2.0, 2.0}},             // two acute corners
+        {{0.0, 0.0}, {4.0, 0.0}, {4.0, 4.0 * tangent}},   // 20 degrees
+        {{1.0, 0.0}, {3.7, 0.6}, {4.1, 2.9}, {0.2, 2.3}}, // irregular
+        {{2.0, 0.0}, {4.0, 2.0}, {2.0, 4.0}, {0.0, 2.0}}, // a square at 45 degrees
+    };
+    for (std::size_t k = 0; k < shapes.size(); ++k)
+        for (const std::string scheme : {"explicit", "semi_implicit"})
+            EXPECT_LT(deviation_in(shapes[k], scheme), 1e-5) << k << ' ' << scheme;
+}
+
+/// Mean pressure that a sealed, level piston raises in a dry elastic column when it presses it by 1 mm from
+/// `top` on.
+double stress_under_piston(double top)
+{
+    std::string tables = saturated;
+    tables.replace(tables.find("[water]\nlevel = 20.0\n"), 21, "");
+    tables.replace(tables.find("hydraulic_conductivity = 1e-4\n"), 30, "");
+    tables +=
+        "[boundaries.base]\nsoil = \"fixed\"\n[boundaries.right]\nsoil = \"roller\"\n[boundaries.left]\nsoil "
+        "= "
+        "\"roller\"\n[boundaries.top]\nsoil = \"moving\"\nnormal_displacement = 0.001\nramp_time = 0.2\n";
+    AssembledCase assembled = assemble(
+        scene_with(0.25, {0.0, 0.0}, 4, 14, tables),
+        polygon_section(
+            {{{0.0, 0.0}, "base"}, {{1.0, 0.0}, "right"}, {{1.0, top}, "top"}, {{0.0, top}, "left"}}));
+    State& state = assembled.state;
+    run(assembled.problem, 0.2, {}, state);
+    double sum = 0.0, volume = 0.0;
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        sum -= state.particles.volume[p] * state.particles.stress.yy[p];
+        volume += state.particles.volume[p];
+    }
+    return sum / volume * top; // M times the displacement
+}
+
+TEST(Piston, FeelsNoGridLines)
+{
+    // M = 24 MPa; the walls' places go through two cells
+    double last = stress_under_piston(2.5);
+    for (int k = 0; k <= 40; ++k) {
+        const double stress = stress_under_piston(2.5 + 0.0125 * k);
+        EXPECT_NEAR(stress / 24e3, 1.0, 0.01) << k;
+        EXPECT_NEAR(stress / last, 1.0, 0.01) << k;
+        last = stress;
+    }
+}
+
+} // namespace
+} // namespace quicksand
