@@ -106,6 +106,8 @@ Particles make_particles(const Problem& problem, const Sampling& sampling,
 CutDomains take_cut_domains(const Problem& problem, Sampling& sampling)
 {
     CutDomains cut;
+    cut.has_pieces = std::any_of(sampling.domains.begin(), sampling.domains.end(),
+                                 [](const ParticleDomain& domain) { return domain.is_piece; });
     if (sampling.shapes.empty() || problem.interpolation == Interpolation::cpdi2) return cut;
     for (const ParticleDomain& domain : sampling.domains) cut.number_of.push_back(domain.shape);
     cut.shapes = std::move(sampling.shapes);

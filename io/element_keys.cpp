@@ -111,7 +111,7 @@ std::vector<SceneKey> comparison_keys()
 const KeyTable& element_key_table()
 {
     static const KeyTable table = [] {
-        KeyTable keys = {"test file", "test_version", "Keys of element tests", {}};
+        KeyTable keys = {"test file", "test_version", "Keys of element tests", {}, {}};
         for (const auto& part :
              {head_keys(), ubcsand_keys(), specimen_keys(), loading_keys(), comparison_keys()}) {
             keys.keys.insert(keys.keys.end(), part.begin(), part.end());

@@ -32,6 +32,8 @@ private:
     void collect_child(const DocumentNode& child, const KeyPath& path);
     void refuse_unknown(const DocumentNode& child, const DocumentNode& parent, const KeyPath& table,
                         std::string_view pattern);
+    /// Whether the key is one of former versions, which is warned of.
+    bool pass_over_retired(const DocumentNode& child, const KeyPath& path);
 
     void resolve_table(const Entry& table);
     void resolve_key(const SceneKey& key, const Entry& table);
@@ -112,6 +114,18 @@ void DocumentCheck::refuse_unknown(const DocumentNode& child, const DocumentNode
                            one_of(known), hint));
 }
 
+bool DocumentCheck::pass_over_retired(const DocumentNode& child, const KeyPath& path)
+{
+    for (const RetiredKey& key : table_.retired) {
+        if (key.path != join_path(path)) continue;
+        findings_.add(warning_at(child.name_place, join_path(path), "retired-key",
+                                 join_path(path) + " has no effect any more: " + std::string(key.why), "",
+                                 "remove the line"));
+        return true;
+    }
+    return false;
+}
+
 void DocumentCheck::collect_child(const DocumentNode& child, const KeyPath& path)
 {
     const SceneKey* key = find_key(table_, path);
@@ -134,7 +148,7 @@ void DocumentCheck::collect(const DocumentNode& table, const KeyPath& path, std:
     for (const DocumentNode& child : table.children) {
         const KeyPath child_path = path + child.name;
         if (find_key(table_, child_path) == nullptr) {
-            refuse_unknown(child, table, path, pattern);
+            if (!pass_over_retired(child, child_path)) refuse_unknown(child, table, path, pattern);
             continue;
         }
         const bool named = pattern != "" && find_key(table_, path)->type == ValueType::named_tables;

@@ -366,7 +366,11 @@ std::vector<SceneKey> all_keys()
 
 const KeyTable& scene_key_table()
 {
-    static const KeyTable table = {"scene", "scene_version", "Scene keys", all_keys()};
+    static const KeyTable table = {"scene",
+                                   "scene_version",
+                                   "Scene keys",
+                                   all_keys(),
+                                   {{"sampling.boundary_refinement", "outlines cut the domains exactly"}}};
     return table;
 }
 

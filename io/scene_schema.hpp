@@ -90,11 +90,18 @@ struct SceneKey {
 };
 
 /// All keys of a kind of file, tables before their keys, in the order of the reference.
+/// A key of former versions: it is read over with a warning.
+struct RetiredKey {
+    std::string_view path; // "sampling.boundary_refinement"
+    std::string_view why;  // what has taken its place
+};
+
 struct KeyTable {
     std::string_view file;        // what such a file is called: "scene"
     std::string_view version_key; // "scene_version"
     std::string_view title;       // of the reference page
     std::vector<SceneKey> keys;
+    std::vector<RetiredKey> retired = {};
 };
 
 const KeyTable& scene_key_table();

@@ -40,12 +40,12 @@ std::size_t end_of_cell(const BackgroundGrid& grid, const Particles& particles, 
     return p;
 }
 
-bool has_cut_domain(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last)
+/// Whether the cell is one that an outline cuts: soil fills it in part, in a section whose outline cuts
+/// cells.
+bool is_cut(const Problem& problem, double empty)
 {
-    if (problem.cut_domains.shapes.empty()) return false;
-    for (std::size_t p = first; p < last; ++p)
-        if (problem.cut_domains.find(particles.identifier[p]) != nullptr) return true;
-    return false;
+    constexpr double full = 0.01; // share of the cell
+    return problem.cut_domains.has_pieces && empty > full;
 }
 
 void include_cell(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last,
@@ -65,7 +65,7 @@ void include_cell(const Problem& problem, const Particles& particles, std::size_
     const double h = problem.grid.cell_size, empty = std::max(0.0, 1.0 - volume / (h * h));
     const double modulus = moduli.mean + empty * (moduli.stiffest - moduli.mean);
     extremes.stiffest_modulus = std::max(extremes.stiffest_modulus, modulus);
-    if (has_cut_domain(problem, particles, first, last))
+    if (is_cut(problem, empty))
         extremes.stiffest_cut_modulus = std::max(extremes.stiffest_cut_modulus, modulus);
 }
 

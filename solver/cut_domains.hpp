@@ -37,6 +37,8 @@ CutDomain make_cut_domain(std::vector<Vector2> corners);
 struct CutDomains {
     std::vector<std::int32_t> number_of; // by lasting number of the particle: index into shapes, -1: whole
     std::vector<CutDomain> shapes;
+    bool has_pieces =
+        false; // whether any domain is a part of its box, rectangles included: soil ends within cells
 
     /// The polygon of a particle by its lasting number; none: whole.
     const CutDomain* find(std::int32_t identifier) const

@@ -198,6 +198,20 @@ TEST(Assembly, RefusesTiedCurvesThatAreNotVertical)
               std::string::npos);
 }
 
+TEST(Assembly, WarnsOfAKeyThatHasNoEffectAnyMore)
+{
+    const std::string text = replaced(column_scene, "particles_per_cell = [3, 3]",
+                                      "particles_per_cell = [3, 3]\nboundary_refinement = 2");
+    EXPECT_EQ(
+        SceneFolder().message(text),
+        R"(scene.toml:12:1: warning[retired-key]: sampling.boundary_refinement has no effect any more: outlines cut the domains exactly
+   12 | boundary_refinement = 2
+      | ^~~~~~~~~~~~~~~~~~~
+hint: remove the line
+to accept it: accept = ["sampling.boundary_refinement"] at the top of the scene
+)");
+}
+
 TEST(Assembly, TakesWallsAtAnyPlaceOfTheGrid)
 {
     const std::string between = replaced(column_scene, "\"7.5 mm\"", "\"7.5 mm\"\norigin = [0, -0.005]");
