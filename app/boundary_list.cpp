@@ -169,6 +169,30 @@ std::string describe_patch_test(const PatchTest& test)
 
 } // namespace
 
+void refuse_failed_patches(const AssembledCase& assembled)
+{
+    constexpr double most = 0.02;
+    const Problem& problem = assembled.problem;
+    const std::vector<PatchTest> tests = test_patches(problem, assembled.state);
+    Diagnostics findings;
+    for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
+        const Boundary& boundary = problem.boundaries[b];
+        const bool acts = boundary.soil != SoilCondition::free || boundary.load || boundary.outer_water;
+        const double worst = std::max(tests[b].constant_pressure, tests[b].geostatic);
+        if (!acts || worst <= most) continue;
+        const auto written =
+            std::find_if(assembled.scene.boundaries.begin(), assembled.scene.boundaries.end(),
+                         [&](const SceneBoundary& s) { return s.name == boundary.name; });
+        if (written == assembled.scene.boundaries.end()) continue;
+        findings.add(
+            error_at(written->place, "patch-test",
+                     fmt::format("the curve \"{}\" leaves {} % of a pressure unbalanced that it should bear",
+                                 boundary.name, short_number(100.0 * worst, 2)),
+                     "at most 2 %", "use interpolation = \"cpdi\", or smaller cells"));
+    }
+    if (findings.has_errors()) throw_findings(findings, assembled.scene.text);
+}
+
 std::string describe_boundaries(const AssembledCase& assembled)
 {
     const Problem& problem = assembled.problem;

@@ -36,6 +36,7 @@ ExitCode check_scene(const CheckChoice& choice)
     Journal journal;
     const SceneSetup setup = set_up_scene(choice.scene, journal);
     const AssembledCase& assembled = setup.assembled;
+    refuse_failed_patches(assembled);
     const ResultsFolder folder = prepare_report_folder(
         report_folder(choice.directory, assembled.scene.file, "check"), plan_file, assembled.scene);
     journal.keep(folder.directory / plan_file);

@@ -18,6 +18,10 @@ std::string describe_soil(const AssembledCase& assembled);
 /// The conditions on every boundary curve, and the total force of every load.
 std::string describe_boundaries(const AssembledCase& assembled);
 
+/// Throws InputError where a curve that holds or carries something leaves more than two per cent of a
+/// pressure unbalanced that it should bear (solver/patch_test.hpp).
+void refuse_failed_patches(const AssembledCase& assembled);
+
 /// What the parameters of UBCSAND mean; nothing without such a material.
 std::string describe_sands(const AssembledCase& assembled);
 

@@ -35,6 +35,32 @@ TEST(CheckMessages, TellTheImpedanceOfTheSoilBesideAViscousCurve)
     EXPECT_NEAR(std::stod(match[1]), expected, 0.01 * expected);
 }
 
+TEST(CheckMessages, TellWhatABoundaryLeavesUnbalanced)
+{
+    const WorkFolder folder;
+    const std::string check = "check " + example("dike") + " --until 1e-4 -o " + (folder / "check").string();
+    const Outcome sound = run_program(check);
+    EXPECT_EQ(sound.code, 0) << sound.output;
+    EXPECT_NE(sound.output.find("patch tests: 0 % of a constant pressure left unbalanced"), std::string::npos)
+        << sound.output;
+}
+
+TEST(CheckMessages, RefuseACurveThatLeavesMoreThanTwoPerCent)
+{
+    // boxes along the grid do not end where the slope does, so that its load and their pressure differ
+    const WorkFolder folder;
+    const Outcome outcome =
+        run_program("check " + example("dike") + " --until 1e-4 --set analysis.interpolation=gimp --set " +
+                    "boundaries.surface.pressure=1000 -o " + (folder / "check").string());
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    EXPECT_NE(
+        outcome.output.find("error[patch-test]: the curve \"surface\" leaves 4.5 % of a pressure unbalanced "
+                            "that it should bear"),
+        std::string::npos)
+        << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "check"));
+}
+
 TEST(CheckMessages, SayThatLargeStrainElasticityBeginsFreeOfStress)
 {
     const WorkFolder folder;
