@@ -169,11 +169,10 @@ std::string describe_patch_test(const PatchTest& test)
 
 } // namespace
 
-void refuse_failed_patches(const AssembledCase& assembled)
+void refuse_failed_patches(const AssembledCase& assembled, const std::vector<PatchTest>& tests)
 {
     constexpr double most = 0.02;
     const Problem& problem = assembled.problem;
-    const std::vector<PatchTest> tests = test_patches(problem, assembled.state);
     Diagnostics findings;
     for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
         const Boundary& boundary = problem.boundaries[b];
@@ -193,12 +192,11 @@ void refuse_failed_patches(const AssembledCase& assembled)
     if (findings.has_errors()) throw_findings(findings, assembled.scene.text);
 }
 
-std::string describe_boundaries(const AssembledCase& assembled)
+std::string describe_boundaries(const AssembledCase& assembled, const std::vector<PatchTest>& tests)
 {
     const Problem& problem = assembled.problem;
     std::string text = "Boundaries\n";
     const auto add = [&](const std::string& line) { text += fmt::format("  {:<16}{}\n", "", line); };
-    const std::vector<PatchTest> tests = test_patches(problem, assembled.state);
     for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
         const Boundary& boundary = problem.boundaries[b];
         text += fmt::format("  {:<16}{:.4g} m, {}{}{}\n", boundary.name, length_of(boundary),

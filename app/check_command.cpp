@@ -36,13 +36,14 @@ ExitCode check_scene(const CheckChoice& choice)
     Journal journal;
     const SceneSetup setup = set_up_scene(choice.scene, journal);
     const AssembledCase& assembled = setup.assembled;
-    refuse_failed_patches(assembled);
+    const std::vector<PatchTest> patch_tests = test_patches(assembled.problem, assembled.state);
+    refuse_failed_patches(assembled, patch_tests);
     const ResultsFolder folder = prepare_report_folder(
         report_folder(choice.directory, assembled.scene.file, "check"), plan_file, assembled.scene);
     journal.keep(folder.directory / plan_file);
     journal.say(describe_scene_keys(setup));
     journal.say(describe_soil(assembled));
-    journal.say(describe_boundaries(assembled));
+    journal.say(describe_boundaries(assembled, patch_tests));
     if (const std::string sands = describe_sands(assembled); !sands.empty()) journal.say(sands);
     journal.say(describe_initial_state(assembled));
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);

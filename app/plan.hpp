@@ -3,9 +3,11 @@
 
 #include "app/scene_setup.hpp"
 #include "app/trial.hpp"
+#include "solver/patch_test.hpp"
 #include "solver/soil_column.hpp"
 
 #include <string>
+#include <vector>
 
 namespace quicksand {
 
@@ -16,11 +18,11 @@ std::string describe_scene_keys(const SceneSetup& setup);
 std::string describe_soil(const AssembledCase& assembled);
 
 /// The conditions on every boundary curve, and the total force of every load.
-std::string describe_boundaries(const AssembledCase& assembled);
+std::string describe_boundaries(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
 
 /// Throws InputError where a curve that holds or carries something leaves more than two per cent of a
 /// pressure unbalanced that it should bear (solver/patch_test.hpp).
-void refuse_failed_patches(const AssembledCase& assembled);
+void refuse_failed_patches(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
 
 /// What the parameters of UBCSAND mean; nothing without such a material.
 std::string describe_sands(const AssembledCase& assembled);

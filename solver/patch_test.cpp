@@ -4,6 +4,7 @@
 #include "solver/grid_momentum.hpp"
 #include "solver/single_phase_step.hpp"
 #include "solver/wall_contacts.hpp"
+#include "solver/wall_nodes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -16,21 +17,6 @@ namespace {
 /// A pressure by place [Pa].
 using PressureField = std::function<double(const Vector2&)>;
 
-/// Whether a point lies on an edge of a boundary.
-bool has_name(const Problem& problem, const Vector2& point)
-{
-    const double tolerance = 1e-6 * problem.grid.cell_size;
-    for (const Boundary& boundary : problem.boundaries) {
-        for (const Segment& segment : boundary.segments) {
-            const Vector2 along = segment.end - segment.start;
-            const double s = (point - segment.start).dot(along) / along.squaredNorm();
-            const bool beside = s >= 0.0 && s <= 1.0;
-            if (beside && (segment.start + s * along - point).norm() < tolerance) return true;
-        }
-    }
-    return false;
-}
-
 /// The problem with pieces on every curve that is no wall, dry and without loads of its own.
 Problem bare_problem(const Problem& problem, const Particles& particles)
 {
@@ -38,8 +24,7 @@ Problem bare_problem(const Problem& problem, const Particles& particles)
     bare.water.reset();
     bare.body_acceleration = {};
     Boundary rest;
-    for (const Segment& edge : problem.rim)
-        if (!has_name(problem, 0.5 * (edge.start + edge.end))) rest.segments.push_back(edge);
+    rest.segments = unnamed_edges(problem);
     if (!rest.segments.empty()) bare.boundaries.push_back(rest);
     for (Boundary& boundary : bare.boundaries) {
         boundary.outer_water.reset();
@@ -94,12 +79,11 @@ void add_outer_pressure(const Problem& problem, const PressureField& pressure, c
 /// The size of the force that each node leaves unbalanced [N/m].
 Scalars unbalanced_by_node(const Problem& bare, const PressureField& pressure, const State& state)
 {
-    const State pressed = state_under(pressure, state);
-    State copy = pressed;
+    State pressed = state_under(pressure, state);
     SinglePhaseWorkspace work = make_single_phase_workspace(bare, Stage::relaxation);
-    locate_particles(bare, 0.0, copy, work);
-    scatter_to_nodes(bare, 0.0, copy, work);
-    add_outer_pressure(bare, pressure, copy.particles, work);
+    locate_particles(bare, 0.0, pressed, work);
+    scatter_to_nodes(bare, 0.0, pressed, work);
+    add_outer_pressure(bare, pressure, pressed.particles, work);
     constexpr double unit_time = 1.0; // forces stand for impulses
     assemble_walls(bare, unit_time, work.sums, work);
     leave_unbalanced_forces(bare, 0.0, work.walls, work.sums);

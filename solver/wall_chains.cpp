@@ -219,15 +219,6 @@ std::vector<WallChain> make_chains(const Problem& problem, Stage stage)
     return chains;
 }
 
-/// Whether a point lies on a segment.
-bool lies_on(const Vector2& point, const Segment& segment, double tolerance)
-{
-    const Vector2 along = direction_of(segment), from_start = point - segment.start;
-    const double s = from_start.dot(along);
-    return std::abs(cross(along, from_start)) <= tolerance && s >= -tolerance &&
-           s <= length_of(segment) + tolerance;
-}
-
 /// All edges of the soil that are in no chain; points on tied sides are inside the soil.
 std::vector<Segment> other_edges(const Problem& problem, Stage stage)
 {
@@ -240,15 +231,8 @@ std::vector<Segment> other_edges(const Problem& problem, Stage stage)
             if (!in_chain) others.push_back(segment);
         }
     }
-    const double tolerance = on_wall * problem.grid.cell_size;
-    for (const Segment& edge : problem.rim) {
-        const Vector2 middle = 0.5 * (edge.start + edge.end);
-        bool named = false;
-        for (const Boundary& boundary : problem.boundaries)
-            for (const Segment& segment : boundary.segments)
-                named = named || lies_on(middle, segment, tolerance);
-        if (!named) others.push_back(edge);
-    }
+    const std::vector<Segment> unnamed = unnamed_edges(problem);
+    others.insert(others.end(), unnamed.begin(), unnamed.end());
     return others;
 }
 

@@ -17,6 +17,23 @@ bool leads_to(const Masters& masters, std::size_t from, std::size_t node)
     return from == node;
 }
 
+/// Index along the axis of the first row of nodes on or beyond a wall that is parallel to the grid.
+int first_row_beyond(const BackgroundGrid& grid, const Segment& wall, int axis)
+{
+    const double side = outward_normal(wall)[axis];
+    const double cells = (wall.start[axis] - grid.rim_origin()[axis]) / grid.cell_size;
+    return static_cast<int>(side > 0.0 ? std::ceil(cells - on_wall) : std::floor(cells + on_wall));
+}
+
+/// Whether a point lies on a segment.
+bool lies_on(const Vector2& point, const Segment& segment, double tolerance)
+{
+    const Vector2 along = (segment.end - segment.start).normalized(), from_start = point - segment.start;
+    const double s = from_start.dot(along);
+    return std::abs(cross(along, from_start)) <= tolerance && s >= -tolerance &&
+           s <= (segment.end - segment.start).norm() + tolerance;
+}
+
 } // namespace
 
 Vector2 outward_normal(const Segment& segment)
@@ -68,13 +85,6 @@ bool enters_soil(const Problem& problem, const Vector2& start, const Vector2& di
     return enters;
 }
 
-int first_row_beyond(const BackgroundGrid& grid, const Segment& wall, int axis)
-{
-    const double side = outward_normal(wall)[axis];
-    const double cells = (wall.start[axis] - grid.rim_origin()[axis]) / grid.cell_size;
-    return static_cast<int>(side > 0.0 ? std::ceil(cells - on_wall) : std::floor(cells + on_wall));
-}
-
 void tie_beyond(const Problem& problem, const Segment& drawn, const Segment& wall, Masters& masters)
 {
     const BackgroundGrid& grid = problem.grid;
@@ -89,6 +99,21 @@ void tie_beyond(const Problem& problem, const Segment& drawn, const Segment& wal
         // of two walls whose rows lie beyond each other, the first has its way
         if (!leads_to(masters, master, node)) masters[node] = master;
     });
+}
+
+std::vector<Segment> unnamed_edges(const Problem& problem)
+{
+    const double tolerance = on_wall * problem.grid.cell_size;
+    const auto has_name = [&](const Vector2& point) {
+        for (const Boundary& boundary : problem.boundaries)
+            for (const Segment& segment : boundary.segments)
+                if (lies_on(point, segment, tolerance)) return true;
+        return false;
+    };
+    std::vector<Segment> unnamed;
+    for (const Segment& edge : problem.rim)
+        if (!has_name(0.5 * (edge.start + edge.end))) unnamed.push_back(edge);
+    return unnamed;
 }
 
 } // namespace quicksand

@@ -49,8 +49,8 @@ using Masters = std::vector<std::size_t>;
 /// problem has it, `wall` as it stands now.
 void tie_beyond(const Problem& problem, const Segment& drawn, const Segment& wall, Masters& masters);
 
-/// Index along the axis of the first row of nodes on or beyond a wall that is parallel to the grid.
-int first_row_beyond(const BackgroundGrid& grid, const Segment& wall, int axis);
+/// The edges of the soil's rim that no boundary has.
+std::vector<Segment> unnamed_edges(const Problem& problem);
 
 /// Calls hold(node) for the nodes on and beyond a wall, as far as the void goes; those of the first row in
 /// any case.
