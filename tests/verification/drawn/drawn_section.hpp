@@ -41,14 +41,17 @@ inline Section polygon_section(const std::vector<NamedCorner>& corners)
     return section;
 }
 
+/// A point turned about the origin by an angle in degrees, counter-clockwise.
+inline Vector2 turn(const Vector2& x, double degrees)
+{
+    const double angle = degrees * std::numbers::pi / 180.0, c = std::cos(angle), s = std::sin(angle);
+    return {c * x.x() - s * x.y(), s * x.x() + c * x.y()};
+}
+
 /// Turned about the origin by an angle in degrees, then shifted.
 inline std::vector<NamedCorner> turned(std::vector<NamedCorner> corners, double degrees, const Vector2& shift)
 {
-    const double angle = degrees * std::numbers::pi / 180.0, c = std::cos(angle), s = std::sin(angle);
-    for (NamedCorner& corner : corners) {
-        const Vector2 x = corner.place;
-        corner.place = Vector2(c * x.x() - s * x.y(), s * x.x() + c * x.y()) + shift;
-    }
+    for (NamedCorner& corner : corners) corner.place = turn(corner.place, degrees) + shift;
     return corners;
 }
 

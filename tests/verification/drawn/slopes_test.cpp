@@ -74,6 +74,35 @@ TEST(SlantedBase, LevelGroundRestsOnIt)
     }
 }
 
+TEST(SlantedBase, SandUnderWaterStaysAtRestOnIt)
+{
+    const std::string sand = R"(
+[analysis]
+scheme = "semi_implicit"
+[water]
+level = 5.0
+[materials.soil]
+model = "ubcsand"
+relative_density = "45 %"
+porosity = 0.43
+hydraulic_conductivity = 1e-4
+[regions.soil]
+material = "soil"
+)";
+    for (const double slope : {0.05, 0.2}) {
+        AssembledCase assembled = ground_on(slope, 0.4, "fixed", sand);
+        RelaxationControls controls;
+        controls.tolerance = 1e-6;
+        relax(assembled.problem, controls, assembled.state);
+        State& state = assembled.state;
+        run(assembled.problem, 0.2, {}, state);
+        const Monitors monitors = monitor(assembled.problem, state, {});
+        const double fall = std::sqrt(assembled.problem.gravity * 4.0); // sqrt(g H) [m/s]
+        EXPECT_LT(monitors.max_velocity, 1e-5 * fall) << slope;         // measured 5e-9
+        EXPECT_LT(monitors.max_ru, 1e-4) << slope;                      // 2e-6
+    }
+}
+
 TEST(SlantedBase, SoilSettlesOnARoller)
 {
     for (const double slope : {0.05, 0.25}) {
