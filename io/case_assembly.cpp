@@ -106,8 +106,9 @@ Particles make_particles(const Problem& problem, const Sampling& sampling,
 CutDomains take_cut_domains(const Problem& problem, Sampling& sampling)
 {
     CutDomains cut;
-    cut.has_pieces = std::any_of(sampling.domains.begin(), sampling.domains.end(),
-                                 [](const ParticleDomain& domain) { return domain.is_piece; });
+    const auto is_piece = [](const ParticleDomain& domain) { return domain.is_piece; };
+    if (std::any_of(sampling.domains.begin(), sampling.domains.end(), is_piece))
+        for (const ParticleDomain& domain : sampling.domains) cut.pieces.push_back(domain.is_piece ? 1 : 0);
     if (sampling.shapes.empty() || problem.interpolation == Interpolation::cpdi2) return cut;
     for (const ParticleDomain& domain : sampling.domains) cut.number_of.push_back(domain.shape);
     cut.shapes = std::move(sampling.shapes);

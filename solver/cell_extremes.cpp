@@ -40,12 +40,17 @@ std::size_t end_of_cell(const BackgroundGrid& grid, const Particles& particles, 
     return p;
 }
 
-/// Whether the cell is one that an outline cuts: soil fills it in part, in a section whose outline cuts
-/// cells.
-bool is_cut(const Problem& problem, double empty)
+/// Whether the particles are those of a cell that an outline cuts: some are pieces, and the cell is not full.
+bool is_cut(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last,
+            double empty)
 {
     constexpr double full = 0.01; // share of the cell
-    return problem.cut_domains.has_pieces && empty > full;
+    const CutDomains& cut = problem.cut_domains;
+    if (!cut.has_pieces() || empty <= full) return false;
+    const auto numbers = particles.identifier.begin();
+    return std::any_of(numbers + static_cast<std::ptrdiff_t>(first),
+                       numbers + static_cast<std::ptrdiff_t>(last),
+                       [&](std::int32_t number) { return cut.is_piece(number); });
 }
 
 void include_cell(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last,
@@ -65,7 +70,7 @@ void include_cell(const Problem& problem, const Particles& particles, std::size_
     const double h = problem.grid.cell_size, empty = std::max(0.0, 1.0 - volume / (h * h));
     const double modulus = moduli.mean + empty * (moduli.stiffest - moduli.mean);
     extremes.stiffest_modulus = std::max(extremes.stiffest_modulus, modulus);
-    if (is_cut(problem, empty))
+    if (is_cut(problem, particles, first, last, empty))
         extremes.stiffest_cut_modulus = std::max(extremes.stiffest_cut_modulus, modulus);
 }
 

@@ -96,7 +96,7 @@ void mark_nodes(const BackgroundGrid& grid, const NodeConditions& conditions, Ce
 
 bool has_cut_soil(const Problem& problem)
 {
-    return problem.cut_domains.has_pieces;
+    return problem.cut_domains.has_pieces();
 }
 
 void find_roots(const Problem& problem, const NodeConditions& conditions, const CellLists& lists,

@@ -37,8 +37,15 @@ CutDomain make_cut_domain(std::vector<Vector2> corners);
 struct CutDomains {
     std::vector<std::int32_t> number_of; // by lasting number of the particle: index into shapes, -1: whole
     std::vector<CutDomain> shapes;
-    bool has_pieces =
-        false; // whether any domain is a part of its box, rectangles included: soil ends within cells
+    std::vector<std::uint8_t> pieces; // by lasting number: 1 for a part of a box of the lattice, rectangles
+                                      // included; soil ends within cells there
+
+    bool has_pieces() const { return !pieces.empty(); }
+    bool is_piece(std::int32_t identifier) const
+    {
+        const auto number = static_cast<std::size_t>(identifier);
+        return number < pieces.size() && pieces[number] != 0;
+    }
 
     /// The polygon of a particle by its lasting number; none: whole.
     const CutDomain* find(std::int32_t identifier) const
@@ -52,6 +59,8 @@ struct CutDomains {
 /// Corners of a polygon in a frame, counter-clockwise [m].
 std::vector<Vector2> corners_in_frame(const CutDomain& shape, const Vector2& centre,
                                       const Vector2& half_edge_1, const Vector2& half_edge_2);
+void corners_in_frame(const CutDomain& shape, const Vector2& centre, const Vector2& half_edge_1,
+                      const Vector2& half_edge_2, std::vector<Vector2>& corners);
 
 /// Present corners of a particle's domain, whole or cut, counter-clockwise [m].
 std::vector<Vector2> domain_polygon(const Problem& problem, const Particles& particles, std::size_t p);

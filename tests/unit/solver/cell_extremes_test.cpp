@@ -70,6 +70,27 @@ TEST(CellExtremes, AStiffParticleCountsByTheShareThatIsEmptyToo)
     EXPECT_NEAR(column.stiffest(), (mean + 2.0 / 3.0 * (3.0 - mean)) * column.modulus, 1e-9 * column.modulus);
 }
 
+TEST(CellExtremes, ACutCellHasPiecesWhereverItsParticlesStandInMemory)
+{
+    Column column;
+    const std::size_t count = column.state.particles.size();
+    const auto stiffest_cut = [&] {
+        return find_extremes(column.problem, column.state.particles).materials[0].stiffest_cut_modulus;
+    };
+    EXPECT_EQ(stiffest_cut(), 0.0); // cells filled in part, and none cut
+    const auto in_partly_filled_cell =
+        static_cast<std::size_t>(column.state.particles.identifier[column.particle_near({2.5 * h, 4.2 * h})]);
+    column.problem.cut_domains.pieces.assign(count, 0);
+    column.problem.cut_domains.pieces[in_partly_filled_cell] = 1;
+    EXPECT_GT(stiffest_cut(), 0.0);
+    // whole particles far apart in memory look like cells that are filled in part
+    std::vector<std::int32_t> order(count);
+    for (std::size_t p = 0; p < count; ++p) order[p] = static_cast<std::int32_t>((p * 7) % count);
+    reorder(column.state.particles, order);
+    column.set_mean_stress(column.particle_near({2.5 * h, 1.5 * h}), 900e3);
+    EXPECT_LT(stiffest_cut(), 2.0 * column.modulus);
+}
+
 TEST(CellExtremes, PorosityIsThatOfTheCell)
 {
     Column column;
