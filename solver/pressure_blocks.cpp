@@ -1,6 +1,7 @@
 #include "solver/pressure_blocks.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -85,20 +86,31 @@ void divide(const BackgroundGrid& grid, const CellLists& lists, const PressureEq
     }
 }
 
-/// Of all nodes the cells of one block that touch them, tied nodes as one.
+/// Of all nodes the cells of one block that touch them, tied nodes as one. Who touches a node that follows
+/// others touches those.
 class NodeTouches {
 public:
-    /// The conditions must outlive it.
-    explicit NodeTouches(const NodeConditions& conditions)
-        : master_(conditions.master), touches_(conditions.master.size())
+    /// The arguments must outlive it.
+    NodeTouches(const NodeConditions& conditions, const std::vector<FollowingNode>& following)
+        : master_(conditions.master),
+          touches_(conditions.master.size()), following_{Followers(master_.size(), nullptr),
+                                                         Followers(master_.size(), nullptr)}
     {
+        for (const FollowingNode& follower : following)
+            following_[static_cast<std::size_t>(follower.axis)][follower.node] = &follower.followed;
     }
 
     void add(std::size_t node, const Touch& touch)
     {
-        std::vector<Touch>& list = touches_[master_[node]];
-        if (list.empty()) touched_.push_back(master_[node]);
-        list.push_back(touch);
+        const std::size_t i = master_[node];
+        const auto* of_x = following_[0][i];
+        const auto* of_y = following_[1][i];
+        if (of_x == nullptr || of_y == nullptr)
+            put(i, {touch.row, of_x == nullptr ? touch.x : 0.0, of_y == nullptr ? touch.y : 0.0});
+        if (of_x != nullptr)
+            for (const FollowedNode& other : *of_x) put(other.node, {touch.row, other.weight * touch.x, 0.0});
+        if (of_y != nullptr)
+            for (const FollowedNode& other : *of_y) put(other.node, {touch.row, 0.0, other.weight * touch.y});
     }
 
     /// Call work(node, touches) and forget them.
@@ -115,8 +127,17 @@ public:
     }
 
 private:
+    using Followers = std::vector<const std::vector<FollowedNode>*>; // by node; none for most
+
+    void put(std::size_t node, const Touch& touch)
+    {
+        if (touches_[node].empty()) touched_.push_back(node);
+        touches_[node].push_back(touch);
+    }
+
     const std::vector<std::size_t>& master_;
     std::vector<std::vector<Touch>> touches_;
+    std::array<Followers, 2> following_; // by axis
     std::vector<std::size_t> touched_;
 };
 
@@ -214,7 +235,7 @@ void set_up_blocks(const BackgroundGrid& grid, const CellLists& lists, const Nod
     for_each_cell(equations, [&](const CellStencil& stencil, const TileDivergence& divergence) {
         stencil_of_slot[static_cast<std::size_t>(stencil.cell)] = {&stencil, &divergence};
     });
-    NodeTouches touches(conditions);
+    NodeTouches touches(conditions, equations.following);
     for (CellBlock& block : blocks.blocks) {
         find_touches(grid, block, stencil_of_slot, equations.shared, touches);
         factorise(dt, equations, touches, block);

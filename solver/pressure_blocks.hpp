@@ -19,6 +19,13 @@
 
 namespace quicksand {
 
+/// A node whose velocity along an axis is the sum of weight times that of others.
+struct FollowingNode {
+    std::size_t node = 0;
+    int axis = 0; // 0: x, 1: y
+    std::vector<FollowedNode> followed;
+};
+
 /// The pressure's equations: L_cc' = delta_cc' storage_c + dt^2 sum_i D_ci . W_i D_c'i.
 struct PressureEquations {
     std::vector<TileDivergence> divergence; // D, per tile
@@ -26,6 +33,7 @@ struct PressureEquations {
     Scalars storage;                        // by slot [m2/Pa]
     Scalars diagonal;                       // of L, by slot [m2/Pa]
     std::vector<SharedCell> shared;         // cells that have the pressure of their roots
+    std::vector<FollowingNode> following;   // at the last set-up of the blocks
 };
 
 struct CellBlock {

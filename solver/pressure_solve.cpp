@@ -299,6 +299,7 @@ void add_cavities(PressureSolve& solve)
 void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSolve& solve)
 {
     solve.rows = rows.empty() ? nullptr : &rows;
+    if (solve.blocks_are_due) solve.following.clear();
     if (rows.empty()) return;
     rows.set_porosities(porosities);
     const std::vector<Eigen::Matrix2d> local = rows.local_compliances();
@@ -308,6 +309,13 @@ void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSol
         solve.compliance.xy[i] = local[k](0, 1);
         solve.compliance.yy[i] = local[k](1, 1);
     }
+    if (!solve.blocks_are_due) return;
+    rows.for_each_followed([&](std::size_t follower, int axis, std::size_t node, double weight) {
+        std::vector<FollowingNode>& following = solve.following;
+        if (following.empty() || following.back().node != follower || following.back().axis != axis)
+            following.push_back({follower, axis, {}});
+        following.back().followed.push_back({node, weight});
+    });
 }
 
 void share_pressures(const std::vector<SharedCell>& shared, PressureSolve& solve)

@@ -15,6 +15,13 @@ constexpr double ridge = 1e-12;
 /// give.
 constexpr double least_response = 1e-14;
 
+/// Axes along which an entry acts: 1 for x, 2 for y, 3 for both.
+std::uint8_t axes_of(const NodeVelocities& c)
+{
+    return static_cast<std::uint8_t>((c[0] != 0.0 || c[2] != 0.0 ? 1 : 0) |
+                                     (c[1] != 0.0 || c[3] != 0.0 ? 2 : 0));
+}
+
 /// beta^T R beta, beta = (1-n, n): flux per force of the pressure.
 Eigen::Matrix2d pressure_compliance(const NodeInverse& R, double n)
 {
@@ -61,12 +68,24 @@ void VelocityRows::add(std::size_t node, const NodeVelocities& coefficients)
     entries_.push_back({static_cast<std::size_t>(place), coefficients});
 }
 
-void VelocityRows::find_pattern()
+bool VelocityRows::inverses_turn() const
+{
+    return std::any_of(inverses_.begin(), inverses_.end(), [](const NodeInverse& R) {
+        return R(0, 1) != 0.0 || R(0, 3) != 0.0 || R(2, 1) != 0.0 || R(2, 3) != 0.0;
+    });
+}
+
+void VelocityRows::find_pattern(bool turns)
 {
     Pattern& pattern = factor_->pattern;
     pattern.first = first_;
+    pattern.turns = turns;
     pattern.places.clear();
-    for (const Entry& entry : entries_) pattern.places.push_back(entry.place);
+    pattern.axes.clear();
+    for (const Entry& entry : entries_) {
+        pattern.places.push_back(entry.place);
+        pattern.axes.push_back(axes_of(entry.coefficients));
+    }
 
     std::vector<std::size_t> row_of(entries_.size());
     for_each_entry([&](std::size_t r, std::size_t k) { row_of[k] = r; });
@@ -81,6 +100,7 @@ void VelocityRows::find_pattern()
         for (const std::size_t a : node) {
             for (const std::size_t b : node) {
                 if (row_of[b] > row_of[a]) continue;
+                if (!turns && (pattern.axes[a] & pattern.axes[b]) == 0) continue;
                 pattern.products.push_back({a, b, 0});
                 triplets.emplace_back(index(row_of[a]), index(row_of[b]), 0.0);
             }
@@ -100,22 +120,25 @@ void VelocityRows::find_pattern()
     factor_->solver.analyzePattern(matrix);
 }
 
-bool VelocityRows::has_pattern() const
+bool VelocityRows::has_pattern(bool turns) const
 {
     const Pattern& pattern = factor_->pattern;
-    const auto is_same = [](const Entry& entry, std::size_t place) { return entry.place == place; };
-    return pattern.first == first_ && pattern.places.size() == entries_.size() &&
-           std::equal(entries_.begin(), entries_.end(), pattern.places.begin(), is_same);
+    if (pattern.first != first_ || pattern.places.size() != entries_.size() || pattern.turns != turns)
+        return false;
+    for (std::size_t k = 0; k < entries_.size(); ++k)
+        if (entries_[k].place != pattern.places[k] || axes_of(entries_[k].coefficients) != pattern.axes[k])
+            return false;
+    return true;
 }
 
 void VelocityRows::fill_matrix()
 {
-    std::vector<NodeVelocities> responses(entries_.size()); // to an impulse of the row
+    responses_.resize(entries_.size());
     Scalars own(size(), 0.0), of_free_nodes(size(), 0.0);
     for_each_entry([&](std::size_t r, std::size_t k) {
         const Entry& entry = entries_[k];
-        responses[k] = inverses_[entry.place] * entry.coefficients;
-        own[r] += entry.coefficients.dot(responses[k]);
+        responses_[k] = inverses_[entry.place] * entry.coefficients;
+        own[r] += entry.coefficients.dot(responses_[k]);
         of_free_nodes[r] += entry.coefficients.squaredNorm() * inverses_[entry.place].diagonal().maxCoeff();
     });
     scale_.resize(size());
@@ -130,7 +153,7 @@ void VelocityRows::fill_matrix()
     for (std::size_t r = 0; r < size(); ++r) values[pattern.diagonal[r]] = scale_[r] > 0.0 ? ridge : 1.0;
     for (const Product& product : pattern.products)
         values[product.target] += scale_of[product.a] * scale_of[product.b] *
-                                  entries_[product.a].coefficients.dot(responses[product.b]);
+                                  entries_[product.a].coefficients.dot(responses_[product.b]);
 }
 
 void VelocityRows::factorise(std::vector<NodeInverse> inverses)
@@ -138,7 +161,8 @@ void VelocityRows::factorise(std::vector<NodeInverse> inverses)
     inverses_ = std::move(inverses);
     if (empty()) return;
     if (!factor_ || factor_.use_count() > 1) factor_ = std::make_shared<Factor>();
-    if (!has_pattern()) find_pattern();
+    const bool turns = inverses_turn();
+    if (!has_pattern(turns)) find_pattern(turns);
     fill_matrix();
     factor_->solver.factorize(factor_->matrix);
     if (factor_->solver.info() != Eigen::Success)
@@ -162,16 +186,17 @@ Scalars VelocityRows::solve(Scalars right_hand_side) const
     return right_hand_side;
 }
 
-Scalars VelocityRows::multipliers(const std::vector<NodeVelocities>& velocities) const
+Scalars VelocityRows::misses(bool to_zero, const std::vector<NodeVelocities>& velocities) const
 {
     Scalars missing = products(velocities);
+    if (to_zero) return missing;
     for (std::size_t r = 0; r < size(); ++r) missing[r] -= values_[r];
-    return solve(std::move(missing));
+    return missing;
 }
 
 Scalars VelocityRows::multipliers_to_zero(const std::vector<NodeVelocities>& velocities) const
 {
-    return solve(products(velocities));
+    return solve(misses(true, velocities));
 }
 
 std::vector<NodeVelocities> VelocityRows::impulses(const Scalars& multipliers) const
@@ -188,9 +213,10 @@ void VelocityRows::correct(bool to_zero, std::vector<NodeVelocities>& velocities
     if (empty()) return;
     // the second time takes out what the ridge has left
     for (int refinement = 0; refinement < 2; ++refinement) {
-        const std::vector<NodeVelocities> impulse =
-            impulses(to_zero ? multipliers_to_zero(velocities) : multipliers(velocities));
-        for (std::size_t i = 0; i < nodes_.size(); ++i) velocities[i] += inverses_[i] * impulse[i];
+        const Scalars multipliers = solve(misses(to_zero, velocities));
+        for_each_entry([&](std::size_t r, std::size_t k) {
+            velocities[entries_[k].place] -= multipliers[r] * responses_[k];
+        });
     }
 }
 
@@ -209,35 +235,37 @@ void VelocityRows::set_porosities(const Scalars& porosities)
     porosities_ = porosities;
     by_pressure_.resize(entries_.size());
     for (std::size_t k = 0; k < entries_.size(); ++k) {
-        const NodeVelocities response = inverses_[entries_[k].place] * entries_[k].coefficients;
         const double n = porosities_[entries_[k].place];
-        by_pressure_[k] = (1.0 - n) * response.head<2>() + n * response.tail<2>();
+        by_pressure_[k] = (1.0 - n) * responses_[k].head<2>() + n * responses_[k].tail<2>();
     }
+    compliances_.resize(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        compliances_[i] = pressure_compliance(inverses_[i], porosities_[i]);
 }
 
 std::vector<Eigen::Matrix2d> VelocityRows::local_compliances() const
 {
     constexpr double softness =
         0.02; // of a row's own response: a node with a small share in a wall stays free
-    std::vector<std::vector<const Entry*>> held(nodes_.size());
+    std::vector<NodeInverse> left = inverses_; // what the rows so far leave
     for_each_entry([&](std::size_t r, std::size_t k) {
-        if (r < first_follower_ || k == first_[r]) held[entries_[k].place].push_back(&entries_[k]);
+        if (r >= first_follower_ && k != first_[r]) return;
+        const Entry& entry = entries_[k];
+        NodeInverse& R = left[entry.place];
+        const NodeVelocities response = R * entry.coefficients;
+        const double own =
+            entry.coefficients.dot(response) + softness * inverses_[entry.place].diagonal().maxCoeff();
+        if (own > 0.0) R -= response * response.transpose() / own;
     });
     std::vector<Eigen::Matrix2d> compliances;
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        NodeInverse R = inverses_[i];
-        const double free = R.diagonal().maxCoeff();
-        for (const Entry* entry : held[i]) { // one after the other: their sum is what all of them leave
-            const NodeVelocities response = R * entry->coefficients;
-            const double own = entry->coefficients.dot(response) + softness * free;
-            if (own > 0.0) R -= response * response.transpose() / own;
-        }
-        compliances.push_back(pressure_compliance(R, porosities_[i]));
-    }
+    compliances.reserve(nodes_.size());
+    for (std::size_t i = 0; i < nodes_.size(); ++i)
+        compliances.push_back(pressure_compliance(left[i], porosities_[i]));
     for (std::size_t r = first_follower_; r < size(); ++r) {
         const std::size_t last = r + 1 < size() ? first_[r + 1] : entries_.size();
         const Entry& follower = entries_[first_[r]];
-        if (follower.coefficients[0] == 0.0) continue; // one row tells: those of the other directions are alike
+        if (follower.coefficients[0] == 0.0)
+            continue; // one row tells: those of the other directions are alike
         Eigen::Matrix2d of_followed = Eigen::Matrix2d::Zero();
         for (std::size_t k = first_[r] + 1; k < last; ++k) {
             const double weight = entries_[k].coefficients[0];
@@ -248,14 +276,9 @@ std::vector<Eigen::Matrix2d> VelocityRows::local_compliances() const
     return compliances;
 }
 
-Eigen::Matrix2d VelocityRows::free_compliance(std::size_t place) const
-{
-    return pressure_compliance(inverses_[place], porosities_[place]);
-}
-
 void VelocityRows::respond_to_pressure(const std::vector<Vector2>& force, std::vector<Vector2>& flux) const
 {
-    for (std::size_t i = 0; i < nodes_.size(); ++i) flux[i] = free_compliance(i) * force[i];
+    for (std::size_t i = 0; i < nodes_.size(); ++i) flux[i] = compliances_[i] * force[i];
     Scalars missing(size(), 0.0);
     for_each_entry(
         [&](std::size_t r, std::size_t k) { missing[r] += by_pressure_[k].dot(force[entries_[k].place]); });

@@ -40,6 +40,22 @@ public:
     /// From here on rows let their first node follow the others.
     void begin_followers() { first_follower_ = size(); }
 
+    /// Call visit(follower, axis, node, weight) for every node that the grains of a follower follow along an
+    /// axis, those of one follower and axis after each other.
+    template <class Visit>
+    void for_each_followed(Visit&& visit) const
+    {
+        for (std::size_t r = first_follower_; r < size(); ++r) {
+            const std::size_t last = r + 1 < size() ? first_[r + 1] : entries_.size();
+            const Entry& follower = entries_[first_[r]];
+            const int axis = follower.coefficients[0] != 0.0 ? 0 : 1;
+            if (follower.coefficients[axis] == 0.0) continue; // of the water
+            for (std::size_t k = first_[r] + 1; k < last; ++k)
+                visit(nodes_[follower.place], axis, nodes_[entries_[k].place],
+                      -entries_[k].coefficients[axis]);
+        }
+    }
+
     bool empty() const { return values_.empty(); }
     std::size_t size() const { return values_.size(); }
     const std::vector<std::size_t>& nodes() const { return nodes_; }
@@ -50,8 +66,7 @@ public:
 
     const NodeInverse& inverse(std::size_t place) const { return inverses_[place]; }
 
-    /// Multipliers of velocities at nodes() that miss the rows' values, and of those that miss zero [N s].
-    Scalars multipliers(const std::vector<NodeVelocities>& velocities) const;
+    /// Multipliers that take velocities at nodes() to rows of value zero [N s].
     Scalars multipliers_to_zero(const std::vector<NodeVelocities>& velocities) const;
 
     /// Impulses on the nodes: - C^T multipliers [N s].
@@ -68,8 +83,6 @@ public:
     /// What a force of the pressure does at each node alone if the rows held every node by itself: an answer
     /// that knows no neighbours, for preconditioners.
     std::vector<Eigen::Matrix2d> local_compliances() const;
-    /// Flux per unit force of the pressure at a node without the rows, beta^T A^-1 beta.
-    Eigen::Matrix2d free_compliance(std::size_t place) const;
     /// flux at nodes() = (W - B^T P^-1 B) force, for forces of the pressure at them.
     void respond_to_pressure(const std::vector<Vector2>& force, std::vector<Vector2>& flux) const;
 
@@ -79,9 +92,12 @@ private:
         std::size_t a, b;   // of the entries
         std::size_t target; // among the matrix's values
     };
-    /// Where the rows' products go in the matrix, as long as rows touch the same nodes.
+    /// Where the rows' products go in the matrix, as long as rows touch the same nodes in the same
+    /// directions.
     struct Pattern {
         std::vector<std::size_t> first, places; // of the rows that it was made for
+        std::vector<std::uint8_t> axes;         // of their entries, see axes_of()
+        bool turns = false;                     // whether impulses along one axis move nodes along the other
         std::vector<Product> products;
         std::vector<std::size_t> diagonal; // among the matrix's values
     };
@@ -94,23 +110,27 @@ private:
     template <class Visit>
     void for_each_entry(Visit&& visit) const;
     Scalars products(const std::vector<NodeVelocities>& velocities) const;
+    Scalars misses(bool to_zero, const std::vector<NodeVelocities>& velocities) const;
     Scalars solve(Scalars right_hand_side) const;
     void correct(bool to_zero, std::vector<NodeVelocities>& velocities) const;
-    bool has_pattern() const;
-    void find_pattern();
+    bool inverses_turn() const;
+    bool has_pattern(bool turns) const;
+    void find_pattern(bool turns);
     void fill_matrix();
 
     std::vector<std::size_t> nodes_;
     std::vector<std::int32_t> place_of_node_; // -1: in no row
     std::vector<NodeInverse> inverses_;
-    std::vector<double> values_;       // V of the rows
-    std::size_t first_follower_ = 0;   // row
-    std::vector<std::size_t> first_;   // entry of each row
-    std::vector<Entry> entries_;       // row by row
-    std::vector<Vector2> by_pressure_; // B of the entries: beta^T A^-1 c [1/kg]
-    Scalars porosities_;               // of nodes() [-]
-    Scalars scale_;                    // of the rows, 0 of those left out: P scaled has a diagonal of ones
-    std::shared_ptr<Factor> factor_;   // copies of the rows share it
+    std::vector<double> values_;               // V of the rows
+    std::size_t first_follower_ = 0;           // row
+    std::vector<std::size_t> first_;           // entry of each row
+    std::vector<Entry> entries_;               // row by row
+    std::vector<NodeVelocities> responses_;    // A^-1 c of the entries [1/kg]
+    std::vector<Vector2> by_pressure_;         // B of the entries: beta^T A^-1 c [1/kg]
+    Scalars porosities_;                       // of nodes() [-]
+    std::vector<Eigen::Matrix2d> compliances_; // of nodes() without the rows: beta^T A^-1 beta [1/kg]
+    Scalars scale_;                  // of the rows, 0 of those left out: P scaled has a diagonal of ones
+    std::shared_ptr<Factor> factor_; // copies of the rows share it
 };
 
 } // namespace quicksand
