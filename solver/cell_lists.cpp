@@ -78,6 +78,7 @@ std::int64_t update_cell_lists(const BackgroundGrid& grid, const Particles& part
     if (lost < count) return lost;
     if (changed == 0) return -1;
 
+    ++lists.changes;
     // stable counting sort: within a cell the particles keep their order in memory
     std::fill(lists.cell_start.begin(), lists.cell_start.end(), 0);
     for (const std::int32_t slot : lists.cell_of_particle)

@@ -34,6 +34,7 @@ struct CellLists {
     std::vector<Tile> tiles;                    // by number
     std::array<std::vector<Tile>, 4> tiles_of_colour;
     std::vector<std::int32_t> scratch; // buffer of the counting sort
+    std::int64_t changes = 0;          // how often `order` has been set up anew [-]
 
     /// Entries of `order` that belong to a tile: [first_entry, last_entry).
     std::size_t first_entry(const Tile& tile) const

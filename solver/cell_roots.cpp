@@ -1,16 +1,19 @@
 #include "solver/cell_roots.hpp"
 
+#include "solver/node_weights.hpp"
 #include "solver/pore_pressure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace quicksand {
 
 namespace {
 
-// Of a good cell: 0.25 costs a fifth of the stable step, 0.6 doubles errors at 45 degrees. A little less than
-// 0.4, so that rounding does not decide about cells that are 0.4 full by their drawing.
+// Of a good cell: 0.25 costs a fifth of the stable step, 0.5 keeps less of a constant pressure in sharp
+// corners. A little less than 0.4, so that rounding does not decide about cells that are 0.4 full by their
+// drawing.
 constexpr double least_fill = 0.4 - 1e-6;
 constexpr double reach_of_root =
     2.5;                       // of a badly filled cell's centre, or a node: two rings of cells [cells]
@@ -34,31 +37,57 @@ Cell cell_at(const BackgroundGrid& grid, std::size_t index)
     return {static_cast<int>(index % columns), static_cast<int>(index / columns)};
 }
 
-/// The good cells within `reach` of a point that are nearest to it, and of these the fullest: several where
-/// they are equal, so that a mirrored drawing has mirrored roots.
-std::vector<Cell> nearest_good_cells(const BackgroundGrid& grid, const CellRoots& roots, const Vector2& point,
-                                     double reach)
-{
-    const auto low = [&](double x) { return std::max(0, static_cast<int>(std::floor(x - reach))); };
-    std::vector<Cell> best;
-    double least = 0.0, fullest = 0.0;
-    for (int j = low(point.y()); j <= std::min(grid.all_cells_y() - 1, static_cast<int>(point.y() + reach));
-         ++j) {
-        for (int i = low(point.x());
-             i <= std::min(grid.all_cells_x() - 1, static_cast<int>(point.x() + reach)); ++i) {
-            const Cell cell{i, j};
-            const Vector2 apart = cell.centre() - point;
-            if (roots.good_cells[cell.index(grid)] == 0 || apart.cwiseAbs().maxCoeff() > reach + equal)
-                continue;
-            const double distance = apart.squaredNorm(), fill = roots.fill[cell.index(grid)];
-            const bool near = best.empty() || distance < least + equal;
-            const bool nearer = best.empty() || distance < least - equal;
-            if (!near || (!nearer && fill < fullest - equal)) continue;
-            if (nearer || fill > fullest + equal) best.clear();
-            best.push_back(cell);
-            least = distance;
-            fullest = fill;
+/// The good cells that are nearest to a point, and of these the fullest: several where they are equal, so
+/// that a mirrored drawing has mirrored roots.
+struct NearCells {
+    std::array<Cell, 8> cells; // no more are equally far within two rings
+    std::size_t count = 0;
+
+    const Cell* begin() const { return cells.data(); }
+    const Cell* end() const { return cells.data() + count; }
+};
+
+/// Cells around a point by their distance, those of one distance row by row.
+struct CellsByDistance {
+    struct Step {
+        int i, j;
+        double distance; // its square [cells^2]
+    };
+    std::vector<Step> steps;
+
+    /// `point` is the centre of a cell or a node, counted from the lower left corner of the cell (0, 0).
+    explicit CellsByDistance(const Vector2& point)
+    {
+        for (int j = -3; j <= 3; ++j) {
+            for (int i = -3; i <= 3; ++i) {
+                const Vector2 apart = Cell{i, j}.centre() - point;
+                if (apart.cwiseAbs().maxCoeff() <= reach_of_root)
+                    steps.push_back({i, j, apart.squaredNorm()});
+            }
         }
+        std::stable_sort(steps.begin(), steps.end(),
+                         [](const Step& a, const Step& b) { return a.distance < b.distance; });
+    }
+};
+
+NearCells nearest_good_cells(const BackgroundGrid& grid, const CellRoots& roots, const Cell& around,
+                             const CellsByDistance& ring)
+{
+    NearCells best;
+    double least = 0.0, fullest = 0.0;
+    for (const CellsByDistance::Step& step : ring.steps) {
+        if (best.count > 0 && step.distance > least) break;
+        const Cell cell{around.i + step.i, around.j + step.j};
+        if (cell.i < 0 || cell.j < 0 || cell.i >= grid.all_cells_x() || cell.j >= grid.all_cells_y())
+            continue;
+        const std::size_t index = cell.index(grid);
+        if (roots.filling[index] != Filling::good) continue;
+        const double fill = roots.fill[index];
+        if (best.count > 0 && fill < fullest - equal) continue;
+        if (fill > fullest + equal) best.count = 0;
+        best.cells[best.count++] = cell;
+        least = step.distance;
+        fullest = fill;
     }
     return best;
 }
@@ -77,19 +106,72 @@ Vector2 centre_of_soil(const BackgroundGrid& grid, const CellLists& lists, const
     return grid.cells_from_rim(moment / volume);
 }
 
-void mark_nodes(const BackgroundGrid& grid, const NodeConditions& conditions, CellRoots& roots)
+/// Call visit(column, row) for the cells that are filled at least so well.
+template <class Visit>
+void for_each_cell(const BackgroundGrid& grid, const CellRoots& roots, Filling least, Visit&& visit)
 {
-    std::fill(roots.good_nodes.begin(), roots.good_nodes.end(), std::uint8_t{0});
-    for (int j = 0; j < grid.all_cells_y(); ++j) {
-        for (int i = 0; i < grid.all_cells_x(); ++i) {
-            const auto cell = static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.all_cells_x()) +
-                              static_cast<std::size_t>(i);
-            if (roots.good_cells[cell] == 0) continue;
-            const std::size_t node = grid.node_index(i, j), above = grid.node_index(i, j + 1);
-            for (const std::size_t corner : {node, node + 1, above, above + 1})
-                roots.good_nodes[conditions.master[corner]] = 1;
-        }
+    std::size_t cell = 0;
+    for (int j = 0; j < grid.all_cells_y(); ++j)
+        for (int i = 0; i < grid.all_cells_x(); ++i, ++cell)
+            if (roots.filling[cell] >= least) visit(i, j);
+}
+
+/// The nodes that soil may reach and no good cell lies beside.
+void find_followers(const BackgroundGrid& grid, const NodeConditions& conditions, CellRoots& roots)
+{
+    constexpr int reach = NodePatch::max_width / 2 - 1; // of a particle in a cell, beyond the cell [cells]
+    enum : std::uint8_t { untouched, touched, beside_good };
+    std::vector<std::uint8_t> nodes(grid.node_count(), untouched);
+    for_each_cell(grid, roots, Filling::bad, [&](int i, int j) {
+        for (int b = std::max(0, j - reach); b <= std::min(j + 1 + reach, grid.all_cells_y()); ++b)
+            for (int a = std::max(0, i - reach); a <= std::min(i + 1 + reach, grid.all_cells_x()); ++a)
+                nodes[conditions.master[grid.node_index(a, b)]] = touched;
+    });
+    for_each_cell(grid, roots, Filling::good, [&](int i, int j) {
+        const std::size_t node = grid.node_index(i, j), above = grid.node_index(i, j + 1);
+        for (const std::size_t corner : {node, node + 1, above, above + 1})
+            nodes[conditions.master[corner]] = beside_good;
+    });
+    roots.followers.clear();
+    for (std::size_t k = 0; k < nodes.size(); ++k)
+        if (nodes[k] == touched) roots.followers.push_back(k);
+}
+
+/// Volume of the particles in a cell [m3/m].
+double volume_in(const CellLists& lists, const Particles& particles, std::size_t slot)
+{
+    const std::int32_t* first = lists.order.data() + lists.cell_start[slot];
+    const std::int32_t count = lists.cell_start[slot + 1] - lists.cell_start[slot];
+    const double* volume = particles.volume.data();
+    double sum = 0.0;
+    // as a rule they follow each other in memory
+    if (count > 0 && first[count - 1] - first[0] == count - 1) {
+        volume += first[0];
+        for (std::int32_t k = 0; k < count; ++k) sum += volume[k];
+    } else {
+        for (std::int32_t k = 0; k < count; ++k) sum += volume[first[k]];
     }
+    return sum;
+}
+
+/// Volumes in the cells, and how well they are filled.
+void fill_cells(const BackgroundGrid& grid, const CellLists& lists, const Particles& particles,
+                CellRoots& roots)
+{
+    roots.fill.resize(grid.cell_count());
+    roots.filling.assign(grid.cell_count(), Filling::none);
+    const double whole = grid.cell_size * grid.cell_size;
+    for_each_tile(lists, [&](const Tile& tile) {
+        if (lists.first_entry(tile) == lists.last_entry(tile)) return;
+        for (auto s = static_cast<std::size_t>(tile.first_cell); s < static_cast<std::size_t>(tile.last_cell);
+             ++s) {
+            const double sum = volume_in(lists, particles, s);
+            if (sum == 0.0) continue;
+            const auto cell = static_cast<std::size_t>(lists.cell_of_slot[s]);
+            roots.fill[cell] = sum / whole;
+            roots.filling[cell] = sum >= least_fill * whole ? Filling::good : Filling::bad;
+        }
+    });
 }
 
 } // namespace
@@ -102,79 +184,80 @@ bool has_cut_soil(const Problem& problem)
 void find_roots(const Problem& problem, const NodeConditions& conditions, const CellLists& lists,
                 const Particles& particles, CellRoots& roots)
 {
+    static const CellsByDistance ring({0.5, 0.5});
     const BackgroundGrid& grid = problem.grid;
-    roots.good_nodes.resize(grid.node_count());
-    roots.good_cells.resize(grid.cell_count());
-    roots.fill.resize(grid.cell_count());
-    const double whole = grid.cell_size * grid.cell_size;
-    for_each_tile(lists, [&](const Tile& tile) {
-        for (std::int32_t slot = tile.first_cell; slot < tile.last_cell; ++slot) {
-            const auto s = static_cast<std::size_t>(slot);
-            double sum = 0.0;
-            for (std::int32_t k = lists.cell_start[s]; k < lists.cell_start[s + 1]; ++k)
-                sum += particles.volume[static_cast<std::size_t>(lists.order[static_cast<std::size_t>(k)])];
-            const auto cell = static_cast<std::size_t>(lists.cell_of_slot[s]);
-            roots.fill[cell] = sum / whole;
-            roots.good_cells[cell] = sum >= least_fill * whole ? 1 : 0;
-        }
-    });
-    mark_nodes(grid, conditions, roots);
+    fill_cells(grid, lists, particles, roots);
+    if (roots.filling != roots.marked) {
+        find_followers(grid, conditions, roots);
+        roots.marked = roots.filling;
+    }
     roots.shared.clear();
-    for (std::size_t s = 0; s < lists.cell_of_slot.size(); ++s) {
+    const auto share = [&](std::size_t s) {
         const auto cell = static_cast<std::size_t>(lists.cell_of_slot[s]);
-        if (roots.fill[cell] == 0.0 || roots.good_cells[cell] != 0) continue;
-        const std::vector<Cell> near =
-            nearest_good_cells(grid, roots, cell_at(grid, cell).centre(), reach_of_root);
-        if (near.empty()) continue;
-        const Vector2 soil =
-            centre_of_soil(grid, lists, particles, place_in_equations(problem, particles), s);
-        const Cell root = *std::min_element(near.begin(), near.end(), [&](const Cell& a, const Cell& b) {
-            return (a.centre() - soil).squaredNorm() < (b.centre() - soil).squaredNorm() - equal;
-        });
-        roots.shared.push_back({static_cast<std::int32_t>(s), lists.slot_of_cell[root.index(grid)]});
+        if (roots.filling[cell] != Filling::bad) return;
+        const NearCells near = nearest_good_cells(grid, roots, cell_at(grid, cell), ring);
+        if (near.count == 0) return;
+        const Cell* root = near.begin();
+        if (near.count > 1) {
+            const Vector2 soil =
+                centre_of_soil(grid, lists, particles, place_in_equations(problem, particles), s);
+            root = std::min_element(near.begin(), near.end(), [&](const Cell& a, const Cell& b) {
+                return (a.centre() - soil).squaredNorm() < (b.centre() - soil).squaredNorm() - equal;
+            });
+        }
+        roots.shared.push_back({static_cast<std::int32_t>(s), lists.slot_of_cell[root->index(grid)]});
+    };
+    for (const Tile& tile : lists.tiles) {
+        if (lists.first_entry(tile) == lists.last_entry(tile)) continue;
+        for (std::int32_t s = tile.first_cell; s < tile.last_cell; ++s) share(static_cast<std::size_t>(s));
     }
 }
 
-std::vector<FollowedNode> follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node)
+void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node,
+            std::vector<FollowedNode>& followed)
 {
+    static const CellsByDistance ring({0.0, 0.0});
     const auto row = static_cast<std::size_t>(grid.nodes_x());
     const int i = static_cast<int>(node % row), j = static_cast<int>(node / row);
-    const std::vector<Cell> near = nearest_good_cells(grid, roots, Vector2(i, j), reach_of_root);
-    std::vector<FollowedNode> followed;
+    const NearCells near = nearest_good_cells(grid, roots, {i, j}, ring);
+    followed.clear();
     for (const Cell& root : near) {
         // the corner of the root that is nearest, and how many cells the node is beyond it, one at most
         const int near_i = i <= root.i ? root.i : root.i + 1, near_j = j <= root.j ? root.j : root.j + 1;
         const double dx = std::min(1, std::abs(i - near_i)), dy = std::min(1, std::abs(j - near_j));
         const auto add = [&](int column, int line, double weight) {
             if (weight != 0.0)
-                followed.push_back(
-                    {grid.node_index(column, line), weight / static_cast<double>(near.size())});
+                followed.push_back({grid.node_index(column, line), weight / static_cast<double>(near.count)});
         };
         // the plane through the corner and its two neighbours: along a side the same as the bilinear function
         add(near_i, near_j, 1.0 + dx + dy);
         add(2 * root.i + 1 - near_i, near_j, -dx);
         add(near_i, 2 * root.j + 1 - near_j, -dy);
     }
-    return followed;
 }
 
-void merge_shared_cells(const CellLists& lists, const std::vector<SharedCell>& shared, CellLists& merged)
+void merge_shared_cells(const CellLists& lists, const std::vector<SharedCell>& shared, SharedLists& merged)
 {
+    if (merged.changes == lists.changes && merged.shared == shared) return;
+    merged.changes = lists.changes;
+    merged.shared = shared;
+    if (merged.lists.tiles.empty()) merged.lists = lists;
+    CellLists& result = merged.lists;
     std::vector<std::int32_t> slot_of(lists.cell_of_slot.size());
     for (std::size_t s = 0; s < slot_of.size(); ++s) slot_of[s] = static_cast<std::int32_t>(s);
     for (const SharedCell& cell : shared) slot_of[static_cast<std::size_t>(cell.slot)] = cell.root;
-    merged.cell_start.assign(lists.cell_start.size(), 0);
+    result.cell_start.assign(lists.cell_start.size(), 0);
     for (std::size_t s = 0; s < slot_of.size(); ++s)
-        merged.cell_start[static_cast<std::size_t>(slot_of[s]) + 1] +=
+        result.cell_start[static_cast<std::size_t>(slot_of[s]) + 1] +=
             lists.cell_start[s + 1] - lists.cell_start[s];
-    for (std::size_t s = 1; s < merged.cell_start.size(); ++s)
-        merged.cell_start[s] += merged.cell_start[s - 1];
-    merged.scratch.assign(merged.cell_start.begin(), merged.cell_start.end() - 1);
-    merged.order.resize(lists.order.size());
+    for (std::size_t s = 1; s < result.cell_start.size(); ++s)
+        result.cell_start[s] += result.cell_start[s - 1];
+    result.scratch.assign(result.cell_start.begin(), result.cell_start.end() - 1);
+    result.order.resize(lists.order.size());
     for (std::size_t s = 0; s < slot_of.size(); ++s) {
-        std::int32_t& next = merged.scratch[static_cast<std::size_t>(slot_of[s])];
+        std::int32_t& next = result.scratch[static_cast<std::size_t>(slot_of[s])];
         for (std::int32_t k = lists.cell_start[s]; k < lists.cell_start[s + 1]; ++k)
-            merged.order[static_cast<std::size_t>(next++)] = lists.order[static_cast<std::size_t>(k)];
+            result.order[static_cast<std::size_t>(next++)] = lists.order[static_cast<std::size_t>(k)];
     }
 }
 

@@ -24,11 +24,15 @@ struct SharedCell {
     bool operator==(const SharedCell&) const = default;
 };
 
+enum class Filling : std::uint8_t { none, bad, good };
+
 struct CellRoots {
-    std::vector<std::uint8_t> good_nodes; // by node: 1 where a good cell lies beside it, 0 elsewhere
-    std::vector<std::uint8_t> good_cells; // by cell of the grid
-    Scalars fill;                         // of the cells: soil volume over the cell's [-]
-    std::vector<SharedCell> shared;       // in the order of the slots
+    Scalars fill;                   // of the cells with soil: its volume over the cell's [-]
+    std::vector<Filling> filling;   // by cell of the grid
+    std::vector<SharedCell> shared; // in the order of the slots
+    std::vector<std::size_t>
+        followers;               // nodes that soil may reach and no good cell lies beside, in their order
+    std::vector<Filling> marked; // the filling for which the followers were found
 };
 
 /// Whether outlines cut domains: soil then ends within cells.
@@ -46,9 +50,17 @@ struct FollowedNode {
 
 /// What a node without a good cell follows: corners of the nearest good cell, or the mean of several that are
 /// equally near and full. None: no good cell is near.
-std::vector<FollowedNode> follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node);
+void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node,
+            std::vector<FollowedNode>& followed);
 
-/// The lists with the particles of shared cells in the slots of their roots.
-void merge_shared_cells(const CellLists& lists, const std::vector<SharedCell>& shared, CellLists& merged);
+/// Lists with the particles of shared cells in the slots of their roots.
+struct SharedLists {
+    CellLists lists;
+    std::vector<SharedCell> shared; // for which, and for which lists, they hold
+    std::int64_t changes = -1;
+};
+
+/// Bring them up to date with the lists of the cells themselves.
+void merge_shared_cells(const CellLists& lists, const std::vector<SharedCell>& shared, SharedLists& merged);
 
 } // namespace quicksand

@@ -47,13 +47,19 @@ CutDomain make_cut_domain(std::vector<Vector2> corners)
     return shape;
 }
 
+void corners_in_frame(const CutDomain& shape, const Vector2& centre, const Vector2& half_edge_1,
+                      const Vector2& half_edge_2, std::vector<Vector2>& corners)
+{
+    corners.clear();
+    for (const Vector2& local : shape.corners)
+        corners.push_back(centre + local.x() * half_edge_1 + local.y() * half_edge_2);
+}
+
 std::vector<Vector2> corners_in_frame(const CutDomain& shape, const Vector2& centre,
                                       const Vector2& half_edge_1, const Vector2& half_edge_2)
 {
     std::vector<Vector2> corners;
-    corners.reserve(shape.corners.size());
-    for (const Vector2& local : shape.corners)
-        corners.push_back(centre + local.x() * half_edge_1 + local.y() * half_edge_2);
+    corners_in_frame(shape, centre, half_edge_1, half_edge_2, corners);
     return corners;
 }
 
@@ -93,10 +99,12 @@ void evaluate_polygon(const BackgroundGrid& grid, const CutDomain& shape, const 
 {
     const std::size_t count = corners.size();
     const double half = 0.5 / polygon_area(corners);
-    std::vector<CornerWeights> weights;
-    weights.reserve(count);
+    thread_local std::vector<CornerWeights> weights; // its memory serves all domains
+    weights.clear();
     for (std::size_t c = 0; c < count; ++c) {
-        const Vector2 across = corners[(c + 1) % count] - corners[(c + count - 1) % count];
+        const Vector2& before = corners[c > 0 ? c - 1 : count - 1];
+        const Vector2& after = corners[c + 1 < count ? c + 1 : 0];
+        const Vector2 across = after - before;
         weights.push_back({corners[c], shape.shares[c], half * Vector2(across.y(), -across.x())});
     }
     sum_corner_weights(grid, weights, patch, line_tolerance(grid, corners.front()));
@@ -107,19 +115,28 @@ std::int64_t weigh_cut_domains(const Problem& problem, const Particles& particle
 {
     const BackgroundGrid& grid = problem.grid;
     const std::size_t first = lists.first_entry(tile);
+    const auto particle = [&](std::size_t entry) {
+        return static_cast<std::size_t>(lists.order[first + entry]);
+    };
+    if (store.cut_of != lists.changes) {
+        store.cut_of = lists.changes;
+        store.cut.clear();
+        for (std::size_t k = 0; k < lists.last_entry(tile) - first; ++k)
+            if (problem.cut_domains.find(particles.identifier[particle(k)]) != nullptr)
+                store.cut.push_back(static_cast<std::uint32_t>(k));
+    }
     std::int64_t limited = 0;
     NodePatch patch;
-    for (std::size_t k = first; k < lists.last_entry(tile); ++k) {
-        const auto p = static_cast<std::size_t>(lists.order[k]);
-        const CutDomain* shape = problem.cut_domains.find(particles.identifier[p]);
-        if (shape == nullptr) continue;
+    std::vector<Vector2> corners;
+    for (const std::uint32_t k : store.cut) {
+        const std::size_t p = particle(k);
+        const CutDomain& shape = *problem.cut_domains.find(particles.identifier[p]);
         ParallelogramDomain frame{particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
-        std::vector<Vector2> corners =
-            corners_in_frame(*shape, frame.centre, frame.half_edge_1, frame.half_edge_2);
+        corners_in_frame(shape, frame.centre, frame.half_edge_1, frame.half_edge_2, corners);
         if (limit_polygon(grid.cell_size, frame.centre, corners))
             limited += limit_domain(grid.cell_size, frame) ? 0 : 1;
-        evaluate_polygon(grid, *shape, corners, patch);
-        store.put(k - first, patch);
+        evaluate_polygon(grid, shape, corners, patch);
+        store.put(k, patch);
     }
     return limited;
 }

@@ -60,7 +60,6 @@ void hold_walls_of(const Problem& problem, const State& state, HeldShape& shape)
 {
     if (!shape.walls.any) return;
     find_roots(problem, shape.conditions, shape.lists, state.particles, shape.walls.roots);
-    shape.shared_lists = shape.lists;
     merge_shared_cells(shape.lists, shape.walls.roots.shared, shape.shared_lists);
     State resting = state;
     resting.stage = Stage::relaxation;
@@ -130,7 +129,7 @@ void advance_held_shape(const Problem& problem, double dt, double damping, doubl
         shape.displacement.y[i] += dt * shape.motion[i].y;
     }
     for_each_tile(shape.lists, [&](const Tile& tile) { gather_gradients(problem, shape, tile, particles); });
-    update_stress_of_cells(problem, dt, shape.walls.any ? shape.shared_lists : shape.lists, particles,
+    update_stress_of_cells(problem, dt, shape.walls.any ? shape.shared_lists.lists : shape.lists, particles,
                            shape.average);
 }
 

@@ -22,8 +22,7 @@ struct HeldShape {
     CellLists lists;
     NodeConditions conditions;
     WallRows walls;
-    CellLists
-        shared_lists; // with badly filled cells in the slots of their roots, where soil ends within cells
+    SharedLists shared_lists;          // where soil ends within cells
     std::vector<PatchStore> patches;   // per tile
     std::vector<SinglePhaseSums> rest; // masses and weights of the nodes, with the loads and no stress
     std::vector<SinglePhaseSums> sums; // with the forces and momenta of the last step

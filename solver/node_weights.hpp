@@ -55,6 +55,8 @@ struct PatchStore {
     std::vector<StoredPatch> patches;
     std::vector<double> value, gradient_x, gradient_y; // as NodeWeight; longer than what is in use
     std::size_t used = 0;                              // weights of the patches so far
+    std::vector<std::uint32_t> cut;                    // patches of domains that an outline cuts
+    std::int64_t cut_of = -1;                          // CellLists::changes for which they were found
 
     /// Room for the patches of so many particles, none of them with weights yet.
     void clear_for(std::size_t particles)

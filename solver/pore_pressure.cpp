@@ -136,6 +136,8 @@ void cavitate(double lowest, double deficit_of_cell, std::size_t p, Particles& p
 void select_saturated(const Problem& problem, const Particles& particles, const CellLists& all,
                       CellLists& wet)
 {
+    if (wet.changes == all.changes) return;
+    wet.changes = all.changes;
     wet.order.clear();
     const std::size_t slots = all.cell_start.size() - 1;
     wet.cell_start.assign(all.cell_start.size(), 0);

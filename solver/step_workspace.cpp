@@ -50,7 +50,6 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     if (work.partly_saturated) work.wet_lists = work.lists;
     work.conditions = node_conditions(problem, stage);
     set_up_wall_rows(problem, stage, work.walls);
-    if (work.walls.any) work.shared_lists = work.shared_wet_lists = work.lists;
     work.wall_kinds = ledger_nodes(work.conditions);
     work.ledger_nodes = work.wall_kinds;
     work.patches.resize(work.lists.tiles.size());

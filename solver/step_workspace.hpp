@@ -26,11 +26,9 @@ namespace quicksand {
 /// Memory of the steps; nothing of it has to survive a checkpoint.
 struct StepWorkspace {
     CellLists lists;
-    CellLists wet_lists;           // the saturated particles alone, where there are others
-    bool partly_saturated = false; // a phreatic line runs through the soil
-    CellLists
-        shared_lists; // with badly filled cells in the slots of their roots; where soil ends within cells
-    CellLists shared_wet_lists;
+    CellLists wet_lists;                        // the saturated particles alone, where there are others
+    bool partly_saturated = false;              // a phreatic line runs through the soil
+    SharedLists shared_lists, shared_wet_lists; // where soil ends within cells
     NodeConditions conditions;
     WallRows walls;
     std::vector<PatchStore> patches;        // per tile
@@ -46,13 +44,13 @@ struct StepWorkspace {
     PhaseTimers timers;
 
     /// The lists by which cells have one change of volume: badly filled cells with their roots.
-    const CellLists& volume_lists() const { return walls.any ? shared_lists : lists; }
+    const CellLists& volume_lists() const { return walls.any ? shared_lists.lists : lists; }
 
     /// The same of the particles that have a pore pressure.
     const CellLists& lists_with_pressure() const
     {
         if (!partly_saturated) return volume_lists();
-        return walls.any ? shared_wet_lists : wet_lists;
+        return walls.any ? shared_wet_lists.lists : wet_lists;
     }
 
     const PatchStore& patches_of(const Tile& tile) const

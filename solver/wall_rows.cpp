@@ -68,10 +68,11 @@ void add_rows(const ChainHats& hats, Held held, bool across, VelocityRows& rows)
     }
 }
 
-void add_grain_rows(const Problem& problem, const std::vector<std::uint8_t>& active, WallRows& walls)
+void add_grain_rows(const Problem& problem, WallRows& walls)
 {
     walls.chain_of_row.clear();
-    const std::vector<WallShare> shares = share_normals(walls.edges, walls.contacts, active, walls.normal);
+    const std::vector<WallShare> shares =
+        share_normals(walls.edges, walls.contacts, walls.active_nodes, walls.normal);
     const std::vector<ChainHats> hats = by_hats(problem, walls, shares);
     for (std::size_t c = 0; c < hats.size(); ++c) {
         const GrainHold hold = walls.edges.chains[c].hold.grains;
@@ -81,10 +82,11 @@ void add_grain_rows(const Problem& problem, const std::vector<std::uint8_t>& act
     }
 }
 
-void add_water_rows(const Problem& problem, const std::vector<std::uint8_t>& active, WallRows& walls)
+void add_water_rows(const Problem& problem, WallRows& walls)
 {
     const Vectors& normal = walls.divides_water ? walls.wet_normal : walls.normal;
-    const std::vector<WallShare> shares = share_normals(walls.edges, walls.contacts, active, normal);
+    const std::vector<WallShare> shares =
+        share_normals(walls.edges, walls.contacts, walls.active_nodes, normal);
     const std::vector<ChainHats> hats = by_hats(problem, walls, shares);
     for (std::size_t c = 0; c < hats.size(); ++c) {
         const WaterHold hold = walls.edges.chains[c].hold.water;
@@ -121,9 +123,10 @@ void add_followers(const Problem& problem, const NodeConditions& conditions, con
                    WallRows& walls)
 {
     walls.rows.begin_followers();
-    for (std::size_t k = 0; k < sums.size(); ++k) {
-        if (walls.roots.good_nodes[k] != 0 || !sums[k].active() || conditions.master[k] != k) continue;
-        const std::vector<FollowedNode> followed = follow(problem.grid, walls.roots, k);
+    std::vector<FollowedNode> followed;
+    for (const std::size_t k : walls.roots.followers) {
+        if (!sums[k].active()) continue;
+        follow(problem.grid, walls.roots, k, followed);
         if (followed.empty() ||
             mass_of(sums[k]) < least_mass * mass_of(sums[conditions.master[followed[0].node]]))
             continue;
@@ -173,6 +176,7 @@ void factorise(const NodeConditions& conditions, double dt, const std::vector<Da
                const std::vector<Sums>& sums, VelocityRows& rows)
 {
     std::vector<NodeInverse> inverses;
+    inverses.reserve(rows.nodes().size());
     for (const std::size_t i : rows.nodes()) {
         inverses.push_back(inverse_of(sums[i], conditions.of_node[i], dt));
         const auto dashpot =
@@ -183,12 +187,13 @@ void factorise(const NodeConditions& conditions, double dt, const std::vector<Da
     rows.factorise(std::move(inverses));
 }
 
+/// Which nodes in contact with walls have soil; nothing of the others.
 template <class Sums>
-std::vector<std::uint8_t> active_nodes(const std::vector<Sums>& sums)
+void find_active(const std::vector<Sums>& sums, WallRows& walls)
 {
-    std::vector<std::uint8_t> active(sums.size());
-    for (std::size_t i = 0; i < sums.size(); ++i) active[i] = sums[i].active() ? 1 : 0;
-    return active;
+    walls.active_nodes.resize(sums.size());
+    for (const WallContact& contact : walls.contacts.walls)
+        walls.active_nodes[contact.node] = sums[contact.node].active() ? 1 : 0;
 }
 
 NodeVelocities velocities_of(const TwoPhaseMotion& motion)
@@ -218,13 +223,14 @@ Scalars force_multipliers(const Problem& problem, double acceleration, const Vel
 template <class Motion>
 void hold(const VelocityRows& rows, std::vector<Motion>& motion)
 {
-    std::vector<NodeVelocities> before, velocities;
-    for (const std::size_t i : rows.nodes()) before.push_back(velocities_of(motion[i]));
-    velocities = before;
+    std::vector<NodeVelocities> velocities;
+    velocities.reserve(rows.nodes().size());
+    for (const std::size_t i : rows.nodes()) velocities.push_back(velocities_of(motion[i]));
     rows.hold(velocities);
-    for (std::size_t k = 0; k < before.size(); ++k) {
-        const NodeVelocities change = velocities[k] - before[k];
-        add_velocity(motion[rows.nodes()[k]], change.head<2>(), change.tail<2>());
+    for (std::size_t k = 0; k < velocities.size(); ++k) {
+        Motion& node = motion[rows.nodes()[k]];
+        const NodeVelocities change = velocities[k] - velocities_of(node);
+        add_velocity(node, change.head<2>(), change.tail<2>());
     }
 }
 
@@ -236,9 +242,9 @@ void assemble_wall_rows(const Problem& problem, const NodeConditions& conditions
 {
     if (!walls.any) return;
     walls.rows.clear(sums.size());
-    const std::vector<std::uint8_t> active = active_nodes(sums);
-    add_grain_rows(problem, active, walls);
-    add_water_rows(problem, active, walls);
+    find_active(sums, walls);
+    add_grain_rows(problem, walls);
+    add_water_rows(problem, walls);
     add_followers(problem, conditions, sums, walls);
     factorise(conditions, dt, dashpots, sums, walls.rows);
 }
@@ -249,7 +255,8 @@ void assemble_wall_rows(const Problem& problem, const NodeConditions& conditions
 {
     if (!walls.any) return;
     walls.rows.clear(sums.size());
-    add_grain_rows(problem, active_nodes(sums), walls);
+    find_active(sums, walls);
+    add_grain_rows(problem, walls);
     add_followers(problem, conditions, sums, walls);
     factorise(conditions, dt, dashpots, sums, walls.rows);
 }

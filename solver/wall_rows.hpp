@@ -37,11 +37,12 @@ struct WallRows {
     bool divides_water = false; // dry and saturated soil meet: their normals differ
     WallContacts contacts;
     bool contacts_are_due = true;
-    bool normals_are_kept = false; // small strain: they hold for all steps
+    bool normals_are_kept = false;           // small strain: they hold for all steps
     std::vector<std::uint8_t> touched_slots; // cells whose particles may give weight to a node in contact
     std::vector<std::uint8_t> touched_nodes;
-    Vectors normal;     // a_i of the nodes in contact, of all soil [m]
-    Vectors wet_normal; // of the saturated soil, where there is other soil [m]
+    std::vector<std::uint8_t> active_nodes; // of those in contact: whether they have soil
+    Vectors normal;                         // a_i of the nodes in contact, of all soil [m]
+    Vectors wet_normal;                     // of the saturated soil, where there is other soil [m]
     CellRoots roots;
     VelocityRows rows;
     std::vector<std::size_t> chain_of_row; // of the rows before the followers'

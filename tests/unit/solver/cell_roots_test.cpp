@@ -1,0 +1,146 @@
+#include "solver/cell_roots.hpp"
+#include "solver/particle_order.hpp"
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+constexpr double h = 0.5; // cell size [m]
+
+/// Soil of 2 x 2 particles a cell up to 1 m where its cells are full; above lies what `upper` chooses.
+struct Soil {
+    Problem problem;
+    State state;
+    CellLists lists;
+    NodeConditions conditions;
+    CellRoots roots;
+
+    explicit Soil(const std::function<bool(const Vector2&)>& upper)
+    {
+        problem.grid = {{0.0, 0.0}, h, 4, 5};
+        problem.materials = {stiff_sand()};
+        state = fill(problem, 2, [&](const Vector2& x) { return x.y() < 1.0 || upper(x); });
+        lists = make_cell_lists(problem.grid);
+        conditions = node_conditions(problem, Stage::shaking);
+        update();
+    }
+
+    void update()
+    {
+        sort_particles(problem.grid, 0.0, state, lists);
+        find_roots(problem, conditions, lists, state.particles, roots);
+    }
+
+    /// The slot of a cell of the scene's grid.
+    std::int32_t slot(int i, int j) const
+    {
+        const int cell =
+            (j + BackgroundGrid::ghost_cells) * problem.grid.all_cells_x() + i + BackgroundGrid::ghost_cells;
+        return lists.slot_of_cell[static_cast<std::size_t>(cell)];
+    }
+    std::size_t node(int i, int j) const
+    {
+        return problem.grid.node_index(i + BackgroundGrid::ghost_cells, j + BackgroundGrid::ghost_cells);
+    }
+    std::vector<FollowedNode> followed_by(std::size_t k) const
+    {
+        std::vector<FollowedNode> followed;
+        follow(problem.grid, roots, k, followed);
+        return followed;
+    }
+};
+
+TEST(CellRoots, OfABadlyFilledCellIsTheGoodOneBesideIt)
+{
+    // one particle of four in the cell (1, 2)
+    const Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
+    const std::vector<SharedCell> expected = {{soil.slot(1, 2), soil.slot(1, 1)}};
+    EXPECT_EQ(soil.roots.shared, expected);
+}
+
+TEST(CellRoots, RoundingDoesNotDecideWhichCellsAreGood)
+{
+    Soil soil([](const Vector2& x) { return x.y() < 1.25; }); // half a layer
+    for (double& volume : soil.state.particles.volume) volume *= 0.8 * (1.0 - 1e-12);
+    soil.update();
+    EXPECT_TRUE(soil.roots.shared.empty()); // cells 0.4 full but for rounding
+    for (double& volume : soil.state.particles.volume) volume *= 0.99;
+    soil.update();
+    EXPECT_EQ(soil.roots.shared.size(), 4U);
+}
+
+TEST(CellRoots, OfEquallyNearCellsIsTheFullestAndThenTheOneNearestToTheSoil)
+{
+    // soil of the cell (1, 3) with (0, 3) and (2, 3) full beside it, and nothing below
+    const auto beside = [](const Vector2& x) {
+        const bool full = x.y() > 1.5 && x.y() < 2.0 && (x.x() < 0.5 || (x.x() > 1.0 && x.x() < 1.5));
+        return full || (x.y() > 1.75 && x.y() < 2.0 && x.x() > 0.75 && x.x() < 1.0);
+    };
+    Soil soil(beside);
+    ASSERT_EQ(soil.roots.shared.size(), 1U);
+    EXPECT_EQ(soil.roots.shared[0].root, soil.slot(2, 3));
+    for (std::size_t p = 0; p < soil.state.particles.size(); ++p) // the right one looser
+        if (soil.state.particles.position.x[p] > 1.0) soil.state.particles.volume[p] *= 0.9;
+    soil.update();
+    EXPECT_EQ(soil.roots.shared[0].root, soil.slot(0, 3));
+}
+
+TEST(CellRoots, FollowersContinueTheGoodCellLinearly)
+{
+    const Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
+    const auto linear = [](const Vector2& x) { return 0.3 + 2.0 * x.x() - 0.7 * x.y(); };
+    for (const std::size_t k : {soil.node(1, 3), soil.node(2, 3)}) {
+        EXPECT_TRUE(std::binary_search(soil.roots.followers.begin(), soil.roots.followers.end(), k));
+        double sum = 0.0;
+        for (const FollowedNode& followed : soil.followed_by(k)) {
+            const int column = static_cast<int>(followed.node) % soil.problem.grid.nodes_x();
+            const int row = static_cast<int>(followed.node) / soil.problem.grid.nodes_x();
+            sum += followed.weight * linear(soil.problem.grid.node_position(column, row));
+        }
+        const int column = static_cast<int>(k) % soil.problem.grid.nodes_x();
+        const int row = static_cast<int>(k) / soil.problem.grid.nodes_x();
+        EXPECT_NEAR(sum, linear(soil.problem.grid.node_position(column, row)), 1e-13);
+    }
+}
+
+TEST(CellRoots, CornersOfGoodCellsFollowNothing)
+{
+    const Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
+    for (int i = 0; i <= 4; ++i)
+        for (int j = 0; j <= 2; ++j)
+            EXPECT_FALSE(std::binary_search(soil.roots.followers.begin(), soil.roots.followers.end(),
+                                            soil.node(i, j)));
+}
+
+TEST(CellRoots, MergedListsHoldEveryParticleOnceAndFollowTheCells)
+{
+    Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
+    SharedLists merged;
+    const auto count_in = [&](std::int32_t slot) {
+        const auto s = static_cast<std::size_t>(slot);
+        return merged.lists.cell_start[s + 1] - merged.lists.cell_start[s];
+    };
+    merge_shared_cells(soil.lists, soil.roots.shared, merged);
+    EXPECT_EQ(count_in(soil.slot(1, 2)), 0);
+    EXPECT_EQ(count_in(soil.slot(1, 1)), 5);
+    std::vector<std::int32_t> particles = merged.lists.order;
+    std::sort(particles.begin(), particles.end());
+    for (std::size_t p = 0; p < particles.size(); ++p) EXPECT_EQ(particles[p], static_cast<std::int32_t>(p));
+
+    // the lonely particle moves over the next cell
+    soil.state.particles.position.x.back() += 0.5;
+    soil.update();
+    merge_shared_cells(soil.lists, soil.roots.shared, merged);
+    EXPECT_EQ(count_in(soil.slot(1, 1)), 4);
+    EXPECT_EQ(count_in(soil.slot(2, 1)), 5);
+}
+
+} // namespace
+} // namespace quicksand
