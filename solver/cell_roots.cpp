@@ -15,6 +15,8 @@ namespace {
 // corners. A little less than 0.4, so that rounding does not decide about cells that are 0.4 full by their
 // drawing.
 constexpr double least_fill = 0.4 - 1e-6;
+// Of torn soil, in volumes as sampled: sand from its densest to its loosest takes 1.2.
+constexpr double torn_volume = 1.2;
 constexpr double reach_of_root =
     2.5;                       // of a badly filled cell's centre, or a node: two rings of cells [cells]
 constexpr double equal = 1e-9; // of distances and fills
@@ -122,7 +124,7 @@ void find_followers(const BackgroundGrid& grid, const NodeConditions& conditions
     constexpr int reach = NodePatch::max_width / 2 - 1; // of a particle in a cell, beyond the cell [cells]
     enum : std::uint8_t { untouched, touched, beside_good };
     std::vector<std::uint8_t> nodes(grid.node_count(), untouched);
-    for_each_cell(grid, roots, Filling::bad, [&](int i, int j) {
+    for_each_cell(grid, roots, Filling::torn, [&](int i, int j) {
         for (int b = std::max(0, j - reach); b <= std::min(j + 1 + reach, grid.all_cells_y()); ++b)
             for (int a = std::max(0, i - reach); a <= std::min(i + 1 + reach, grid.all_cells_x()); ++a)
                 nodes[conditions.master[grid.node_index(a, b)]] = touched;
@@ -154,10 +156,29 @@ double volume_in(const CellLists& lists, const Particles& particles, std::size_t
     return sum;
 }
 
-/// Volumes in the cells, and how well they are filled.
-void fill_cells(const BackgroundGrid& grid, const CellLists& lists, const Particles& particles,
-                CellRoots& roots)
+bool is_elastic(const SkeletonLaw& law)
 {
+    return std::holds_alternative<LinearElastic>(law) || std::holds_alternative<NeoHookean>(law);
+}
+
+/// Whether the soil in a cell is torn; elastic soil never is.
+bool is_torn(const Problem& problem, const CellLists& lists, const Particles& particles, std::size_t slot)
+{
+    double present = 0.0, sampled = 0.0; // [m3/m]
+    for (std::int32_t k = lists.cell_start[slot]; k < lists.cell_start[slot + 1]; ++k) {
+        const auto p = static_cast<std::size_t>(lists.order[static_cast<std::size_t>(k)]);
+        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        if (is_elastic(material.law)) return false;
+        present += particles.volume[p];
+        sampled += particles.mass_solid[p] / ((1.0 - material.porosity) * material.grain_density);
+    }
+    return present > torn_volume * sampled;
+}
+
+/// Volumes in the cells, and how well they are filled.
+void fill_cells(const Problem& problem, const CellLists& lists, const Particles& particles, CellRoots& roots)
+{
+    const BackgroundGrid& grid = problem.grid;
     roots.fill.resize(grid.cell_count());
     roots.filling.assign(grid.cell_count(), Filling::none);
     const double whole = grid.cell_size * grid.cell_size;
@@ -169,7 +190,11 @@ void fill_cells(const BackgroundGrid& grid, const CellLists& lists, const Partic
             if (sum == 0.0) continue;
             const auto cell = static_cast<std::size_t>(lists.cell_of_slot[s]);
             roots.fill[cell] = sum / whole;
-            roots.filling[cell] = sum >= least_fill * whole ? Filling::good : Filling::bad;
+            if (sum >= least_fill * whole) {
+                roots.filling[cell] = Filling::good;
+            } else {
+                roots.filling[cell] = is_torn(problem, lists, particles, s) ? Filling::torn : Filling::bad;
+            }
         }
     });
 }
@@ -186,7 +211,7 @@ void find_roots(const Problem& problem, const NodeConditions& conditions, const 
 {
     static const CellsByDistance ring({0.5, 0.5});
     const BackgroundGrid& grid = problem.grid;
-    fill_cells(grid, lists, particles, roots);
+    fill_cells(problem, lists, particles, roots);
     if (roots.filling != roots.marked) {
         find_followers(grid, conditions, roots);
         roots.marked = roots.filling;
@@ -194,7 +219,7 @@ void find_roots(const Problem& problem, const NodeConditions& conditions, const 
     roots.shared.clear();
     const auto share = [&](std::size_t s) {
         const auto cell = static_cast<std::size_t>(lists.cell_of_slot[s]);
-        if (roots.filling[cell] != Filling::bad) return;
+        if (roots.filling[cell] == Filling::none || roots.filling[cell] == Filling::good) return;
         const NearCells near = nearest_good_cells(grid, roots, cell_at(grid, cell), ring);
         if (near.count == 0) return;
         const Cell* root = near.begin();
@@ -213,6 +238,24 @@ void find_roots(const Problem& problem, const NodeConditions& conditions, const 
     }
 }
 
+namespace {
+
+/// Whether all soil in the cells beside a node is torn.
+bool is_torn(const BackgroundGrid& grid, const CellRoots& roots, int i, int j)
+{
+    bool torn = false;
+    for (int b = std::max(0, j - 1); b <= std::min(j, grid.all_cells_y() - 1); ++b) {
+        for (int a = std::max(0, i - 1); a <= std::min(i, grid.all_cells_x() - 1); ++a) {
+            const Filling filling = roots.filling[Cell{a, b}.index(grid)];
+            if (filling == Filling::bad) return false;
+            torn = torn || filling == Filling::torn;
+        }
+    }
+    return torn;
+}
+
+} // namespace
+
 void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node,
             std::vector<FollowedNode>& followed)
 {
@@ -220,11 +263,14 @@ void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node
     const auto row = static_cast<std::size_t>(grid.nodes_x());
     const int i = static_cast<int>(node % row), j = static_cast<int>(node / row);
     const NearCells near = nearest_good_cells(grid, roots, {i, j}, ring);
+    const bool torn = is_torn(grid, roots, i, j);
     followed.clear();
     for (const Cell& root : near) {
         // the corner of the root that is nearest, and how many cells the node is beyond it, one at most
         const int near_i = i <= root.i ? root.i : root.i + 1, near_j = j <= root.j ? root.j : root.j + 1;
-        const double dx = std::min(1, std::abs(i - near_i)), dy = std::min(1, std::abs(j - near_j));
+        const int farthest = torn ? 0 : 1;
+        const double dx = std::min(farthest, std::abs(i - near_i)),
+                     dy = std::min(farthest, std::abs(j - near_j));
         const auto add = [&](int column, int line, double weight) {
             if (weight != 0.0)
                 followed.push_back({grid.node_index(column, line), weight / static_cast<double>(near.count)});

@@ -4,7 +4,8 @@
 // Where an outline cuts cells, some hold a sliver. A node of such cells alone carries next to no mass and
 // takes any velocity; the pressure of such a cell has no volume to act on. A badly filled cell therefore
 // shares the pressure (and the mean change of volume) of its root, the nearest good cell, and a node without
-// a good cell follows the velocities of a good cell, continued linearly.
+// a good cell follows the velocities of a good cell, continued linearly. Soil that is torn, as in a splash,
+// follows the nearest corner instead: what flies away is not thrown by the spread of what it leaves.
 #pragma once
 
 #include "solver/boundary_conditions.hpp"
@@ -24,7 +25,12 @@ struct SharedCell {
     bool operator==(const SharedCell&) const = default;
 };
 
-enum class Filling : std::uint8_t { none, bad, good };
+enum class Filling : std::uint8_t {
+    none,
+    torn, // badly, with soil far looser than as sampled
+    bad,
+    good
+};
 
 struct CellRoots {
     Scalars fill;                   // of the cells with soil: its volume over the cell's [-]
@@ -48,8 +54,8 @@ struct FollowedNode {
     double weight = 0.0; // [-]
 };
 
-/// What a node without a good cell follows: corners of the nearest good cell, or the mean of several that are
-/// equally near and full. None: no good cell is near.
+/// What a node without a good cell follows: corners of the nearest good cell (one in torn soil), or the mean
+/// of several that are equally near and full. None: no good cell is near.
 void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node,
             std::vector<FollowedNode>& followed);
 

@@ -17,12 +17,13 @@ namespace {
 /// A pressure by place [Pa].
 using PressureField = std::function<double(const Vector2&)>;
 
-/// The problem with pieces on every curve that is no wall, dry and without loads of its own.
+/// The problem with pieces on every curve that is no wall, dry, of the density 1 and without loads of its own.
 Problem bare_problem(const Problem& problem, const Particles& particles)
 {
     Problem bare = problem;
     bare.water.reset();
     bare.body_acceleration = {};
+    for (Material& material : bare.materials) material.grain_density = 1.0 / (1.0 - material.porosity);
     Boundary rest;
     rest.segments = unnamed_edges(problem);
     if (!rest.segments.empty()) bare.boundaries.push_back(rest);

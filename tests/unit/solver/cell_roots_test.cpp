@@ -110,6 +110,32 @@ TEST(CellRoots, FollowersContinueTheGoodCellLinearly)
     }
 }
 
+TEST(CellRoots, FollowersOfTornSoilMoveAsTheNearestCorner)
+{
+    Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
+    const auto tear = [&](double factor) {
+        soil.state.particles.volume.back() = factor * 0.25 * h * h;
+        soil.update();
+    };
+    tear(1.5);
+    EXPECT_GT(soil.followed_by(soil.node(1, 3)).size(), 1U); // elastic soil does not tear
+    soil.problem.materials[0].law =
+        MohrCoulomb{.shear_modulus = 1e6, .poisson_ratio = 0.3, .friction_angle = 0.5};
+    tear(1.1);
+    EXPECT_GT(soil.followed_by(soil.node(1, 3)).size(), 1U);
+    tear(1.5);
+    const std::vector<FollowedNode> followed = soil.followed_by(soil.node(1, 3));
+    double sum = 0.0;
+    for (const FollowedNode& other : followed) {
+        EXPECT_TRUE(other.node == soil.node(1, 2) || other.node == soil.node(0, 2) ||
+                    other.node == soil.node(2, 2));
+        EXPECT_GT(other.weight, 0.0);
+        sum += other.weight;
+    }
+    EXPECT_DOUBLE_EQ(sum, 1.0);
+    EXPECT_EQ(soil.roots.shared.size(), 1U); // its pressure is still that of its root
+}
+
 TEST(CellRoots, CornersOfGoodCellsFollowNothing)
 {
     const Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
