@@ -1,7 +1,8 @@
 #include "solver/boundary_conditions.hpp"
 
 #include "solver/failure.hpp"
-#include "solver/wall_chains.hpp"
+#include "solver/film_ends.hpp"
+#include "solver/wall_hold.hpp"
 #include "solver/wall_nodes.hpp"
 
 #include <cmath>
@@ -29,12 +30,21 @@ std::uint8_t turned(std::uint8_t conditions)
     return static_cast<std::uint8_t>((conditions & all_x) << 1 | (conditions & all_y) >> 1);
 }
 
-void add_segment(const Problem& problem, const Segment& segment, std::uint8_t conditions,
+void add_segment(const Problem& problem, const Segment& segment, const WallHold& hold, Stage stage,
                  NodeConditions& result)
 {
-    const int axis = normal_axis(segment);
+    const bool film = hold.water == WaterHold::with_grains;
+    const double length = (segment.end - segment.start).norm(), tolerance = on_wall * problem.grid.cell_size;
+    const double before = film ? drained_end(problem, segment, false, length, stage) : 0.0,
+                 after = film ? drained_end(problem, segment, true, length, stage) : 0.0;
+    const Vector2 along = (segment.end - segment.start) / length;
+    const std::uint8_t conditions =
+        normal_axis(segment) == 0 ? conditions_of(hold) : turned(conditions_of(hold));
     for_each_node_held(problem, segment, segment, [&](std::size_t node) {
-        result.of_node[node] |= axis == 0 ? conditions : turned(conditions);
+        const double s = (problem.grid.node_position(node) - segment.start).dot(along);
+        const bool drains =
+            (before > 0.0 && s < before - tolerance) || (after > 0.0 && s > length - after + tolerance);
+        if (!drains) result.of_node[node] |= conditions;
     });
 }
 
@@ -84,7 +94,7 @@ NodeConditions node_conditions(const Problem& problem, Stage stage)
         for (const Segment& segment : boundary.segments) {
             if (!holds_nodes(problem, boundary, segment)) continue;
             const WallHold hold = hold_of(boundary, segment, stage);
-            if (hold.any()) add_segment(problem, segment, conditions_of(hold), result);
+            if (hold.any()) add_segment(problem, segment, hold, stage, result);
             if (hold.grains != GrainHold::none || boundary.soil == SoilCondition::viscous)
                 tie_beyond(problem, segment, segment, masters);
         }

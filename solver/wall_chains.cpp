@@ -1,11 +1,12 @@
 #include "solver/wall_chains.hpp"
 
 #include "solver/cross_product.hpp"
+#include "solver/film_ends.hpp"
 #include "solver/wall_nodes.hpp"
 
 #include <cmath>
 #include <numbers>
-#include <optional>
+#include <utility>
 
 namespace quicksand {
 
@@ -114,11 +115,12 @@ double room_beyond(const Problem& problem, const Segment& wall, bool forward)
     return std::max(0.0, free);
 }
 
-void extend_ends(const Problem& problem, WallChain& chain)
+/// Let a chain go on beyond its start and its end, where it may.
+void extend_ends(const Problem& problem, bool at_start, bool at_end, WallChain& chain)
 {
     const ChainEdge front = chain.edges.front(), back = chain.edges.back();
-    const double before = room_beyond(problem, front.drawn, false),
-                 after = room_beyond(problem, back.drawn, true);
+    const double before = at_start ? room_beyond(problem, front.drawn, false) : 0.0,
+                 after = at_end ? room_beyond(problem, back.drawn, true) : 0.0;
     if (before > 0.0) {
         const Vector2& end = front.drawn.start;
         const Segment beyond{end - before * direction_of(front.drawn), end};
@@ -178,38 +180,89 @@ bool spans_tied_sides(const Problem& problem, const WallChain& chain)
            std::abs(ends.second - problem.tied_sides->x_right) < tolerance;
 }
 
-WallChain make_chain(const Problem& problem, const std::vector<Link>& links, const Order& order,
-                     std::size_t first)
+/// Take this length off one end of a line of edges; what is taken off goes to `others`.
+void shorten(double length, bool forward, std::vector<ChainEdge>& edges, std::vector<Segment>& others)
+{
+    while (length > 0.0) {
+        ChainEdge& edge = forward ? edges.back() : edges.front();
+        const double whole = length_of(edge.drawn);
+        if (whole > length) {
+            const Vector2 step = length * direction_of(edge.drawn);
+            Vector2& end = forward ? edge.drawn.end : edge.drawn.start;
+            const Vector2 before = end;
+            end += forward ? Vector2(-step) : step;
+            others.push_back(forward ? Segment{end, before} : Segment{before, end});
+            return;
+        }
+        others.push_back(edge.drawn);
+        edges.erase(forward ? edges.end() - 1 : edges.begin());
+        length -= whole;
+    }
+}
+
+/// The edges of a chain in their order, and whether they go round.
+std::vector<ChainEdge> follow_links(const std::vector<Link>& links, const Order& order, std::size_t first)
+{
+    std::vector<ChainEdge> edges;
+    std::size_t k = first;
+    do {
+        edges.push_back(links[k].edge);
+        k = order.next[k];
+    } while (k != none && k != first);
+    return edges;
+}
+
+double length_of(const std::vector<ChainEdge>& edges)
+{
+    double length = 0.0;
+    for (const ChainEdge& edge : edges) length += length_of(edge.drawn);
+    return length;
+}
+
+/// Films end before drained edges; returns whether this one does at its start and at its end.
+std::pair<bool, bool> shorten_film(const Problem& problem, Stage stage, WallChain& chain,
+                                   std::vector<Segment>& others)
+{
+    if (chain.closed || chain.hold.water != WaterHold::with_grains) return {false, false};
+    const double length = length_of(chain.edges);
+    const double before = drained_end(problem, chain.edges.front().drawn, false, length, stage),
+                 after = drained_end(problem, chain.edges.back().drawn, true, length, stage);
+    shorten(before, false, chain.edges, others);
+    shorten(after, true, chain.edges, others);
+    return {before > 0.0, after > 0.0};
+}
+
+/// `others` gets what the chain leaves of its links.
+WallChain make_chain(const Problem& problem, Stage stage, const std::vector<Link>& links, const Order& order,
+                     std::size_t first, std::vector<Segment>& others)
 {
     WallChain chain;
     chain.hold = links[first].hold;
     chain.closed = order.before[first] != none;
+    chain.edges = follow_links(links, order, first);
+    const auto [ends_before, ends_after] = shorten_film(problem, stage, chain, others);
     constexpr double collinear = 1e-6; // sine [-]
-    std::size_t k = first;
-    do {
-        ChainEdge edge = links[k].edge;
+    for (ChainEdge& edge : chain.edges) {
         edge.first = chain.last;
         chain.last += length_of(edge.drawn);
         chain.straight = chain.straight && std::abs(cross(direction_of(links[first].edge.drawn),
                                                           direction_of(edge.drawn))) < collinear;
-        chain.edges.push_back(edge);
-        k = order.next[k];
-    } while (k != none && k != first);
+    }
     const double drawn_length = chain.last;
     chain.closed = chain.closed || spans_tied_sides(problem, chain);
-    if (!chain.closed) extend_ends(problem, chain);
+    if (!chain.closed) extend_ends(problem, !ends_before, !ends_after, chain);
     place_hats(problem.grid, drawn_length, chain);
     return chain;
 }
 
-std::vector<WallChain> make_chains(const Problem& problem, Stage stage)
+std::vector<WallChain> make_chains(const Problem& problem, Stage stage, std::vector<Segment>& others)
 {
     const std::vector<Link> links = collect_links(problem, stage);
     const Order order = order_links(links, on_wall * problem.grid.cell_size);
     std::vector<WallChain> chains;
     std::vector<bool> used(links.size(), false);
     const auto take = [&](std::size_t first) {
-        chains.push_back(make_chain(problem, links, order, first));
+        chains.push_back(make_chain(problem, stage, links, order, first, others));
         for (std::size_t k = first; k != none && !used[k]; k = order.next[k]) used[k] = true;
     };
     for (std::size_t k = 0; k < links.size(); ++k)
@@ -238,47 +291,12 @@ std::vector<Segment> other_edges(const Problem& problem, Stage stage)
 
 } // namespace
 
-WallHold hold_of(const Boundary& boundary, const Segment& segment, Stage stage)
-{
-    WallHold hold;
-    const bool sealed = boundary.water == WaterCondition::impervious;
-    switch (boundary.soil) {
-    case SoilCondition::fixed:
-        hold.grains = GrainHold::all;
-        break;
-    case SoilCondition::roller:
-        hold.grains = GrainHold::normal;
-        break;
-    case SoilCondition::moving:
-        hold.grains = boundary.motion->grip == WallGrip::rough ? GrainHold::all : GrainHold::normal;
-        break;
-    case SoilCondition::viscous:
-        if (stage == Stage::relaxation) {
-            const Vector2 normal = outward_normal(segment);
-            hold.grains = std::abs(normal.y()) >= std::abs(normal.x()) ? GrainHold::all : GrainHold::normal;
-        }
-        break;
-    case SoilCondition::free:
-    case SoilCondition::tied:
-        break;
-    }
-    if (sealed && boundary.soil != SoilCondition::tied)
-        hold.water = hold.grains == GrainHold::none ? WaterHold::with_grains : WaterHold::sealed;
-    return hold;
-}
-
-bool holds_nodes(const Problem& problem, const Boundary& boundary, const Segment& segment)
-{
-    if (boundary.soil == SoilCondition::moving) return false;
-    const int axis = normal_axis(segment);
-    if (axis < 0) return false;
-    const double cells = (segment.start[axis] - problem.grid.rim_origin()[axis]) / problem.grid.cell_size;
-    return std::abs(cells - std::round(cells)) <= on_wall;
-}
-
 SoilEdges make_soil_edges(const Problem& problem, Stage stage)
 {
-    return {make_chains(problem, stage), other_edges(problem, stage)};
+    SoilEdges edges;
+    edges.others = other_edges(problem, stage);
+    edges.chains = make_chains(problem, stage, edges.others);
+    return edges;
 }
 
 } // namespace quicksand
