@@ -103,7 +103,7 @@ void Canvas::draw_union_outline(const std::vector<PixelPolygon>& polygons, const
     const std::unique_ptr<cairo_t, Release> pen(cairo_create(sheet.get()));
     cairo_scale(pen.get(), fineness, fineness);
     cairo_set_antialias(pen.get(), CAIRO_ANTIALIAS_NONE);
-    cairo_set_line_join(pen.get(), CAIRO_LINE_JOIN_MITER);
+    cairo_set_line_join(pen.get(), CAIRO_LINE_JOIN_ROUND);
     cairo_set_line_width(pen.get(), gap + 2.0 * line_width);
     for (const PixelPolygon& polygon : polygons) {
         trace(pen.get(), polygon);
