@@ -1,9 +1,9 @@
 #include "solver/pressure_blocks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace quicksand {
 
@@ -13,12 +13,6 @@ constexpr int largest_block = 64;        // cells along a side, without the over
 constexpr int overlap = 6;               // cells of its neighbours that a block takes in
 constexpr std::size_t largest_band = 88; // a row of such a block and twelve cells; the rest is left out
 constexpr float least_pivot = 1e-4f;     // of a diagonal of ones
-
-/// A cell's part in a node: its row in the block, and D.
-struct Touch {
-    std::size_t row;
-    double x, y; // D [m2/m]
-};
 
 /// The smallest rectangle of cells around those with soil: columns [x0, x1), rows [y0, y1).
 struct Extent {
@@ -86,61 +80,6 @@ void divide(const BackgroundGrid& grid, const CellLists& lists, const PressureEq
     }
 }
 
-/// Of all nodes the cells of one block that touch them, tied nodes as one. Who touches a node that follows
-/// others touches those.
-class NodeTouches {
-public:
-    /// The arguments must outlive it.
-    NodeTouches(const NodeConditions& conditions, const std::vector<FollowingNode>& following)
-        : master_(conditions.master),
-          touches_(conditions.master.size()), following_{Followers(master_.size(), nullptr),
-                                                         Followers(master_.size(), nullptr)}
-    {
-        for (const FollowingNode& follower : following)
-            following_[static_cast<std::size_t>(follower.axis)][follower.node] = &follower.followed;
-    }
-
-    void add(std::size_t node, const Touch& touch)
-    {
-        const std::size_t i = master_[node];
-        const auto* of_x = following_[0][i];
-        const auto* of_y = following_[1][i];
-        if (of_x == nullptr || of_y == nullptr)
-            put(i, {touch.row, of_x == nullptr ? touch.x : 0.0, of_y == nullptr ? touch.y : 0.0});
-        if (of_x != nullptr)
-            for (const FollowedNode& other : *of_x) put(other.node, {touch.row, other.weight * touch.x, 0.0});
-        if (of_y != nullptr)
-            for (const FollowedNode& other : *of_y) put(other.node, {touch.row, 0.0, other.weight * touch.y});
-    }
-
-    /// Call work(node, touches) and forget them.
-    template <class Work>
-    void for_each(Work&& work) const
-    {
-        for (const std::size_t node : touched_) work(node, touches_[node]);
-    }
-
-    void clear()
-    {
-        for (const std::size_t node : touched_) touches_[node].clear();
-        touched_.clear();
-    }
-
-private:
-    using Followers = std::vector<const std::vector<FollowedNode>*>; // by node; none for most
-
-    void put(std::size_t node, const Touch& touch)
-    {
-        if (touches_[node].empty()) touched_.push_back(node);
-        touches_[node].push_back(touch);
-    }
-
-    const std::vector<std::size_t>& master_;
-    std::vector<std::vector<Touch>> touches_;
-    std::array<Followers, 2> following_; // by axis
-    std::vector<std::size_t> touched_;
-};
-
 using StencilOfSlot = std::vector<std::pair<const CellStencil*, const TileDivergence*>>;
 
 /// The touches of a block's cells; badly filled cells touch with the row of their root.
@@ -202,6 +141,7 @@ void factorise(double dt, const PressureEquations& equations, const NodeTouches&
         }
     });
     block.factor.factorise(least_pivot);
+    set_up_rows(dt, equations.held, touches, scale, block.factor, block.solution, block.rows);
 }
 
 void solve_block(const Scalars& residual, CellBlock& block)
@@ -213,7 +153,9 @@ void solve_block(const Scalars& residual, CellBlock& block)
         block.solution[band + row] =
             static_cast<float>(residual[slot] * static_cast<double>(block.scale[row]));
     }
+    if (!block.rows.parts.empty()) block.given = block.solution;
     block.factor.solve(block.solution.data());
+    if (!block.rows.parts.empty()) hold_rows(block.factor, block.given, block.rows, block.solution);
 }
 
 void add_answer(const CellBlock& block, Scalars& answer)

@@ -8,23 +8,19 @@
 
 #include "solver/background_grid.hpp"
 #include "solver/banded_cholesky.hpp"
+#include "solver/block_rows.hpp"
 #include "solver/boundary_conditions.hpp"
 #include "solver/cell_divergence.hpp"
 #include "solver/cell_lists.hpp"
 #include "solver/cell_roots.hpp"
 #include "solver/grid_momentum.hpp"
+#include "solver/node_touches.hpp"
+#include "solver/velocity_rows.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace quicksand {
-
-/// A node whose velocity along an axis is the sum of weight times that of others.
-struct FollowingNode {
-    std::size_t node = 0;
-    int axis = 0; // 0: x, 1: y
-    std::vector<FollowedNode> followed;
-};
 
 /// The pressure's equations: L_cc' = delta_cc' storage_c + dt^2 sum_i D_ci . W_i D_c'i.
 struct PressureEquations {
@@ -34,6 +30,7 @@ struct PressureEquations {
     Scalars diagonal;                       // of L, by slot [m2/Pa]
     std::vector<SharedCell> shared;         // cells that have the pressure of their roots
     std::vector<FollowingNode> following;   // at the last set-up of the blocks
+    std::vector<HeldRow> held;              // rows of walls, likewise
 };
 
 struct CellBlock {
@@ -41,6 +38,8 @@ struct CellBlock {
     std::vector<float> scale;        // of the rows: 1 / sqrt(diagonal), and 1 / sqrt(blocks with this cell)
     BandedCholesky factor;           // of the equations scaled to a diagonal of ones
     std::vector<float> solution;     // work array of factor
+    std::vector<float> given;        // another
+    BlockRows rows;
 };
 
 struct PressureBlocks {

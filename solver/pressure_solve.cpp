@@ -299,7 +299,10 @@ void add_cavities(PressureSolve& solve)
 void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSolve& solve)
 {
     solve.rows = rows.empty() ? nullptr : &rows;
-    if (solve.blocks_are_due) solve.following.clear();
+    if (solve.blocks_are_due) {
+        solve.following.clear();
+        solve.held.clear();
+    }
     if (rows.empty()) return;
     rows.set_porosities(porosities);
     const std::vector<Eigen::Matrix2d> local = rows.local_compliances();
@@ -316,6 +319,7 @@ void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSol
             following.push_back({follower, axis, {}});
         following.back().followed.push_back({node, weight});
     });
+    solve.held = rows.held_rows();
 }
 
 void share_pressures(const std::vector<SharedCell>& shared, PressureSolve& solve)

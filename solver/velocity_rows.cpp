@@ -3,7 +3,9 @@
 #include "solver/failure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace quicksand {
 
@@ -243,24 +245,49 @@ void VelocityRows::set_porosities(const Scalars& porosities)
         compliances_[i] = pressure_compliance(inverses_[i], porosities_[i]);
 }
 
+std::vector<HeldRow> VelocityRows::held_rows() const
+{
+    constexpr std::size_t none = static_cast<std::size_t>(-1);
+    std::vector<std::array<std::size_t, 4>> followed_by(nodes_.size(), {none, none, none, none}); // rows
+    for (std::size_t r = first_follower_; r < size(); ++r) {
+        const Entry& follower = entries_[first_[r]];
+        for (int d = 0; d < 4; ++d)
+            if (follower.coefficients[d] != 0.0) followed_by[follower.place][static_cast<std::size_t>(d)] = r;
+    }
+    const auto end_of = [&](std::size_t r) { return r + 1 < size() ? first_[r + 1] : entries_.size(); };
+    std::vector<HeldRow> rows;
+    for (std::size_t r = 0; r < first_follower_; ++r) {
+        if (scale_[r] == 0.0) continue;
+        std::map<std::size_t, NodeVelocities> folded; // by place
+        const auto add = [&](std::size_t place, int d, double value) {
+            folded.try_emplace(place, NodeVelocities::Zero()).first->second[d] += value;
+        };
+        for (std::size_t k = first_[r]; k < end_of(r); ++k) {
+            for (int d = 0; d < 4; ++d) {
+                const double c = entries_[k].coefficients[d];
+                const std::size_t of = followed_by[entries_[k].place][static_cast<std::size_t>(d)];
+                if (of == none) {
+                    add(entries_[k].place, d, c);
+                } else {
+                    for (std::size_t m = first_[of] + 1; m < end_of(of); ++m)
+                        add(entries_[m].place, d, -c * entries_[m].coefficients[d]);
+                }
+            }
+        }
+        HeldRow& row = rows.emplace_back();
+        for (const auto& [place, c] : folded) {
+            const NodeVelocities velocities = inverses_[place] * c;
+            const double n = porosities_[place];
+            row.push_back(
+                {nodes_[place], c, velocities, (1.0 - n) * velocities.head<2>() + n * velocities.tail<2>()});
+        }
+    }
+    return rows;
+}
+
 std::vector<Eigen::Matrix2d> VelocityRows::local_compliances() const
 {
-    constexpr double softness =
-        0.02; // of a row's own response: a node with a small share in a wall stays free
-    std::vector<NodeInverse> left = inverses_; // what the rows so far leave
-    for_each_entry([&](std::size_t r, std::size_t k) {
-        if (r >= first_follower_ && k != first_[r]) return;
-        const Entry& entry = entries_[k];
-        NodeInverse& R = left[entry.place];
-        const NodeVelocities response = R * entry.coefficients;
-        const double own =
-            entry.coefficients.dot(response) + softness * inverses_[entry.place].diagonal().maxCoeff();
-        if (own > 0.0) R -= response * response.transpose() / own;
-    });
-    std::vector<Eigen::Matrix2d> compliances;
-    compliances.reserve(nodes_.size());
-    for (std::size_t i = 0; i < nodes_.size(); ++i)
-        compliances.push_back(pressure_compliance(left[i], porosities_[i]));
+    std::vector<Eigen::Matrix2d> compliances = compliances_;
     for (std::size_t r = first_follower_; r < size(); ++r) {
         const std::size_t last = r + 1 < size() ? first_[r + 1] : entries_.size();
         const Entry& follower = entries_[first_[r]];

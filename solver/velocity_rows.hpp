@@ -24,6 +24,15 @@ namespace quicksand {
 using NodeVelocities = Eigen::Vector4d; // v_s and v_w of a node [m/s]
 using NodeInverse = Eigen::Matrix4d;    // A^-1: velocities per impulse on grains and water [1/kg]
 
+/// A row's part at a node, those of its followers included.
+struct HeldNode {
+    std::size_t node = 0;
+    NodeVelocities coefficients; // c
+    NodeVelocities velocities;   // A^-1 c [1/kg]
+    Vector2 flux;                // beta^T A^-1 c [1/kg]
+};
+using HeldRow = std::vector<HeldNode>; // each node once
+
 class VelocityRows {
 public:
     struct Entry {
@@ -80,9 +89,11 @@ public:
     /// Set up what forces of the pressure do: a force f on node i is the impulse (1-n) f, n f; porosities by
     /// nodes().
     void set_porosities(const Scalars& porosities);
-    /// What a force of the pressure does at each node alone if the rows held every node by itself: an answer
-    /// that knows no neighbours, for preconditioners.
+    /// What a force of the pressure does at each node without the rows, and at followers by the nodes that
+    /// they follow: an answer that knows no neighbours, for preconditioners.
     std::vector<Eigen::Matrix2d> local_compliances() const;
+    /// The rows before the followers', with what followers have of them at the nodes that they follow.
+    std::vector<HeldRow> held_rows() const;
     /// flux at nodes() = (W - B^T P^-1 B) force, for forces of the pressure at them.
     void respond_to_pressure(const std::vector<Vector2>& force, std::vector<Vector2>& flux) const;
 
