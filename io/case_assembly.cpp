@@ -11,6 +11,7 @@
 #include "io/scene_section.hpp"
 #include "solver/boundary_pieces.hpp"
 #include "solver/failure.hpp"
+#include "solver/slivers.hpp"
 
 #include <fmt/format.h>
 
@@ -243,6 +244,10 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     Particles& particles = assembled.state.particles;
     particles = make_particles(assembled.problem, assembled.sampling, of_domain);
     assembled.problem.cut_domains = take_cut_domains(assembled.problem, assembled.sampling);
+    if (assembled.problem.interpolation != Interpolation::cpdi2 && particles.size() > 0)
+        assembled.problem.cut_domains.slivers =
+            find_slivers(assembled.problem.cut_domains, particles,
+                         *std::max_element(particles.volume.begin(), particles.volume.end()));
     assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not
     set_initial_state(assembled.scene, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);

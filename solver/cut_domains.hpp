@@ -33,12 +33,21 @@ struct CutDomain {
 /// With the shares of the corners; their centroid is the origin.
 CutDomain make_cut_domain(std::vector<Vector2> corners);
 
+/// A piece too small for a state of its own, carried by a neighbour (slivers.hpp); lasting numbers.
+struct Sliver {
+    std::int32_t identifier = 0, carrier = 0;
+    Vector2 centre = Vector2::Zero();                // in the carrier's half edges, from its centre [-]
+    Eigen::Matrix2d edges = Eigen::Matrix2d::Zero(); // its half edges in them, by columns [-]
+};
+
 /// Which particles have a polygon. None where all domains are whole.
 struct CutDomains {
     std::vector<std::int32_t> number_of; // by lasting number of the particle: index into shapes, -1: whole
     std::vector<CutDomain> shapes;
     std::vector<std::uint8_t> pieces; // by lasting number: 1 for a part of a box of the lattice, rectangles
                                       // included; soil ends within cells there
+
+    std::vector<Sliver> slivers;
 
     bool has_pieces() const { return !pieces.empty(); }
     bool is_piece(std::int32_t identifier) const

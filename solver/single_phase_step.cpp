@@ -5,6 +5,7 @@
 #include "solver/grid_to_particle.hpp"
 #include "solver/ledger.hpp"
 #include "solver/particle_motion.hpp"
+#include "solver/slivers.hpp"
 #include "solver/surface_loads.hpp"
 
 namespace quicksand {
@@ -115,6 +116,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
     });
     timed(work.timers, Phase::stress,
           [&] { update_stress_of_cells(problem, dt, work.volume_lists(), particles, work.average); });
+    carry_slivers(problem, work.places, particles);
     state.time += dt;
     state.last_step = dt;
     ++state.step;

