@@ -116,7 +116,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
     });
     timed(work.timers, Phase::stress,
           [&] { update_stress_of_cells(problem, dt, work.volume_lists(), particles, work.average); });
-    carry_slivers(problem, work.places, particles);
+    carry_slivers(problem, work.places, state);
     state.time += dt;
     state.last_step = dt;
     ++state.step;

@@ -72,6 +72,17 @@ void for_each_memory(Particles& particles, Visit&& visit)
     });
 }
 
+/// Momentum that comes with water when a particle's pores grow by a volume [m3/m].
+void enter_growth(const Problem& problem, const Particles& particles, std::size_t p, double growth,
+                  Ledger& ledger)
+{
+    const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+    if (!water_of(problem, material) || water_flow(problem) == WaterFlow::undrained) return;
+    const Vector2 momentum = problem.water->density * growth * velocity_of_water(particles, p);
+    ledger.exchange_x += momentum.x();
+    ledger.exchange_y += momentum.y();
+}
+
 } // namespace
 
 std::vector<Sliver> find_slivers(const CutDomains& cut, const Particles& particles, double box_volume)
@@ -96,8 +107,9 @@ std::vector<Sliver> find_slivers(const CutDomains& cut, const Particles& particl
     return slivers;
 }
 
-void carry_slivers(const Problem& problem, ParticlePlaces& places, Particles& particles)
+void carry_slivers(const Problem& problem, ParticlePlaces& places, State& state)
 {
+    Particles& particles = state.particles;
     for (const Sliver& sliver : problem.cut_domains.slivers) {
         const std::size_t p = places.find(particles, sliver.identifier),
                           q = places.find(particles, sliver.carrier);
@@ -107,8 +119,11 @@ void carry_slivers(const Problem& problem, ParticlePlaces& places, Particles& pa
         particles.half_edge_2.set(p, edges.col(1));
         for_each_memory(particles, [&](Scalars& values) { values[p] = values[q]; });
         if (problem.strain == StrainForm::small) continue;
+        const double before = particles.volume[p];
         particles.volume[p] = 4.0 * cross(particles.half_edge_1[p], particles.half_edge_2[p]);
-        if (!particles.porosity.empty()) particles.porosity[p] = particles.porosity[q];
+        if (particles.porosity.empty()) continue;
+        particles.porosity[p] = particles.porosity[q];
+        if (state.ledger) enter_growth(problem, particles, p, particles.volume[p] - before, *state.ledger);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "solver/boundary_pieces.hpp"
 #include "solver/problem.hpp"
+#include "solver/state.hpp"
 
 #include <vector>
 
@@ -17,7 +18,8 @@ namespace quicksand {
 /// with the nearest particle of its region that is none. A sliver far from all others carries itself.
 std::vector<Sliver> find_slivers(const CutDomains& cut, const Particles& particles, double box_volume);
 
-/// Bring the slivers to where their carriers have them, with their stress and what the soil remembers.
-void carry_slivers(const Problem& problem, ParticlePlaces& places, Particles& particles);
+/// Bring the slivers to where their carriers have them, with their stress and what the soil remembers; the
+/// ledger gets the momentum that their pores exchange for it.
+void carry_slivers(const Problem& problem, ParticlePlaces& places, State& state);
 
 } // namespace quicksand

@@ -159,7 +159,7 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
     });
     timed(work.timers, Phase::stress,
           [&] { update_stress_of_cells(problem, dt, work.volume_lists(), state.particles, work.average); });
-    carry_slivers(problem, work.places, state.particles);
+    carry_slivers(problem, work.places, state);
     state.time += dt;
     state.last_step = dt;
     ++state.step;

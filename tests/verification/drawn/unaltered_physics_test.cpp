@@ -1,4 +1,7 @@
-// What must not matter to elastic, saturated soil on a slanted base: mirrored, and scaled by 50.
+// What must not matter to elastic, saturated soil on a slanted base: mirrored, and scaled by 50; and its
+// momentum.
+#include "solver/ledger.hpp"
+#include "solver/monitors.hpp"
 #include "tests/verification/drawn/drawn_section.hpp"
 
 #include <gtest/gtest.h>
@@ -98,6 +101,25 @@ void expect_equal(const std::vector<Outcome>& a, const std::vector<Outcome>& b, 
     EXPECT_LT(misplaced, 1e-9) << what;
     EXPECT_LT(apart, 1e-6 * farthest) << what;         // measured 3e-11
     EXPECT_LT(pressure_apart, 1e-6 * highest) << what; // 7e-10
+}
+
+TEST(Slope, KeepsItsMomentumWithWallsAndSlivers)
+{
+    for (const std::string scheme : {"explicit", "semi_implicit"}) {
+        AssembledCase assembled = assemble(scene_with(0.2, {-0.6, -1.04}, 36, 18, tables(1.0, scheme)),
+                                           polygon_section(slope(1.0, false)));
+        State& state = assembled.state;
+        EXPECT_FALSE(assembled.problem.cut_domains.slivers.empty());
+        begin_shaking(assembled.problem, state);
+        open_ledger(assembled.problem, state);
+        const double time = 0.05;
+        run(assembled.problem, time, {}, state);
+        const Monitors sums = monitor(assembled.problem, state, {});
+        const double weight = (sums.mass_solid + sums.mass_fluid) * assembled.problem.gravity; // [N/m]
+        const LedgerBalance errors = balance(assembled.problem, state);
+        EXPECT_LT(std::abs(errors.momentum_error_x), 1e-12 * weight * time) << scheme;
+        EXPECT_LT(std::abs(errors.momentum_error_y), 1e-12 * weight * time) << scheme;
+    }
 }
 
 TEST(Slope, MirroredOrScaledMovesAlike)
