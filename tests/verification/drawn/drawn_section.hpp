@@ -63,6 +63,50 @@ inline AssembledCase assemble(const std::string& scene, const Section& section)
     return assemble_case(read_scene_file(folder / "scene.toml", {}), section);
 }
 
+/// Soils of the region "soil".
+inline const std::string elastic = R"(
+[materials.soil]
+model = "linear_elastic"
+shear_modulus = "8 MPa"
+poisson_ratio = 0.25
+porosity = 0.4
+[regions.soil]
+material = "soil"
+)";
+inline const std::string mohr_coulomb = R"(
+[materials.soil]
+model = "mohr_coulomb"
+shear_modulus = "8 MPa"
+poisson_ratio = 0.25
+friction_angle = "35 deg"
+cohesion = 1000
+porosity = 0.4
+[regions.soil]
+material = "soil"
+)";
+
+/// A weightless elastic column under water, its base held, its sides rollers; `conductivity` in m/s.
+inline std::string saturated_column(const std::string& scheme, const std::string& strain, double conductivity)
+{
+    return "[analysis]\nscheme = \"" + scheme + "\"\nstrain = \"" + strain + R"("
+[sampling]
+particles_per_cell = [2, 2]
+[gravity]
+acceleration = 0.0
+[water]
+level = 3.0
+bulk_modulus = "0.2 GPa"
+[boundaries.base]
+soil = "fixed"
+[boundaries.left]
+soil = "roller"
+[boundaries.right]
+soil = "roller"
+[materials.soil]
+hydraulic_conductivity = )" +
+           std::to_string(conductivity) + elastic.substr(elastic.find("]") + 1);
+}
+
 /// Keys of a scene that all these tests share, to which the tables of soil and walls are added.
 inline std::string scene_with(double cell_size, const Vector2& origin, int cells_x, int cells_y,
                               const std::string& tables)

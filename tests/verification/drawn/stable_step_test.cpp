@@ -13,35 +13,6 @@ namespace {
 
 using namespace fixtures;
 
-std::string saturated_column(const std::string& scheme, double conductivity)
-{
-    return "[analysis]\nscheme = \"" + scheme + R"("
-strain = "small"
-[sampling]
-particles_per_cell = [2, 2]
-[gravity]
-acceleration = 0.0
-[water]
-level = 3.0
-bulk_modulus = "0.2 GPa"
-[materials.soil]
-model = "linear_elastic"
-shear_modulus = "8 MPa"
-poisson_ratio = 0.25
-porosity = 0.4
-hydraulic_conductivity = )" +
-           std::to_string(conductivity) + R"(
-[regions.soil]
-material = "soil"
-[boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "roller"
-[boundaries.right]
-soil = "roller"
-)";
-}
-
 /// Twice the kinetic energy of the grains [J/m].
 double grain_energy(const Particles& particles)
 {
@@ -59,7 +30,7 @@ double growth_in(double degrees, double offset, const std::string& scheme, doubl
         turned({{{0.0, 0.0}, "base"}, {{0.3, 0.0}, "right"}, {{0.3, 1.0}, ""}, {{0.0, 1.0}, "left"}}, degrees,
                {0.0, 0.0});
     AssembledCase assembled = assemble(scene_with(h, {-1.0 + offset * h, -0.2 + 0.7 * offset * h}, 16, 16,
-                                                  saturated_column(scheme, conductivity)),
+                                                  saturated_column(scheme, "small", conductivity)),
                                        polygon_section(corners));
     State& state = assembled.state;
     begin_shaking(assembled.problem, state);

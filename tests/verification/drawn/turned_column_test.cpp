@@ -14,33 +14,8 @@ using namespace fixtures;
 
 std::string column_tables(const std::string& scheme, const std::string& strain)
 {
-    return "[analysis]\nscheme = \"" + scheme + "\"\nstrain = \"" + strain + R"("
-[sampling]
-particles_per_cell = [2, 2]
-[gravity]
-acceleration = 0.0
-[water]
-level = 3.0
-bulk_modulus = "0.2 GPa"
-[materials.soil]
-model = "linear_elastic"
-shear_modulus = "8 MPa"
-poisson_ratio = 0.25
-porosity = 0.4
-hydraulic_conductivity = 5e-5
-[regions.soil]
-material = "soil"
-[boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "roller"
-[boundaries.right]
-soil = "roller"
-[boundaries.surface]
-pressure = 200.0
-[initial]
-excess_pore_pressure = 200.0
-)";
+    return saturated_column(scheme, strain, 5e-5) +
+           "[boundaries.surface]\npressure = 200.0\n[initial]\nexcess_pore_pressure = 200.0\n";
 }
 
 struct Column {

@@ -12,28 +12,6 @@ namespace {
 
 using namespace fixtures;
 
-const std::string elastic = R"(
-[materials.soil]
-model = "linear_elastic"
-shear_modulus = "8 MPa"
-poisson_ratio = 0.25
-porosity = 0.4
-[regions.soil]
-material = "soil"
-)";
-
-const std::string mohr_coulomb = R"(
-[materials.soil]
-model = "mohr_coulomb"
-shear_modulus = "8 MPa"
-poisson_ratio = 0.25
-friction_angle = "35 deg"
-cohesion = 1000
-porosity = 0.4
-[regions.soil]
-material = "soil"
-)";
-
 struct Place {
     double degrees = 0.0;
     double offset = 0.0; // of the grid [cells]

@@ -12,18 +12,8 @@ namespace {
 
 using namespace fixtures;
 
-const std::string weightless = R"([sampling]
-particles_per_cell = [2, 2]
-[gravity]
-acceleration = 0.0
-[materials.soil]
-model = "linear_elastic"
-shear_modulus = "8 MPa"
-poisson_ratio = 0.25
-porosity = 0.4
-[regions.soil]
-material = "soil"
-)";
+const std::string weightless =
+    "[sampling]\nparticles_per_cell = [2, 2]\n[gravity]\nacceleration = 0.0\n" + elastic;
 
 /// Velocity of a mode at a point, both in the drawing's own directions.
 using Mode = std::function<Vector2(const Vector2&)>;
