@@ -199,6 +199,20 @@ void fill_cells(const Problem& problem, const CellLists& lists, const Particles&
     });
 }
 
+/// Whether all soil in the cells beside a node is torn.
+bool is_torn_beside(const BackgroundGrid& grid, const CellRoots& roots, int i, int j)
+{
+    bool torn = false;
+    for (int b = std::max(0, j - 1); b <= std::min(j, grid.all_cells_y() - 1); ++b) {
+        for (int a = std::max(0, i - 1); a <= std::min(i, grid.all_cells_x() - 1); ++a) {
+            const Filling filling = roots.filling[Cell{a, b}.index(grid)];
+            if (filling == Filling::bad) return false;
+            torn = torn || filling == Filling::torn;
+        }
+    }
+    return torn;
+}
+
 } // namespace
 
 bool has_cut_soil(const Problem& problem)
@@ -238,24 +252,6 @@ void find_roots(const Problem& problem, const NodeConditions& conditions, const 
     }
 }
 
-namespace {
-
-/// Whether all soil in the cells beside a node is torn.
-bool is_torn(const BackgroundGrid& grid, const CellRoots& roots, int i, int j)
-{
-    bool torn = false;
-    for (int b = std::max(0, j - 1); b <= std::min(j, grid.all_cells_y() - 1); ++b) {
-        for (int a = std::max(0, i - 1); a <= std::min(i, grid.all_cells_x() - 1); ++a) {
-            const Filling filling = roots.filling[Cell{a, b}.index(grid)];
-            if (filling == Filling::bad) return false;
-            torn = torn || filling == Filling::torn;
-        }
-    }
-    return torn;
-}
-
-} // namespace
-
 void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node,
             std::vector<FollowedNode>& followed)
 {
@@ -263,12 +259,11 @@ void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node
     const auto row = static_cast<std::size_t>(grid.nodes_x());
     const int i = static_cast<int>(node % row), j = static_cast<int>(node / row);
     const NearCells near = nearest_good_cells(grid, roots, {i, j}, ring);
-    const bool torn = is_torn(grid, roots, i, j);
+    const int farthest = is_torn_beside(grid, roots, i, j) ? 0 : 1; // cells to continue over
     followed.clear();
     for (const Cell& root : near) {
         // the corner of the root that is nearest, and how many cells the node is beyond it, one at most
         const int near_i = i <= root.i ? root.i : root.i + 1, near_j = j <= root.j ? root.j : root.j + 1;
-        const int farthest = torn ? 0 : 1;
         const double dx = std::min(farthest, std::abs(i - near_i)),
                      dy = std::min(farthest, std::abs(j - near_j));
         const auto add = [&](int column, int line, double weight) {
