@@ -21,6 +21,7 @@ public:
                   const std::filesystem::path& path, bool resume);
 
     double next_time() const override { return clock_.next(); }
+    bool marks_restarts() const override { return false; }
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
 
 private:

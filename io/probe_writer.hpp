@@ -31,6 +31,7 @@ public:
                 const std::filesystem::path& results, bool resume);
 
     double next_time() const override { return clock_.next(); }
+    bool marks_restarts() const override { return false; }
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
 
 private:

@@ -24,6 +24,14 @@ TimeStep divide_evenly(TimeStep stable, double remaining)
     return stable;
 }
 
+/// Whether an observer that marks restarts waits for the state's time.
+bool marks_restart(const std::vector<Observer*>& observers, const State& state)
+{
+    return std::any_of(observers.begin(), observers.end(), [&](const Observer* observer) {
+        return observer->marks_restarts() && observer->next_time() <= state.time;
+    });
+}
+
 } // namespace
 
 double next_event(const std::vector<Observer*>& observers, double latest)
@@ -60,7 +68,8 @@ void run(const Problem& problem, double end_time, const std::vector<Observer*>& 
         report.step = state.step;
         report.time = state.time;
         report.limited_domains = stepper->limited_domains();
-        report.is_restart_point = arrives || state.step % steps_between_restarts == 0;
+        report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
+                                  state.step % steps_between_restarts == 0;
         for (Observer* observer : observers) observer->after_step(report);
         if (arrives) observe_due(problem, observers, state, report);
         if (!report.is_restart_point) continue;

@@ -27,6 +27,9 @@ public:
     virtual ~Observer() = default;
     /// Next time to observe [s], infinite when there is none.
     virtual double next_time() const = 0;
+    /// Whether the run may be continued from the times it waits for. Those of histories lie close: setting up
+    /// anew there what serves many steps would cost more than the steps.
+    virtual bool marks_restarts() const { return true; }
     /// The state stands at next_time(); the observer moves its next_time() on.
     virtual void observe(const Problem& problem, const State& state, const StepReport& report) = 0;
     virtual void after_step(const StepReport&) {}
@@ -79,7 +82,8 @@ std::size_t begin_shaking(const Problem& problem, State& state);
 void begin_shaking(State& state);
 
 /// Run from state.time to end_time. Throws NumericalError. What serves several steps is set up anew at
-/// restart points: whenever observers look on, and every few dozen steps. There `stop_requested` is asked.
+/// restart points: at the end, where observers look on that mark them, and every few dozen steps. There
+/// `stop_requested` is asked.
 void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
          const std::function<bool()>& stop_requested = {});
 
