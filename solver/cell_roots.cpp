@@ -19,7 +19,10 @@ constexpr double least_fill = 0.4 - 1e-6;
 constexpr double torn_volume = 1.2;
 constexpr double reach_of_root =
     2.5;                       // of a badly filled cell's centre, or a node: two rings of cells [cells]
-constexpr double equal = 1e-9; // of distances and fills
+constexpr double equal = 1e-9; // of distances
+// Of fills: cells that soil fills at rest differ by some per mille from step to step, and a root that changes
+// with every step would jump.
+constexpr double equally_full = 0.05;
 
 /// A cell by its column and row.
 struct Cell {
@@ -40,11 +43,13 @@ Cell cell_at(const BackgroundGrid& grid, std::size_t index)
 }
 
 /// The good cells that are nearest to a point, and of these the fullest: several where they are equal, so
-/// that a mirrored drawing has mirrored roots.
+/// that a mirrored drawing has mirrored roots and none jumps between cells that take turns.
 struct NearCells {
     std::array<Cell, 8> cells; // no more are equally far within two rings
     std::size_t count = 0;
 
+    Cell* begin() { return cells.data(); }
+    Cell* end() { return cells.data() + count; }
     const Cell* begin() const { return cells.data(); }
     const Cell* end() const { return cells.data() + count; }
 };
@@ -75,23 +80,23 @@ struct CellsByDistance {
 NearCells nearest_good_cells(const BackgroundGrid& grid, const CellRoots& roots, const Cell& around,
                              const CellsByDistance& ring)
 {
-    NearCells best;
+    NearCells near;
     double least = 0.0, fullest = 0.0;
     for (const CellsByDistance::Step& step : ring.steps) {
-        if (best.count > 0 && step.distance > least) break;
+        if (near.count > 0 && step.distance > least) break;
         const Cell cell{around.i + step.i, around.j + step.j};
         if (cell.i < 0 || cell.j < 0 || cell.i >= grid.all_cells_x() || cell.j >= grid.all_cells_y())
             continue;
-        const std::size_t index = cell.index(grid);
-        if (roots.filling[index] != Filling::good) continue;
-        const double fill = roots.fill[index];
-        if (best.count > 0 && fill < fullest - equal) continue;
-        if (fill > fullest + equal) best.count = 0;
-        best.cells[best.count++] = cell;
+        if (roots.filling[cell.index(grid)] != Filling::good) continue;
+        near.cells[near.count++] = cell;
         least = step.distance;
-        fullest = fill;
+        fullest = std::max(fullest, roots.fill[cell.index(grid)]);
     }
-    return best;
+    const auto end = std::remove_if(near.begin(), near.end(), [&](const Cell& cell) {
+        return roots.fill[cell.index(grid)] < fullest - equally_full;
+    });
+    near.count = static_cast<std::size_t>(end - near.begin());
+    return near;
 }
 
 /// The centre of the soil in a cell, from the rim [cells].
@@ -106,6 +111,17 @@ Vector2 centre_of_soil(const BackgroundGrid& grid, const CellLists& lists, const
         moment += particles.volume[p] * place[p];
     }
     return grid.cells_from_rim(moment / volume);
+}
+
+/// The cell that is nearest to a point, of two equally near the fuller one.
+Cell nearest_to(const Vector2& point, const BackgroundGrid& grid, const CellRoots& roots,
+                const NearCells& near)
+{
+    return *std::min_element(near.begin(), near.end(), [&](const Cell& a, const Cell& b) {
+        const double farther = (a.centre() - point).squaredNorm() - (b.centre() - point).squaredNorm();
+        if (std::abs(farther) > equal) return farther < 0.0;
+        return roots.fill[a.index(grid)] > roots.fill[b.index(grid)] + equal;
+    });
 }
 
 /// Call visit(column, row) for the cells that are filled at least so well.
@@ -236,15 +252,12 @@ void find_roots(const Problem& problem, const NodeConditions& conditions, const 
         if (roots.filling[cell] == Filling::none || roots.filling[cell] == Filling::good) return;
         const NearCells near = nearest_good_cells(grid, roots, cell_at(grid, cell), ring);
         if (near.count == 0) return;
-        const Cell* root = near.begin();
-        if (near.count > 1) {
-            const Vector2 soil =
-                centre_of_soil(grid, lists, particles, place_in_equations(problem, particles), s);
-            root = std::min_element(near.begin(), near.end(), [&](const Cell& a, const Cell& b) {
-                return (a.centre() - soil).squaredNorm() < (b.centre() - soil).squaredNorm() - equal;
-            });
-        }
-        roots.shared.push_back({static_cast<std::int32_t>(s), lists.slot_of_cell[root->index(grid)]});
+        const Cell root = near.count == 1
+                              ? *near.begin()
+                              : nearest_to(centre_of_soil(grid, lists, particles,
+                                                          place_in_equations(problem, particles), s),
+                                           grid, roots, near);
+        roots.shared.push_back({static_cast<std::int32_t>(s), lists.slot_of_cell[root.index(grid)]});
     };
     for (const Tile& tile : lists.tiles) {
         if (lists.first_entry(tile) == lists.last_entry(tile)) continue;

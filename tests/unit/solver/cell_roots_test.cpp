@@ -92,6 +92,23 @@ TEST(CellRoots, OfEquallyNearCellsIsTheFullestAndThenTheOneNearestToTheSoil)
     EXPECT_EQ(soil.roots.shared[0].root, soil.slot(0, 3));
 }
 
+TEST(CellRoots, AFewPerMilleOfVolumeDoNotTurnThem)
+{
+    // two full cells side by side below a third that is nearly empty, whose node (2, 3) both are near
+    Soil soil([](const Vector2& x) { return x.x() > 0.75 && x.x() < 1.25 && x.y() < 1.25; });
+    const auto followed = [&](double right) {
+        for (std::size_t p = 0; p < soil.state.particles.size(); ++p)
+            soil.state.particles.volume[p] =
+                0.0625 * (soil.state.particles.position.x[p] > 1.0 ? right : 1.0);
+        soil.update();
+        return soil.followed_by(soil.node(2, 3)).size();
+    };
+    const std::size_t both = followed(1.0);
+    EXPECT_EQ(followed(1.003), both);
+    EXPECT_EQ(followed(0.997), both);
+    EXPECT_LT(followed(1.1), both);
+}
+
 TEST(CellRoots, FollowersContinueTheGoodCellLinearly)
 {
     const Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
