@@ -1,51 +1,14 @@
 #include "solver/banded_cholesky.hpp"
 
 #include "solver/lanes.hpp"
+#include "solver/singles.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace quicksand {
 
 namespace {
-
-using Singles = float __attribute__((vector_size(32)));
-
-Singles load(const float* from)
-{
-    Singles singles;
-    std::memcpy(&singles, from, sizeof singles);
-    return singles;
-}
-
-void store(const Singles& singles, float* to)
-{
-    std::memcpy(to, &singles, sizeof singles);
-}
-
-float sum_of(const Singles& s)
-{
-    return ((s[0] + s[4]) + (s[2] + s[6])) + ((s[1] + s[5]) + (s[3] + s[7]));
-}
-
-/// Sum of a[k] b[k] over `count` numbers.
-float dot(const float* a, const float* b, std::size_t count)
-{
-    Singles even{}, odd{};
-    std::size_t k = 0;
-    for (; k + 16 <= count; k += 16) {
-        even += load(a + k) * load(b + k);
-        odd += load(a + k + 8) * load(b + k + 8);
-    }
-    if (k + 8 <= count) {
-        even += load(a + k) * load(b + k);
-        k += 8;
-    }
-    float sum = sum_of(even + odd);
-    for (; k < count; ++k) sum += a[k] * b[k];
-    return sum;
-}
 
 /// The sum of each of eight vectors.
 Singles sums_of(const Singles (&s)[8])
@@ -96,24 +59,53 @@ void invert_triangle(std::size_t stride, float* triangle)
     }
 }
 
+/// The eight rows of a block of L y = b, from the solved ones before; returns their y.
+inline Singles solve_lower_block(std::size_t r, std::size_t band, const float* lower, float* vector)
+{
+    constexpr std::size_t lanes = BandedCholesky::lanes;
+    const std::size_t stride = band + lanes;
+    const float* block = lower + r * stride;
+    float* own = vector + band + r;
+    Singles sums[lanes] = {};
+    for (std::size_t k = 0; k < band; k += lanes) {
+        const Singles x = load(vector + r + k);
+        for (std::size_t i = 0; i < lanes; ++i) sums[i] += load(block + i * stride + k) * x;
+    }
+    const Singles rest = load(own) - sums_of(sums);
+    for (std::size_t i = 0; i < lanes; ++i) sums[i] = load(block + i * stride + band) * rest;
+    const Singles y = sums_of(sums);
+    store(y, own);
+    return y;
+}
+
+float largest_of(const Singles& s)
+{
+    float largest = 0.0f;
+    for (std::size_t i = 0; i < BandedCholesky::lanes; ++i) largest = std::max(largest, std::abs(s[i]));
+    return largest;
+}
+
+VECTOR_KERNEL
+std::size_t solve_lower_blocks(std::size_t first, std::size_t last, std::size_t rows, std::size_t band,
+                               float least, const float* lower, float* vector)
+{
+    constexpr std::size_t lanes = BandedCholesky::lanes;
+    std::size_t small = 0; // numbers in turn
+    std::size_t r = first / lanes * lanes;
+    for (; r < rows && (r < last || small < band); r += lanes) {
+        const float largest = largest_of(solve_lower_block(r, band, lower, vector));
+        small = largest < least ? small + lanes : 0;
+    }
+    return r;
+}
+
 VECTOR_KERNEL
 void solve_blocks(std::size_t rows, std::size_t band, const float* lower, float* vector)
 {
     constexpr std::size_t lanes = BandedCholesky::lanes;
     const std::size_t stride = band + lanes;
-    for (std::size_t r = 0; r < rows; r += lanes) { // L y = b
-        const float* block = lower + r * stride;
-        float* own = vector + band + r;
-        Singles sums[lanes] = {};
-        for (std::size_t k = 0; k < band; k += lanes) {
-            const Singles x = load(vector + r + k);
-            for (std::size_t i = 0; i < lanes; ++i) sums[i] += load(block + i * stride + k) * x;
-        }
-        const Singles rest = load(own) - sums_of(sums);
-        for (std::size_t i = 0; i < lanes; ++i) sums[i] = load(block + i * stride + band) * rest;
-        store(sums_of(sums), own);
-    }
-    for (std::size_t r = rows; r > 0;) { // L^T x = y
+    for (std::size_t r = 0; r < rows; r += lanes) solve_lower_block(r, band, lower, vector); // L y = b
+    for (std::size_t r = rows; r > 0;) {                                                     // L^T x = y
         r -= lanes;
         const float* block = lower + r * stride;
         float* own = vector + band + r;
@@ -148,6 +140,11 @@ void BandedCholesky::factorise(float least_pivot)
 void BandedCholesky::solve(float* vector) const
 {
     solve_blocks(padded_rows(), band_, lower_.data(), vector);
+}
+
+std::size_t BandedCholesky::solve_lower(std::size_t first, std::size_t last, float least, float* vector) const
+{
+    return solve_lower_blocks(first, last, padded_rows(), band_, least, lower_.data(), vector);
 }
 
 } // namespace quicksand

@@ -34,6 +34,11 @@ public:
     /// Solve A x = b in place.
     void solve(float* vector) const;
 
+    /// Solve L y = b in place for a b that is zero but in rows [first, last). Ends where band() numbers of y
+    /// in turn are below `least`: what follows is smaller still. Returns the row behind the last solved, a
+    /// whole block's; the numbers from `first`'s block to there are y, the others as they were.
+    std::size_t solve_lower(std::size_t first, std::size_t last, float least, float* vector) const;
+
 private:
     std::size_t padded_rows() const { return (rows_ + lanes - 1) / lanes * lanes; }
 

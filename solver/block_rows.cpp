@@ -1,5 +1,8 @@
 #include "solver/block_rows.hpp"
 
+#include "solver/lanes.hpp"
+#include "solver/singles.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,9 +21,9 @@ ScaledRows find_rows(double dt, const std::vector<HeldRow>& held, const NodeTouc
     ScaledRows scaled;
     rows.parts.clear();
     for (std::size_t r = 0; r < held.size(); ++r) {
-        double own = 0.0;
+        double own = held[r].compliance;
         std::map<std::size_t, double> cells; // by row of the block
-        for (const HeldNode& node : held[r]) {
+        for (const HeldNode& node : held[r].nodes) {
             own += node.coefficients.dot(node.velocities);
             for (const Touch& touch : touches.of(node.node))
                 cells.try_emplace(touch.row, 0.0).first->second +=
@@ -41,7 +44,7 @@ Eigen::MatrixXf row_products(const std::vector<HeldRow>& held, const ScaledRows&
 {
     std::map<std::size_t, std::vector<std::pair<std::size_t, const HeldNode*>>> by_node;
     for (std::size_t k = 0; k < rows.size(); ++k)
-        for (const HeldNode& node : held[rows[k].first]) by_node[node.node].emplace_back(k, &node);
+        for (const HeldNode& node : held[rows[k].first].nodes) by_node[node.node].emplace_back(k, &node);
     const auto index = [](std::size_t k) { return static_cast<Eigen::Index>(k); };
     Eigen::MatrixXf products = Eigen::MatrixXf::Zero(index(rows.size()), index(rows.size()));
     for (const auto& [node, parts] : by_node)
@@ -49,6 +52,9 @@ Eigen::MatrixXf row_products(const std::vector<HeldRow>& held, const ScaledRows&
             for (const auto& [b, second] : parts)
                 products(index(a), index(b)) += static_cast<float>(
                     rows[a].second * rows[b].second * first->coefficients.dot(second->velocities));
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        products(index(k), index(k)) +=
+            static_cast<float>(rows[k].second * rows[k].second * held[rows[k].first].compliance);
     return products;
 }
 
@@ -60,6 +66,46 @@ float product(const std::vector<BlockRows::Part>& parts, const float* values)
     return sum;
 }
 
+/// y of L y = G^T for one row: numbers [first, first + y.size()); those behind are next to nothing.
+struct Response {
+    std::size_t first = 0;
+    std::vector<float> y;
+};
+
+Response respond(const BandedCholesky& factor, const std::vector<BlockRows::Part>& parts,
+                 std::vector<float>& work)
+{
+    constexpr float least = 1e-5f; // of a row scaled to one: a mirrored drawing has mirrored answers
+    for (const BlockRows::Part& part : parts) work[factor.band() + part.row] = part.value;
+    Response response;
+    response.first = parts.front().row / BandedCholesky::lanes * BandedCholesky::lanes;
+    const std::size_t end = factor.solve_lower(parts.front().row, parts.back().row + 1, least, work.data());
+    const auto y = work.begin() + static_cast<std::ptrdiff_t>(factor.band());
+    const auto first = y + static_cast<std::ptrdiff_t>(response.first),
+               last = y + static_cast<std::ptrdiff_t>(end);
+    response.y.assign(first, last);
+    std::fill(first, last, 0.0f);
+    return response;
+}
+
+/// Take G F^-1 G^T from the lower half of P; it is the products of the rows' responses.
+VECTOR_KERNEL
+void subtract_products(const std::vector<Response>& responses, Eigen::MatrixXf& matrix)
+{
+    for (std::size_t k = 0; k < responses.size(); ++k) {
+        const Response& a = responses[k];
+        float* column = matrix.data() + k * responses.size();
+        for (std::size_t m = k; m < responses.size(); ++m) {
+            const Response& b = responses[m];
+            const std::size_t first = std::max(a.first, b.first);
+            const std::size_t last = std::min(a.first + a.y.size(), b.first + b.y.size());
+            if (first < last)
+                column[m] -=
+                    dot(a.y.data() + (first - a.first), b.y.data() + (first - b.first), last - first);
+        }
+    }
+}
+
 } // namespace
 
 void set_up_rows(double dt, const std::vector<HeldRow>& held, const NodeTouches& touches,
@@ -69,15 +115,11 @@ void set_up_rows(double dt, const std::vector<HeldRow>& held, const NodeTouches&
     const ScaledRows scaled = find_rows(dt, held, touches, scale, rows);
     if (scaled.empty()) return;
     Eigen::MatrixXf matrix = row_products(held, scaled);
-    for (std::size_t k = 0; k < scaled.size(); ++k) {
-        std::fill(solution.begin(), solution.end(), 0.0f);
-        for (const BlockRows::Part& part : rows.parts[k]) solution[factor.band() + part.row] = part.value;
-        factor.solve(solution.data());
-        for (std::size_t m = 0; m < scaled.size(); ++m)
-            matrix(static_cast<Eigen::Index>(m), static_cast<Eigen::Index>(k)) -=
-                product(rows.parts[m], solution.data() + factor.band());
-    }
-    matrix = 0.5f * (matrix + matrix.transpose()).eval();
+    std::fill(solution.begin(), solution.end(), 0.0f);
+    std::vector<Response> responses;
+    for (const std::vector<BlockRows::Part>& parts : rows.parts)
+        responses.push_back(respond(factor, parts, solution));
+    subtract_products(responses, matrix);
     // rows may repeat each other at corners; a preconditioner may have softer ones
     for (float softness = 1e-3f;; softness *= 10.0f) {
         matrix.diagonal().array() += softness;

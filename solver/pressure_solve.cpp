@@ -272,6 +272,21 @@ bool revise_cavities(const CellLists& lists, PressureSolve& solve)
     return changes > 0.0;
 }
 
+/// Iterate until the cells with cavities are found as well.
+bool converge(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions, double dt,
+              double target, const PressureSolveControls& controls, PressureSolve& solve)
+{
+    const auto settle = [&] { return iterate(grid, lists, conditions, dt, target, controls, solve); };
+    if (solve.cavity.cavities.empty()) return settle();
+    constexpr int most_sets = 30; // then the last is taken: a cell at the limit may belong to either
+    begin_cavities(lists, solve);
+    for (int k = 0; k < most_sets; ++k) {
+        if (!settle()) return false;
+        if (!revise_cavities(lists, solve)) break;
+    }
+    return true;
+}
+
 } // namespace
 
 PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::size_t nodes)
@@ -294,6 +309,15 @@ void add_cavities(PressureSolve& solve)
          {&cavity.deficit, &cavity.lowest_increment, &cavity.water_increment, &cavity.lacking})
         by_cell->assign(solve.storage.size(), 0.0);
     cavity.cavities.assign(solve.storage.size(), 0);
+}
+
+void choose_blocks(double dt, PressureSolve& solve)
+{
+    constexpr double alike = 0.05;              // of dt
+    constexpr std::int32_t worth_a_set_up = 16; // iterations: their instructions are those of new blocks
+    if (std::abs(dt - solve.dt_of_blocks) > alike * dt || solve.iterations_lost > worth_a_set_up)
+        solve.blocks_are_due = true;
+    if (solve.blocks_are_due) solve.dt_of_blocks = dt;
 }
 
 void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSolve& solve)
@@ -333,22 +357,20 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
                       double dt, const PressureSolveControls& controls, PressureSolve& solve)
 {
     set_diagonal(grid, lists, dt, solve);
-    if (solve.blocks_are_due) set_up_blocks(grid, lists, conditions, dt, solve, solve.blocks);
-    solve.blocks_are_due = false;
+    const bool new_blocks = std::exchange(solve.blocks_are_due, false);
+    if (new_blocks) set_up_blocks(grid, lists, conditions, dt, solve, solve.blocks);
     scale_blocks(solve.diagonal, solve.blocks);
     const double scale = set_right_hand_side(grid, lists, dt, solve);
     fold_shared(solve, solve.right_hand_side);
-    const double target = controls.tolerance * controls.tolerance * scale;
-    const auto converge = [&] { return iterate(grid, lists, conditions, dt, target, controls, solve); };
     solve.iterations = 0;
-    if (solve.cavity.cavities.empty()) return converge();
-    constexpr int most_sets = 30; // then the last is taken: a cell at the limit may belong to either
-    begin_cavities(lists, solve);
-    for (int k = 0; k < most_sets; ++k) {
-        if (!converge()) return false;
-        if (!revise_cavities(lists, solve)) break;
+    const bool converged = converge(grid, lists, conditions, dt,
+                                    controls.tolerance * controls.tolerance * scale, controls, solve);
+    if (new_blocks) {
+        solve.iterations_when_new = solve.iterations;
+        solve.iterations_lost = 0;
     }
-    return true;
+    solve.iterations_lost += std::max(0, solve.iterations - solve.iterations_when_new);
+    return converged;
 }
 
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,

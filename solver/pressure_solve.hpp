@@ -40,6 +40,9 @@ struct CavitySolve {
 struct PressureSolve : PressureEquations {
     PressureBlocks blocks;
     bool blocks_are_due = true;                  // to be set up anew in the next solve
+    double dt_of_blocks = 0.0;                   // for which they were set up [s]
+    std::int32_t iterations_when_new = 0;        // of the first solve with the blocks [-]
+    std::int32_t iterations_lost = 0;            // of all since, beyond those [-]
     const VelocityRows* rows = nullptr;          // of walls and followers, none without
     std::vector<Vector2> row_forces, row_fluxes; // at the nodes of the rows
     Scalars increment;                           // dp: the guess, then the solution [Pa]
@@ -66,6 +69,11 @@ PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::siz
 
 /// Give the solve a limit of tension.
 void add_cavities(PressureSolve& solve);
+
+/// Ask for new blocks where those at hand are of another time step (dt^2 weighs the nodes' answer against
+/// storage), or no longer fit for other reasons: walls touch other nodes, soil has moved. The first in a
+/// step.
+void choose_blocks(double dt, PressureSolve& solve);
 
 /// Let the nodes of the rows answer the pressure as the rows have it. After the compliances of the nodes have
 /// been set.

@@ -132,9 +132,10 @@ void solve_pressure(const Problem& problem, double dt, double kick, const State&
                     SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
-    set_up_pressure(problem, dt, kick, state.particles, work);
     // the flux gains over the kick and fills cells over the step: dt kick in the place of the equations' dt^2
     const double step = std::sqrt(dt * kick);
+    choose_blocks(step, pressure);
+    set_up_pressure(problem, dt, kick, state.particles, work);
     for_each_index(work.motion.size(), [&](std::size_t i) {
         pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
         pressure.flux_y[i] = dt / step * work.motion[i].flux_y;

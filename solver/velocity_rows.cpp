@@ -245,6 +245,13 @@ void VelocityRows::set_porosities(const Scalars& porosities)
         compliances_[i] = pressure_compliance(inverses_[i], porosities_[i]);
 }
 
+HeldNode VelocityRows::held_node(std::size_t place, const NodeVelocities& c) const
+{
+    const NodeVelocities velocities = inverses_[place] * c;
+    const double n = porosities_[place];
+    return {nodes_[place], c, velocities, (1.0 - n) * velocities.head<2>() + n * velocities.tail<2>()};
+}
+
 std::vector<HeldRow> VelocityRows::held_rows() const
 {
     constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -275,12 +282,16 @@ std::vector<HeldRow> VelocityRows::held_rows() const
             }
         }
         HeldRow& row = rows.emplace_back();
-        for (const auto& [place, c] : folded) {
-            const NodeVelocities velocities = inverses_[place] * c;
-            const double n = porosities_[place];
-            row.push_back(
-                {nodes_[place], c, velocities, (1.0 - n) * velocities.head<2>() + n * velocities.tail<2>()});
-        }
+        for (const auto& [place, c] : folded) row.nodes.push_back(held_node(place, c));
+    }
+    for (std::size_t r = first_follower_; r < size(); ++r) {
+        const Entry& follower = entries_[first_[r]];
+        const int axis = follower.coefficients[0] != 0.0 ? 0 : 1;
+        if (follower.coefficients[axis] == 0.0) continue;
+        HeldRow& row = rows.emplace_back();
+        row.compliance = inverses_[follower.place](axis, axis);
+        for (std::size_t k = first_[r] + 1; k < end_of(r); ++k)
+            row.nodes.push_back(held_node(entries_[k].place, entries_[k].coefficients));
     }
     return rows;
 }

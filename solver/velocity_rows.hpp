@@ -31,7 +31,11 @@ struct HeldNode {
     NodeVelocities velocities;   // A^-1 c [1/kg]
     Vector2 flux;                // beta^T A^-1 c [1/kg]
 };
-using HeldRow = std::vector<HeldNode>; // each node once
+/// A row, or what a follower weighs on the nodes that it follows.
+struct HeldRow {
+    std::vector<HeldNode> nodes; // each once
+    double compliance = 0.0;     // of the follower's grains; 0: a row, which nothing moves [1/kg]
+};
 
 class VelocityRows {
 public:
@@ -118,6 +122,7 @@ private:
         Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
     };
 
+    HeldNode held_node(std::size_t place, const NodeVelocities& c) const;
     template <class Visit>
     void for_each_entry(Visit&& visit) const;
     Scalars products(const std::vector<NodeVelocities>& velocities) const;

@@ -53,6 +53,37 @@ TEST(BandedCholesky, SolvesToSinglePrecision)
     for (const Eigen::Index band : {1, 7, 8, 9, 30, 100}) EXPECT_LT(largest_error(150, band), 3e-6) << band;
 }
 
+TEST(BandedCholesky, SolvesTheLowerHalfAsFarAsItIsNotSmall)
+{
+    constexpr Eigen::Index rows = 300, band = 8;
+    const Eigen::MatrixXd A = random_matrix(rows, band);
+    BandedCholesky factor;
+    factor.reset(rows, band);
+    for (Eigen::Index row = 0; row < rows; ++row)
+        for (Eigen::Index column = std::max<Eigen::Index>(0, row - band); column <= row; ++column)
+            factor.add(static_cast<std::size_t>(row), static_cast<std::size_t>(column), A(row, column));
+    factor.factorise(1e-4f);
+    Eigen::VectorXd b = Eigen::VectorXd::Zero(rows);
+    b[13] = 1.0;
+    b[30] = -0.5;
+    const Eigen::VectorXd y = A.llt().matrixL().solve(b);
+    for (const float least : {0.0f, 1e-3f}) {
+        std::vector<float> vector(factor.vector_length(), 0.0f);
+        vector[factor.band() + 13] = 1.0f;
+        vector[factor.band() + 30] = -0.5f;
+        const std::size_t end = factor.solve_lower(13, 31, least, vector.data());
+        EXPECT_EQ(end % BandedCholesky::lanes, 0U);
+        if (least == 0.0f) {
+            EXPECT_EQ(end, 304U);
+        } else {
+            EXPECT_LT(end, 100U);
+        }
+        for (std::size_t row = 0; row < rows; ++row)
+            EXPECT_NEAR(vector[factor.band() + row], y[static_cast<Eigen::Index>(row)],
+                        std::max(1e-6, static_cast<double>(least)));
+    }
+}
+
 TEST(BandedCholesky, TakesAMatrixNarrowerThanItsBand)
 {
     EXPECT_LT(largest_error(5, 20), 1e-6);
