@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace quicksand {
 
@@ -35,12 +36,16 @@ Eigen::Matrix2d pressure_compliance(const NodeInverse& R, double n)
 } // namespace
 
 template <class Visit>
+void VelocityRows::for_each_entry_of(std::size_t row, Visit&& visit) const
+{
+    const std::size_t last = row + 1 < size() ? first_[row + 1] : entries_.size();
+    for (std::size_t k = first_[row]; k < last; ++k) visit(k);
+}
+
+template <class Visit>
 void VelocityRows::for_each_entry(Visit&& visit) const
 {
-    for (std::size_t r = 0; r < size(); ++r) {
-        const std::size_t last = r + 1 < size() ? first_[r + 1] : entries_.size();
-        for (std::size_t k = first_[r]; k < last; ++k) visit(r, k);
-    }
+    for (std::size_t r = 0; r < size(); ++r) for_each_entry_of(r, [&](std::size_t k) { visit(r, k); });
 }
 
 void VelocityRows::clear(std::size_t node_count)
@@ -77,9 +82,9 @@ bool VelocityRows::inverses_turn() const
     });
 }
 
-void VelocityRows::find_pattern(bool turns)
+void VelocityRows::find_pattern(bool turns, Factor& factor) const
 {
-    Pattern& pattern = factor_->pattern;
+    Pattern& pattern = factor.pattern;
     pattern.first = first_;
     pattern.turns = turns;
     pattern.places.clear();
@@ -91,46 +96,68 @@ void VelocityRows::find_pattern(bool turns)
 
     std::vector<std::size_t> row_of(entries_.size());
     for_each_entry([&](std::size_t r, std::size_t k) { row_of[k] = r; });
-    std::vector<std::vector<std::size_t>> of_node(nodes_.size());
+    std::vector<std::vector<std::size_t>> of_node(nodes_.size()); // entries
     for (std::size_t k = 0; k < entries_.size(); ++k) of_node[entries_[k].place].push_back(k);
 
-    pattern.products.clear();
-    std::vector<Eigen::Triplet<double>> triplets;
+    // column by column; `below` are the rows whose products with the column's are not zero
+    Eigen::SparseMatrix<double>& matrix = factor.matrix;
     const auto index = [](std::size_t r) { return static_cast<int>(r); };
-    for (std::size_t r = 0; r < size(); ++r) triplets.emplace_back(index(r), index(r), 0.0);
-    for (const std::vector<std::size_t>& node : of_node) {
-        for (const std::size_t a : node) {
-            for (const std::size_t b : node) {
-                if (row_of[b] > row_of[a]) continue;
-                if (!turns && (pattern.axes[a] & pattern.axes[b]) == 0) continue;
-                pattern.products.push_back({a, b, 0});
-                triplets.emplace_back(index(row_of[a]), index(row_of[b]), 0.0);
-            }
-        }
-    }
-    Eigen::SparseMatrix<double>& matrix = factor_->matrix;
     matrix.resize(index(size()), index(size()));
-    matrix.setFromTriplets(triplets.begin(), triplets.end());
-    for (Product& product : pattern.products) {
-        double& value = matrix.coeffRef(index(row_of[product.a]), index(row_of[product.b]));
-        product.target = static_cast<std::size_t>(&value - matrix.valuePtr());
-    }
+    pattern.products.clear();
     pattern.diagonal.clear();
-    for (std::size_t r = 0; r < size(); ++r)
-        pattern.diagonal.push_back(
-            static_cast<std::size_t>(&matrix.coeffRef(index(r), index(r)) - matrix.valuePtr()));
-    factor_->solver.analyzePattern(matrix);
+    std::vector<int> inner, below;
+    std::vector<std::size_t> target(size()); // of a row in the present column, among the matrix's values
+    std::vector<std::size_t> seen(size(), size());
+    for (std::size_t column = 0; column < size(); ++column) {
+        const std::size_t first_product = pattern.products.size();
+        below.assign(1, index(column));
+        seen[column] = column;
+        for_each_entry_of(column, [&](std::size_t b) {
+            for (const std::size_t a : of_node[entries_[b].place]) {
+                const std::size_t row = row_of[a];
+                if (row < column || (!turns && (pattern.axes[a] & pattern.axes[b]) == 0)) continue;
+                pattern.products.push_back({a, b, row});
+                if (std::exchange(seen[row], column) != column) below.push_back(index(row));
+            }
+        });
+        std::sort(below.begin(), below.end());
+        matrix.outerIndexPtr()[column] = index(inner.size());
+        pattern.diagonal.push_back(inner.size());
+        for (const int row : below) {
+            target[static_cast<std::size_t>(row)] = inner.size();
+            inner.push_back(row);
+        }
+        for (std::size_t k = first_product; k < pattern.products.size(); ++k)
+            pattern.products[k].target = target[pattern.products[k].target];
+    }
+    matrix.outerIndexPtr()[size()] = index(inner.size());
+    matrix.resizeNonZeros(index(inner.size()));
+    std::copy(inner.begin(), inner.end(), matrix.innerIndexPtr());
+    factor.solver.analyzePattern(matrix);
 }
 
-bool VelocityRows::has_pattern(bool turns) const
+bool VelocityRows::is_made_for_rows(const Pattern& pattern, bool turns) const
 {
-    const Pattern& pattern = factor_->pattern;
     if (pattern.first != first_ || pattern.places.size() != entries_.size() || pattern.turns != turns)
         return false;
     for (std::size_t k = 0; k < entries_.size(); ++k)
         if (entries_[k].place != pattern.places[k] || axes_of(entries_[k].coefficients) != pattern.axes[k])
             return false;
     return true;
+}
+
+void VelocityRows::choose_factor(bool turns)
+{
+    constexpr std::size_t most = 4; // nodes that hardly any soil touches come and go: patterns return
+    std::erase_if(factors_, [](const auto& factor) { return factor.use_count() > 1; });
+    auto chosen = std::find_if(factors_.begin(), factors_.end(),
+                               [&](const auto& factor) { return is_made_for_rows(factor->pattern, turns); });
+    if (chosen == factors_.end()) {
+        if (factors_.size() < most) factors_.push_back(std::make_shared<Factor>());
+        chosen = factors_.end() - 1;
+        find_pattern(turns, **chosen);
+    }
+    std::rotate(factors_.begin(), chosen, chosen + 1);
 }
 
 void VelocityRows::fill_matrix()
@@ -147,27 +174,29 @@ void VelocityRows::fill_matrix()
     for (std::size_t r = 0; r < size(); ++r)
         scale_[r] = own[r] > least_response * of_free_nodes[r] ? 1.0 / std::sqrt(own[r]) : 0.0;
 
-    std::vector<double> scale_of(entries_.size());
-    for_each_entry([&](std::size_t r, std::size_t k) { scale_of[k] = scale_[r]; });
-    const Pattern& pattern = factor_->pattern;
-    double* values = factor_->matrix.valuePtr();
-    std::fill(values, values + factor_->matrix.nonZeros(), 0.0);
-    for (std::size_t r = 0; r < size(); ++r) values[pattern.diagonal[r]] = scale_[r] > 0.0 ? ridge : 1.0;
-    for (const Product& product : pattern.products)
-        values[product.target] += scale_of[product.a] * scale_of[product.b] *
-                                  entries_[product.a].coefficients.dot(responses_[product.b]);
+    std::vector<NodeVelocities> coefficients(entries_.size()), responses(entries_.size()); // scaled
+    for_each_entry([&](std::size_t r, std::size_t k) {
+        coefficients[k] = scale_[r] * entries_[k].coefficients;
+        responses[k] = scale_[r] * responses_[k];
+    });
+    Factor& factor = *factors_.front();
+    double* values = factor.matrix.valuePtr();
+    std::fill(values, values + factor.matrix.nonZeros(), 0.0);
+    for (std::size_t r = 0; r < size(); ++r)
+        values[factor.pattern.diagonal[r]] = scale_[r] > 0.0 ? ridge : 1.0;
+    for (const Product& product : factor.pattern.products)
+        values[product.target] += coefficients[product.a].dot(responses[product.b]);
 }
 
 void VelocityRows::factorise(std::vector<NodeInverse> inverses)
 {
     inverses_ = std::move(inverses);
     if (empty()) return;
-    if (!factor_ || factor_.use_count() > 1) factor_ = std::make_shared<Factor>();
-    const bool turns = inverses_turn();
-    if (!has_pattern(turns)) find_pattern(turns);
+    choose_factor(inverses_turn());
     fill_matrix();
-    factor_->solver.factorize(factor_->matrix);
-    if (factor_->solver.info() != Eigen::Success)
+    Factor& factor = *factors_.front();
+    factor.solver.factorize(factor.matrix);
+    if (factor.solver.info() != Eigen::Success)
         throw InternalError("the conditions at the walls cannot be factorised");
 }
 
@@ -184,7 +213,7 @@ Scalars VelocityRows::solve(Scalars right_hand_side) const
 {
     Eigen::Map<Eigen::VectorXd> vector(right_hand_side.data(), static_cast<Eigen::Index>(size()));
     const Eigen::Map<const Eigen::VectorXd> scale(scale_.data(), static_cast<Eigen::Index>(size()));
-    vector = scale.cwiseProduct(factor_->solver.solve(scale.cwiseProduct(vector)));
+    vector = scale.cwiseProduct(factors_.front()->solver.solve(scale.cwiseProduct(vector)));
     return right_hand_side;
 }
 

@@ -124,14 +124,17 @@ private:
 
     HeldNode held_node(std::size_t place, const NodeVelocities& c) const;
     template <class Visit>
+    void for_each_entry_of(std::size_t row, Visit&& visit) const;
+    template <class Visit>
     void for_each_entry(Visit&& visit) const;
     Scalars products(const std::vector<NodeVelocities>& velocities) const;
     Scalars misses(bool to_zero, const std::vector<NodeVelocities>& velocities) const;
     Scalars solve(Scalars right_hand_side) const;
     void correct(bool to_zero, std::vector<NodeVelocities>& velocities) const;
     bool inverses_turn() const;
-    bool has_pattern(bool turns) const;
-    void find_pattern(bool turns);
+    bool is_made_for_rows(const Pattern& pattern, bool turns) const;
+    void choose_factor(bool turns);
+    void find_pattern(bool turns, Factor& factor) const;
     void fill_matrix();
 
     std::vector<std::size_t> nodes_;
@@ -145,8 +148,9 @@ private:
     std::vector<Vector2> by_pressure_;         // B of the entries: beta^T A^-1 c [1/kg]
     Scalars porosities_;                       // of nodes() [-]
     std::vector<Eigen::Matrix2d> compliances_; // of nodes() without the rows: beta^T A^-1 beta [1/kg]
-    Scalars scale_;                  // of the rows, 0 of those left out: P scaled has a diagonal of ones
-    std::shared_ptr<Factor> factor_; // copies of the rows share it
+    Scalars scale_; // of the rows, 0 of those left out: P scaled has a diagonal of ones
+    // the last used first; copies of the rows share them
+    std::vector<std::shared_ptr<Factor>> factors_;
 };
 
 } // namespace quicksand
