@@ -12,8 +12,9 @@ namespace quicksand {
 
 namespace {
 
-/// Added to the diagonal of ones: rows may repeat each other at corners.
-constexpr double ridge = 1e-12;
+/// Added to the diagonal of ones where rows nearly repeat each other, as at corners: a pivot is then below
+/// `least_pivot`.
+constexpr double ridge = 1e-12, least_pivot = 1e-8;
 /// A row acts on nothing where all of its nodes are held: its P is below this part of what free nodes would
 /// give.
 constexpr double least_response = 1e-14;
@@ -182,8 +183,7 @@ void VelocityRows::fill_matrix()
     Factor& factor = *factors_.front();
     double* values = factor.matrix.valuePtr();
     std::fill(values, values + factor.matrix.nonZeros(), 0.0);
-    for (std::size_t r = 0; r < size(); ++r)
-        values[factor.pattern.diagonal[r]] = scale_[r] > 0.0 ? ridge : 1.0;
+    for (std::size_t r = 0; r < size(); ++r) values[factor.pattern.diagonal[r]] = scale_[r] > 0.0 ? 0.0 : 1.0;
     for (const Product& product : factor.pattern.products)
         values[product.target] += coefficients[product.a].dot(responses[product.b]);
 }
@@ -195,6 +195,11 @@ void VelocityRows::factorise(std::vector<NodeInverse> inverses)
     choose_factor(inverses_turn());
     fill_matrix();
     Factor& factor = *factors_.front();
+    factor.solver.factorize(factor.matrix);
+    rows_repeat_ = factor.solver.info() != Eigen::Success || factor.solver.vectorD().minCoeff() < least_pivot;
+    if (!rows_repeat_) return;
+    double* values = factor.matrix.valuePtr();
+    for (const std::size_t diagonal : factor.pattern.diagonal) values[diagonal] += ridge;
     factor.solver.factorize(factor.matrix);
     if (factor.solver.info() != Eigen::Success)
         throw InternalError("the conditions at the walls cannot be factorised");
@@ -242,8 +247,8 @@ std::vector<NodeVelocities> VelocityRows::impulses(const Scalars& multipliers) c
 void VelocityRows::correct(bool to_zero, std::vector<NodeVelocities>& velocities) const
 {
     if (empty()) return;
-    // the second time takes out what the ridge has left
-    for (int refinement = 0; refinement < 2; ++refinement) {
+    const int times = rows_repeat_ ? 2 : 1; // the second takes out what the ridge has left
+    for (int time = 0; time < times; ++time) {
         const Scalars multipliers = solve(misses(to_zero, velocities));
         for_each_entry([&](std::size_t r, std::size_t k) {
             velocities[entries_[k].place] -= multipliers[r] * responses_[k];

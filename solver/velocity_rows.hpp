@@ -151,6 +151,7 @@ private:
     Scalars scale_; // of the rows, 0 of those left out: P scaled has a diagonal of ones
     // the last used first; copies of the rows share them
     std::vector<std::shared_ptr<Factor>> factors_;
+    bool rows_repeat_ = false; // some nearly say what others do
 };
 
 } // namespace quicksand
