@@ -103,7 +103,7 @@ Frame particle_frame(const Problem& problem, const State& state)
     std::vector<std::int64_t> numbers;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         numbers.clear();
-        for (const Vector2& corner : domain_polygon(problem, particles, p)) {
+        for (const Vector2& corner : domain_polygon(problem.cut_domains, particles, p)) {
             numbers.push_back(static_cast<std::int64_t>(frame.points.size()));
             frame.points.push_back(corner);
         }

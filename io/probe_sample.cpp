@@ -37,7 +37,7 @@ std::pair<double, double> width_of(const Problem& problem, const Particles& part
         return {particles.position.x[p],
                 std::abs(particles.half_edge_1.x[p]) + std::abs(particles.half_edge_2.x[p])};
     double first = particles.position.x[p], last = first;
-    for (const Vector2& corner : domain_polygon(problem, particles, p)) {
+    for (const Vector2& corner : domain_polygon(problem.cut_domains, particles, p)) {
         first = std::min(first, corner.x());
         last = std::max(last, corner.x());
     }
@@ -151,7 +151,7 @@ SurfacePoint surface_point(const Problem& problem, const Particles& particles, d
         const double apart = x - middle, rim = (1.0 - rounding) * reach;
         if (std::abs(apart) > (1.0 + rounding) * reach) continue;
         const double inside = std::abs(apart) > rim ? middle + std::copysign(rim, apart) : x;
-        for_each_crossing(domain_polygon(problem, particles, p), inside, [&](double y) {
+        for_each_crossing(domain_polygon(problem.cut_domains, particles, p), inside, [&](double y) {
             const bool tie = surface.found && y == surface.height &&
                              particles.identifier[p] < particles.identifier[surface.particle];
             if (!surface.found || y > surface.height || tie) surface = {true, p, y};

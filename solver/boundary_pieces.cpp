@@ -99,7 +99,8 @@ std::vector<Candidate> find_candidates(const Problem& problem, const Particles& 
         const double s = from_start.dot(along);
         if (std::abs(from_start.dot(normal)) > reach * size || s < -reach * size || s > length + reach * size)
             continue;
-        Candidate candidate{p, quadrilateral_corners(particles, p), domain_polygon(problem, particles, p),
+        Candidate candidate{p, quadrilateral_corners(particles, p),
+                            domain_polygon(problem.cut_domains, particles, p),
                             problem.cut_domains.find(particles.identifier[p]) != nullptr};
         for (const Vector2& corner : candidate.corners) {
             candidate.size = std::max(candidate.size, (corner - particles.position[p]).norm());

@@ -1,7 +1,7 @@
 #include "solver/cell_roots.hpp"
 
 #include "solver/node_weights.hpp"
-#include "solver/pore_pressure.hpp"
+#include "solver/problem.hpp"
 
 #include <algorithm>
 #include <array>

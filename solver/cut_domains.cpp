@@ -4,7 +4,6 @@
 #include "solver/cpdi.hpp"
 #include "solver/cpdi2.hpp"
 #include "solver/cross_product.hpp"
-#include "solver/problem.hpp"
 
 #include <algorithm>
 #include <array>
@@ -63,17 +62,18 @@ std::vector<Vector2> corners_in_frame(const CutDomain& shape, const Vector2& cen
     return corners;
 }
 
-std::vector<Vector2> domain_polygon(const Problem& problem, const Particles& particles, std::size_t p)
+std::vector<Vector2> domain_polygon(const CutDomains& cut_domains, const Particles& particles, std::size_t p)
 {
-    const CutDomain* shape = problem.cut_domains.find(particles.identifier[p]);
+    const CutDomain* shape = cut_domains.find(particles.identifier[p]);
     if (shape == nullptr) return as_vector(quadrilateral_corners(particles, p));
     return corners_in_frame(*shape, particles.position[p], particles.half_edge_1[p],
                             particles.half_edge_2[p]);
 }
 
-std::vector<Vector2> reference_polygon(const Problem& problem, const Particles& particles, std::size_t p)
+std::vector<Vector2> reference_polygon(const CutDomains& cut_domains, const Particles& particles,
+                                       std::size_t p)
 {
-    const CutDomain* shape = problem.cut_domains.find(particles.identifier[p]);
+    const CutDomain* shape = cut_domains.find(particles.identifier[p]);
     if (shape == nullptr) return as_vector(reference_corners(particles, p));
     return corners_in_frame(*shape, particles.reference_position[p], particles.reference_edge_1[p],
                             particles.reference_edge_2[p]);
@@ -110,10 +110,10 @@ void evaluate_polygon(const BackgroundGrid& grid, const CutDomain& shape, const 
     sum_corner_weights(grid, weights, patch, line_tolerance(grid, corners.front()));
 }
 
-std::int64_t weigh_cut_domains(const Problem& problem, const Particles& particles, const CellLists& lists,
-                               const Tile& tile, PatchStore& store)
+std::int64_t weigh_cut_domains(const BackgroundGrid& grid, const CutDomains& cut_domains,
+                               const Particles& particles, const CellLists& lists, const Tile& tile,
+                               PatchStore& store)
 {
-    const BackgroundGrid& grid = problem.grid;
     const std::size_t first = lists.first_entry(tile);
     const auto particle = [&](std::size_t entry) {
         return static_cast<std::size_t>(lists.order[first + entry]);
@@ -122,7 +122,7 @@ std::int64_t weigh_cut_domains(const Problem& problem, const Particles& particle
         store.cut_of = lists.changes;
         store.cut.clear();
         for (std::size_t k = 0; k < lists.last_entry(tile) - first; ++k)
-            if (problem.cut_domains.find(particles.identifier[particle(k)]) != nullptr)
+            if (cut_domains.find(particles.identifier[particle(k)]) != nullptr)
                 store.cut.push_back(static_cast<std::uint32_t>(k));
     }
     std::int64_t limited = 0;
@@ -130,7 +130,7 @@ std::int64_t weigh_cut_domains(const Problem& problem, const Particles& particle
     std::vector<Vector2> corners;
     for (const std::uint32_t k : store.cut) {
         const std::size_t p = particle(k);
-        const CutDomain& shape = *problem.cut_domains.find(particles.identifier[p]);
+        const CutDomain& shape = *cut_domains.find(particles.identifier[p]);
         ParallelogramDomain frame{particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
         corners_in_frame(shape, frame.centre, frame.half_edge_1, frame.half_edge_2, corners);
         if (limit_polygon(grid.cell_size, frame.centre, corners))

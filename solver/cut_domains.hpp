@@ -21,7 +21,6 @@ struct BackgroundGrid;
 struct CellLists;
 struct NodePatch;
 struct PatchStore;
-struct Problem;
 struct Tile;
 
 /// The convex polygon that stands for the domain of a particle that an outline cuts.
@@ -72,10 +71,11 @@ void corners_in_frame(const CutDomain& shape, const Vector2& centre, const Vecto
                       const Vector2& half_edge_2, std::vector<Vector2>& corners);
 
 /// Present corners of a particle's domain, whole or cut, counter-clockwise [m].
-std::vector<Vector2> domain_polygon(const Problem& problem, const Particles& particles, std::size_t p);
+std::vector<Vector2> domain_polygon(const CutDomains& cut_domains, const Particles& particles, std::size_t p);
 
 /// The same at the reference, when displacements were last set to zero [m].
-std::vector<Vector2> reference_polygon(const Problem& problem, const Particles& particles, std::size_t p);
+std::vector<Vector2> reference_polygon(const CutDomains& cut_domains, const Particles& particles,
+                                       std::size_t p);
 
 /// How near to a grid line corners of cut domains around a place lie on it, so that rounding gives no node
 /// mass [cells].
@@ -91,7 +91,8 @@ void evaluate_polygon(const BackgroundGrid& grid, const CutDomain& shape, const 
 
 /// Replace the weights of the cut domains of a tile, which are in the store as those of their parallelograms.
 /// Returns how many polygons were scaled down whose parallelograms were not.
-std::int64_t weigh_cut_domains(const Problem& problem, const Particles& particles, const CellLists& lists,
-                               const Tile& tile, PatchStore& store);
+std::int64_t weigh_cut_domains(const BackgroundGrid& grid, const CutDomains& cut_domains,
+                               const Particles& particles, const CellLists& lists, const Tile& tile,
+                               PatchStore& store);
 
 } // namespace quicksand

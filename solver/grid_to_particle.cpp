@@ -3,7 +3,7 @@
 #include "solver/carried_slope.hpp"
 #include "solver/lanes.hpp"
 #include "solver/patch_walk.hpp"
-#include "solver/time_step_control.hpp"
+#include "solver/wave_speeds.hpp"
 
 #include <algorithm>
 

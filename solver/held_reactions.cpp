@@ -1,6 +1,8 @@
 // The forces that held a viscous curve at rest, as forces on its pieces: F_k = L_k sum_i w_ki y_i with
 // multipliers y of the nodes, such that sum_k w_ki F_k = R_i, by conjugate gradients. The matrix is that of a
 // mass along the curve; a few iterations reach rounding.
+#include "solver/held_reactions.hpp"
+
 #include "solver/single_phase_step.hpp"
 #include "solver/viscous_boundary.hpp"
 

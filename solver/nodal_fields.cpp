@@ -100,7 +100,7 @@ PresentDomain present_domain(const Problem& problem, const Particles& particles,
         domain.reach = domain.whole.half_edge_1.cwiseAbs() + domain.whole.half_edge_2.cwiseAbs();
         return domain;
     }
-    domain.corners = domain_polygon(problem, particles, p);
+    domain.corners = domain_polygon(problem.cut_domains, particles, p);
     limit_polygon(h, domain.whole.centre, domain.corners);
     domain.reach = Vector2::Zero();
     bool finite = true;

@@ -7,7 +7,7 @@
 #include "solver/lanes.hpp"
 #include "solver/linear_interpolation.hpp"
 #include "solver/patch_walk.hpp"
-#include "solver/pore_pressure.hpp"
+#include "solver/problem.hpp"
 
 #include <algorithm>
 
@@ -193,7 +193,7 @@ std::int64_t evaluate_weights(const Problem& problem, const Particles& particles
     case Interpolation::cpdi: {
         const std::int64_t limited = weigh_parallelograms(grid, particles, lists, tile, store);
         if (problem.cut_domains.shapes.empty()) return limited;
-        return limited + weigh_cut_domains(problem, particles, lists, tile, store);
+        return limited + weigh_cut_domains(problem.grid, problem.cut_domains, particles, lists, tile, store);
     }
     case Interpolation::cpdi2:
         return evaluate_tile<Cpdi2>(grid, particles, lists, tile, store);

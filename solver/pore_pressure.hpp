@@ -21,12 +21,6 @@
 
 namespace quicksand {
 
-/// Where the particles are in the equations: in small strain at their reference positions [m].
-inline const Vectors& place_in_equations(const Problem& problem, const Particles& particles)
-{
-    return problem.strain == StrainForm::small ? particles.reference_position : particles.position;
-}
-
 /// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
 struct CellMeans {
     Scalars volume;          // of soil [m3/m]

@@ -245,4 +245,10 @@ inline double drag_coefficient(const Material& material, const Water& water, dou
     return drag_weight(material, water, porosity) / hydraulic_conductivity(material, porosity);
 }
 
+/// Where the particles are in the equations: in small strain at their reference positions [m].
+inline const Vectors& place_in_equations(const Problem& problem, const Particles& particles)
+{
+    return problem.strain == StrainForm::small ? particles.reference_position : particles.position;
+}
+
 } // namespace quicksand

@@ -1,9 +1,9 @@
 #include "solver/simulation.hpp"
 
+#include "solver/held_reactions.hpp"
 #include "solver/particle_order.hpp"
 #include "solver/soil_column.hpp"
 #include "solver/stepper.hpp"
-#include "solver/viscous_boundary.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include "solver/grid_momentum.hpp"
 #include "solver/node_response.hpp"
-#include "solver/time_step_control.hpp"
+#include "solver/wave_speeds.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -61,10 +61,6 @@ void brake_by_dashpots(const Problem& problem, const NodeConditions& conditions,
 void brake_by_dashpots(const NodeConditions& conditions, double dt, const std::vector<Dashpot>& dashpots,
                        const std::vector<SinglePhaseSums>& sums, std::vector<SinglePhaseMotion>& motion);
 
-/// Keep the forces that hold the viscous curves of a state at rest: fills State::reactions, one force for
-/// each piece, whose sums at the nodes are the held nodes' forces. Nothing without viscous curves.
-void hold_reactions(const Problem& problem, State& state);
-
 /// Call add(node, force) for every share of the held forces.
 template <class Add>
 void for_each_nodal_reaction(const Problem& problem, const State& state, ParticlePlaces& places, Add&& add);

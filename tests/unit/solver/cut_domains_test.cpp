@@ -209,11 +209,11 @@ TEST(CutDomains, AreFoundByTheLastingNumber)
     EXPECT_EQ(block.problem.cut_domains.find(16), nullptr);
     EXPECT_NE(block.problem.cut_domains.find(17), nullptr);
     EXPECT_EQ(CutDomains{}.find(17), nullptr);
-    const std::vector<Vector2> triangle = domain_polygon(block.problem, particles, 17);
+    const std::vector<Vector2> triangle = domain_polygon(block.problem.cut_domains, particles, 17);
     ASSERT_EQ(triangle.size(), 3u);
     EXPECT_LT((triangle[1] - particles.position[17] - Vector2(0.25, -0.125)).norm(), 1e-15);
-    EXPECT_EQ(domain_polygon(block.problem, particles, 3).size(), 4u);
-    EXPECT_EQ(reference_polygon(block.problem, particles, 17), triangle);
+    EXPECT_EQ(domain_polygon(block.problem.cut_domains, particles, 3).size(), 4u);
+    EXPECT_EQ(reference_polygon(block.problem.cut_domains, particles, 17), triangle);
 }
 
 } // namespace quicksand

@@ -116,7 +116,7 @@ TEST(SlantedBase, ABlockSlidesWithoutFriction)
             for (std::size_t p = 0; p < particles.size(); ++p) {
                 moved += particles.mass_solid[p] * (particles.position[p] - particles.reference_position[p]);
                 mass += particles.mass_solid[p];
-                for (const Vector2& corner : domain_polygon(assembled.problem, particles, p))
+                for (const Vector2& corner : domain_polygon(assembled.problem.cut_domains, particles, p))
                     deepest = std::max(deepest, corner.dot(normal));
             }
             moved /= mass;
