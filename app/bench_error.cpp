@@ -10,7 +10,7 @@
 #include "io/atomic_file.hpp"
 #include "io/csv_file.hpp"
 #include "io/line_plot.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
 

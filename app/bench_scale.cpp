@@ -4,7 +4,7 @@
 #include "app/number_format.hpp"
 #include "app/step_cost.hpp"
 #include "io/atomic_file.hpp"
-#include "solver/threads.hpp"
+#include "solver/base/threads.hpp"
 
 #include <fmt/format.h>
 

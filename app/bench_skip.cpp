@@ -6,7 +6,7 @@
 #include "app/step_cost.hpp"
 #include "io/atomic_file.hpp"
 #include "io/csv_file.hpp"
-#include "solver/soil_column.hpp"
+#include "solver/run/soil_column.hpp"
 
 #include <fmt/format.h>
 

@@ -1,10 +1,10 @@
 #include "app/number_format.hpp"
 #include "app/plan.hpp"
 #include "io/face_water.hpp"
-#include "solver/boundary_pieces.hpp"
-#include "solver/patch_test.hpp"
-#include "solver/surface_loads.hpp"
-#include "solver/viscous_boundary.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/boundaries/surface_loads.hpp"
+#include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/run/patch_test.hpp"
 
 #include <fmt/format.h>
 

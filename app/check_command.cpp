@@ -5,7 +5,7 @@
 #include "app/trial.hpp"
 #include "io/output_observers.hpp"
 #include "io/results_folder.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <utility>
 

@@ -3,7 +3,7 @@
 #include "app/number_check.hpp"
 #include "geometry/nearest_name.hpp"
 #include "io/diagnostics.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <CLI/CLI.hpp>
 

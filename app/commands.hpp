@@ -1,7 +1,7 @@
 // The commands of the program: what each is asked for, and the functions that do it.
 #pragma once
 
-#include "solver/conventions.hpp"
+#include "solver/base/conventions.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -5,7 +5,7 @@
 #include "io/element_results.hpp"
 #include "io/element_sheet.hpp"
 #include "io/element_table.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <algorithm>
 #include <exception>

@@ -2,7 +2,7 @@
 #include "app/scene_setup.hpp"
 #include "io/figure_set.hpp"
 #include "io/results_folder.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <iostream>
 

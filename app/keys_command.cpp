@@ -1,7 +1,7 @@
 #include "app/commands.hpp"
 #include "io/element_keys.hpp"
 #include "io/scene_schema.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <iostream>
 

@@ -1,6 +1,6 @@
 #include "app/law_benchmark.hpp"
 
-#include "solver/ubcsand_particles.hpp"
+#include "solver/soil/ubcsand_particles.hpp"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,7 @@ namespace quicksand {
 
 namespace {
 
-/// Of those that kernels are compiled for, see solver/lanes.hpp.
+/// Of those that kernels are compiled for, see solver/base/lanes.hpp.
 const char* widest_vectors()
 {
     if (__builtin_cpu_supports("avx512vl")) return "8 doubles (AVX-512)";

@@ -2,7 +2,7 @@
 #include "app/command_line.hpp"
 #include "app/process_settings.hpp"
 #include "io/file_error.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <filesystem>
 #include <iostream>

@@ -3,7 +3,7 @@
 #include "geometry/nearest_name.hpp"
 #include "io/atomic_file.hpp"
 #include "io/diagnostics.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <algorithm>
 #include <iostream>

@@ -2,11 +2,11 @@
 
 #include "app/number_format.hpp"
 #include "io/output_observers.hpp"
-#include "solver/element_test_cyclic.hpp"
-#include "solver/monitors.hpp"
-#include "solver/motion_measures.hpp"
-#include "solver/simulation.hpp"
-#include "solver/threads.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/element/element_test_cyclic.hpp"
+#include "solver/measure/monitors.hpp"
+#include "solver/problem/motion_measures.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <fmt/format.h>
 

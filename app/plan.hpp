@@ -3,8 +3,8 @@
 
 #include "app/scene_setup.hpp"
 #include "app/trial.hpp"
-#include "solver/patch_test.hpp"
-#include "solver/soil_column.hpp"
+#include "solver/run/patch_test.hpp"
+#include "solver/run/soil_column.hpp"
 
 #include <string>
 #include <vector>
@@ -21,7 +21,7 @@ std::string describe_soil(const AssembledCase& assembled);
 std::string describe_boundaries(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
 
 /// Throws InputError where a curve that holds or carries something leaves more than two per cent of a
-/// pressure unbalanced that it should bear (solver/patch_test.hpp).
+/// pressure unbalanced that it should bear (solver/run/patch_test.hpp).
 void refuse_failed_patches(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
 
 /// What the parameters of UBCSAND mean; nothing without such a material.

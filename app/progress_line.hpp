@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/journal.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <chrono>
 #include <cstddef>

@@ -1,8 +1,8 @@
 #include "app/scene_setup.hpp"
 
 #include "io/run_manifest.hpp"
-#include "solver/failure.hpp"
-#include "solver/threads.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/base/threads.hpp"
 
 #include <fmt/format.h>
 

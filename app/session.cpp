@@ -9,10 +9,10 @@
 #include "io/output_observers.hpp"
 #include "io/run_manifest.hpp"
 #include "io/vtk_series.hpp"
-#include "solver/failure.hpp"
-#include "solver/ledger.hpp"
-#include "solver/soil_column.hpp"
-#include "solver/threads.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/run/soil_column.hpp"
 
 #include <fmt/format.h>
 

@@ -7,9 +7,9 @@
 #include "io/particle_frame.hpp"
 #include "io/results_folder.hpp"
 #include "io/vtk_series.hpp"
-#include "solver/failure.hpp"
-#include "solver/particle_to_grid.hpp"
-#include "solver/strength_reduction.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/motion/particle_to_grid.hpp"
+#include "solver/run/strength_reduction.hpp"
 
 #include <fmt/format.h>
 

@@ -3,10 +3,10 @@
 #include "app/example_folder.hpp"
 #include "app/instruction_counter.hpp"
 #include "app/machine.hpp"
-#include "solver/failure.hpp"
-#include "solver/simulation.hpp"
-#include "solver/stepper.hpp"
-#include "solver/threads.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/step/stepper.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,9 +4,9 @@
 #include "app/commands.hpp"
 #include "app/journal.hpp"
 #include "app/scene_setup.hpp"
-#include "solver/phase_timers.hpp"
-#include "solver/problem.hpp"
-#include "solver/state.hpp"
+#include "solver/base/phase_timers.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
 
 namespace quicksand {
 

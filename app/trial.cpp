@@ -4,10 +4,10 @@
 #include "io/file_error.hpp"
 #include "io/observation_clock.hpp"
 #include "io/output_observers.hpp"
-#include "solver/ledger.hpp"
-#include "solver/simulation.hpp"
-#include "solver/soil_column.hpp"
-#include "solver/threads.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/run/soil_column.hpp"
 
 #include <stdlib.h>
 #include <sys/resource.h>

@@ -5,9 +5,9 @@
 #include "app/scene_setup.hpp"
 #include "geometry/nearest_name.hpp"
 #include "io/scene_verification.hpp"
-#include "solver/failure.hpp"
-#include "solver/simulation.hpp"
-#include "solver/threads.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <fmt/format.h>
 

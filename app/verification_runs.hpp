@@ -4,7 +4,7 @@
 #include "app/commands.hpp"
 #include "app/journal.hpp"
 #include "io/case_assembly.hpp"
-#include "solver/verification/study.hpp"
+#include "solver/verification/studies/study.hpp"
 
 #include <exception>
 #include <string>

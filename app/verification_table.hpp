@@ -1,7 +1,7 @@
 // The table of `verify` on the terminal.
 #pragma once
 
-#include "solver/verification/convergence.hpp"
+#include "solver/verification/solutions/convergence.hpp"
 
 #include <string>
 #include <vector>

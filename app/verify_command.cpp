@@ -4,9 +4,9 @@
 #include "app/verification_table.hpp"
 #include "io/verification_csv.hpp"
 #include "io/verification_figure.hpp"
-#include "solver/failure.hpp"
-#include "solver/simulation.hpp"
-#include "solver/threads.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include "geometry/child_process.hpp"
 
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>

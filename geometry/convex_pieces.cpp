@@ -1,7 +1,7 @@
 #include "geometry/convex_pieces.hpp"
 
 #include "geometry/exact_rings.hpp"
-#include "solver/cross_product.hpp"
+#include "solver/base/cross_product.hpp"
 
 #include <algorithm>
 #include <cmath>

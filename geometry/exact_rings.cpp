@@ -4,7 +4,7 @@
 // line.
 #include "geometry/exact_rings.hpp"
 
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,7 +1,7 @@
 #include "geometry/geo_script.hpp"
 
 #include "geometry/text_file.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
 

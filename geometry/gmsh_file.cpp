@@ -6,7 +6,7 @@
 #include "geometry/nearest_name.hpp"
 #include "geometry/region_locator.hpp"
 #include "geometry/section_check.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -2,9 +2,9 @@
 
 #include "geometry/box_cutting.hpp"
 #include "geometry/region_locator.hpp"
-#include "solver/cpdi2.hpp"
-#include "solver/cross_product.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/cross_product.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/interpolation/cpdi2.hpp"
 
 #include <fmt/format.h>
 

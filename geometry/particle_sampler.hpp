@@ -2,8 +2,8 @@
 #pragma once
 
 #include "geometry/section.hpp"
-#include "solver/background_grid.hpp"
-#include "solver/cut_domains.hpp"
+#include "solver/interpolation/cut_domains.hpp"
+#include "solver/particles/background_grid.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -11,8 +11,9 @@
 
 namespace quicksand {
 
-/// One domain as sampled: a parallelogram, a quadrilateral with a twist as in solver/cpdi2.hpp, or the
-/// rectangle that goes with a polygon as in solver/cut_domains.hpp. 4 r_1 x r_2 is its area.
+/// One domain as sampled: a parallelogram, a quadrilateral with a twist as in solver/interpolation/cpdi2.hpp,
+/// or the rectangle that goes with a polygon as in solver/interpolation/cut_domains.hpp. 4 r_1 x r_2 is its
+/// area.
 struct ParticleDomain {
     Vector2 centre = Vector2::Zero();      // centroid [m]
     Vector2 half_edge_1 = Vector2::Zero(); // [m]

@@ -1,7 +1,7 @@
 // A drawn cross-section: named regions (one material each), named boundary curves and named points.
 #pragma once
 
-#include "solver/problem.hpp"
+#include "solver/problem/problem.hpp"
 
 #include <string>
 #include <vector>

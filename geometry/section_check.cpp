@@ -2,7 +2,7 @@
 
 #include "geometry/region_locator.hpp"
 #include "geometry/region_overlay.hpp"
-#include "solver/cross_product.hpp"
+#include "solver/base/cross_product.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "geometry/section.hpp"
-#include "solver/background_grid.hpp"
+#include "solver/particles/background_grid.hpp"
 
 #include <string>
 #include <vector>

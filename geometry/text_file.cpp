@@ -1,6 +1,6 @@
 #include "geometry/text_file.hpp"
 
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <array>
 #include <cerrno>

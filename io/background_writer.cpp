@@ -1,7 +1,7 @@
 #include "io/background_writer.hpp"
 
-#include "solver/simulation.hpp"
-#include "solver/threads.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <chrono>
 #include <utility>

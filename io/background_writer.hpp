@@ -1,7 +1,7 @@
 // Writes files from a copy of the state while the run goes on.
 #pragma once
 
-#include "solver/state.hpp"
+#include "solver/problem/state.hpp"
 
 #include <functional>
 #include <future>

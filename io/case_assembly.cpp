@@ -9,9 +9,9 @@
 #include "io/probe_sample.hpp"
 #include "io/scene_grid.hpp"
 #include "io/scene_section.hpp"
-#include "solver/boundary_pieces.hpp"
-#include "solver/failure.hpp"
-#include "solver/slivers.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/motion/slivers.hpp"
 
 #include <fmt/format.h>
 

@@ -6,8 +6,8 @@
 #include "io/diagnostics.hpp"
 #include "io/scene.hpp"
 #include "io/scene_file.hpp"
-#include "solver/problem.hpp"
-#include "solver/state.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 #include "io/cell_size.hpp"
 
-#include "solver/motion_measures.hpp"
-#include "solver/time_step_control.hpp"
+#include "solver/problem/motion_measures.hpp"
+#include "solver/step/time_step_control.hpp"
 
 #include <fmt/format.h>
 

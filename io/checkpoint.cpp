@@ -7,7 +7,7 @@
 #include "io/atomic_file.hpp"
 #include "io/file_error.hpp"
 #include "io/run_manifest.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <hdf5.h>
 

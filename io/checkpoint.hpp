@@ -2,8 +2,8 @@
 #pragma once
 
 #include "io/background_writer.hpp"
-#include "solver/simulation.hpp"
-#include "solver/state.hpp"
+#include "solver/problem/state.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <chrono>
 #include <filesystem>

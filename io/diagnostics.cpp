@@ -1,6 +1,6 @@
 #include "io/diagnostics.hpp"
 
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <algorithm>
 #include <cstddef>

@@ -7,7 +7,7 @@
 #include "io/scene_text.hpp"
 #include "io/scene_value_reader.hpp"
 #include "io/ubcsand_keys.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <algorithm>
 

@@ -1,8 +1,8 @@
 // What a file of element tests asks for, read and checked.
 #pragma once
 
-#include "solver/element_loading.hpp"
-#include "solver/ubcsand_parameters.hpp"
+#include "solver/element/element_loading.hpp"
+#include "solver/soil/ubcsand_parameters.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -5,7 +5,7 @@
 #include "geometry/section.hpp"
 #include "io/diagnostics.hpp"
 #include "io/scene.hpp"
-#include "solver/problem.hpp"
+#include "solver/problem/problem.hpp"
 
 #include <optional>
 #include <utility>

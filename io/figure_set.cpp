@@ -7,7 +7,7 @@
 #include "io/results_folder.hpp"
 #include "io/scene_base.hpp"
 #include "io/scene_text.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
 

@@ -2,4 +2,4 @@
 // other failures, for the geometry throws it too.
 #pragma once
 
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"

@@ -1,7 +1,7 @@
 #include "io/folder_lock.hpp"
 
 #include "io/file_error.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

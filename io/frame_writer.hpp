@@ -4,7 +4,7 @@
 #include "io/background_writer.hpp"
 #include "io/observation_clock.hpp"
 #include "io/vtk_series.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <functional>
 #include <memory>

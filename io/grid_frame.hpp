@@ -4,7 +4,7 @@
 #pragma once
 
 #include "io/vtk_frame.hpp"
-#include "solver/nodal_fields.hpp"
+#include "solver/measure/nodal_fields.hpp"
 
 namespace quicksand {
 

@@ -2,7 +2,7 @@
 
 #include "io/scene_schema.hpp"
 #include "io/scene_units.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 #include "geometry/section.hpp"
 #include "io/diagnostics.hpp"
 #include "io/scene.hpp"
-#include "solver/problem.hpp"
-#include "solver/state.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
 
 #include <cstdint>
 #include <vector>

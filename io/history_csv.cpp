@@ -1,9 +1,9 @@
 #include "io/history_csv.hpp"
 
-#include "solver/background_grid.hpp"
-#include "solver/ledger.hpp"
-#include "solver/monitors.hpp"
-#include "solver/pressure_noise.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/measure/monitors.hpp"
+#include "solver/measure/pressure_noise.hpp"
+#include "solver/particles/background_grid.hpp"
 
 #include <fmt/format.h>
 

@@ -3,7 +3,7 @@
 #include "io/atomic_file.hpp"
 #include "io/picture_gnuplot.hpp"
 #include "io/picture_ticks.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/scene.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <filesystem>
 #include <memory>

@@ -1,7 +1,7 @@
 #include "io/particle_frame.hpp"
 
 #include "io/particle_quantities.hpp"
-#include "solver/cut_domains.hpp"
+#include "solver/interpolation/cut_domains.hpp"
 
 #include <Eigen/LU>
 #include <utility>

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "io/vtk_frame.hpp"
-#include "solver/problem.hpp"
-#include "solver/state.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
 
 namespace quicksand {
 

@@ -1,6 +1,6 @@
 #include "io/particle_quantities.hpp"
 
-#include "solver/monitors.hpp"
+#include "solver/measure/monitors.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,8 +1,8 @@
 // What is written of a particle, derived from its state: pressures, stress measures, strains.
 #pragma once
 
-#include "solver/particles.hpp"
-#include "solver/problem.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/problem/problem.hpp"
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 #include "io/peer_record.hpp"
 
 #include "io/scene_units.hpp"
-#include "solver/conventions.hpp"
+#include "solver/base/conventions.hpp"
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 #include "io/colour_map.hpp"
 #include "io/picture_canvas.hpp"
 #include "io/picture_ticks.hpp"
-#include "solver/conventions.hpp"
+#include "solver/base/conventions.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -10,7 +10,7 @@
 #include "io/results_folder.hpp"
 #include "io/scene_document.hpp"
 #include "io/vtk_series.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,7 +1,7 @@
 #include "io/probe_sample.hpp"
 
 #include "io/particle_quantities.hpp"
-#include "solver/cut_domains.hpp"
+#include "solver/interpolation/cut_domains.hpp"
 
 #include <fmt/format.h>
 

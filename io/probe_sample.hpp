@@ -3,9 +3,9 @@
 
 #include "io/csv_file.hpp"
 #include "io/scene.hpp"
-#include "solver/nodal_fields.hpp"
-#include "solver/particles.hpp"
-#include "solver/problem.hpp"
+#include "solver/measure/nodal_fields.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/problem/problem.hpp"
 
 #include <cstddef>
 #include <limits>

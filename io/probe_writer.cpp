@@ -2,8 +2,8 @@
 
 #include "io/results_folder.hpp"
 #include "io/run_manifest.hpp"
-#include "solver/failure.hpp"
-#include "solver/monitors.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/measure/monitors.hpp"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 #include "io/observation_clock.hpp"
 #include "io/probe_sample.hpp"
 #include "io/scene.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <cstdint>
 #include <filesystem>

@@ -6,7 +6,7 @@
 #include "io/csv_file.hpp"
 #include "io/diagnostics.hpp"
 #include "io/results_folder.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -3,7 +3,7 @@
 #include "io/atomic_file.hpp"
 #include "io/file_error.hpp"
 #include "io/vtk_series.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <array>
 #include <fstream>

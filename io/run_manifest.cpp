@@ -3,7 +3,7 @@
 #include "geometry/geo_script.hpp"
 #include "io/atomic_file.hpp"
 #include "io/output_observers.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

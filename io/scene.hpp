@@ -1,10 +1,10 @@
 // A scene as the user wrote it, checked and in SI units: plain data, no files, no gmsh.
 #pragma once
 
-#include "solver/problem.hpp"
-#include "solver/simulation.hpp"
-#include "solver/ubcsand_parameters.hpp"
-#include "solver/verification/study.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/soil/ubcsand_parameters.hpp"
+#include "solver/verification/studies/study.hpp"
 
 #include <filesystem>
 #include <map>

@@ -4,7 +4,7 @@
 #include "geometry/section.hpp"
 #include "io/diagnostics.hpp"
 #include "io/scene.hpp"
-#include "solver/background_grid.hpp"
+#include "solver/particles/background_grid.hpp"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,7 @@
 #include "io/motion_keys.hpp"
 #include "io/scene_schema.hpp"
 #include "io/ubcsand_keys.hpp"
-#include "solver/verification/study.hpp"
+#include "solver/verification/studies/study.hpp"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/scene_check.hpp"
-#include "solver/skeleton_law.hpp"
+#include "solver/soil/skeleton_law.hpp"
 
 namespace quicksand {
 

@@ -3,7 +3,7 @@
 #include "io/peer_record.hpp"
 #include "io/scene_text.hpp"
 #include "io/time_table.hpp"
-#include "solver/motion_measures.hpp"
+#include "solver/problem/motion_measures.hpp"
 
 #include <algorithm>
 #include <cmath>

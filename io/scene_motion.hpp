@@ -3,7 +3,7 @@
 
 #include "io/diagnostics.hpp"
 #include "io/scene_check.hpp"
-#include "solver/base_motion.hpp"
+#include "solver/problem/base_motion.hpp"
 
 #include <filesystem>
 

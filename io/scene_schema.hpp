@@ -3,7 +3,7 @@
 #pragma once
 
 #include "io/scene_units.hpp"
-#include "solver/conventions.hpp"
+#include "solver/base/conventions.hpp"
 
 #include <cstdint>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "io/scene_text.hpp"
 
 #include "geometry/text_file.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <array>
 #include <cstdint>

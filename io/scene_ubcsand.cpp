@@ -1,7 +1,7 @@
 #include "io/scene_ubcsand.hpp"
 
 #include "io/ubcsand_keys.hpp"
-#include "solver/ubcsand.hpp"
+#include "solver/soil/ubcsand.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "io/scene_units.hpp"
 
-#include "solver/conventions.hpp"
+#include "solver/base/conventions.hpp"
 
 #include <array>
 #include <charconv>

@@ -4,7 +4,7 @@
 #include "io/csv_file.hpp"
 #include "io/observation_clock.hpp"
 #include "io/probe_writer.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 
 #include <chrono>
 #include <filesystem>

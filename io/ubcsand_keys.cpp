@@ -1,6 +1,6 @@
 #include "io/ubcsand_keys.hpp"
 
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/scene_check.hpp"
-#include "solver/ubcsand_parameters.hpp"
+#include "solver/soil/ubcsand_parameters.hpp"
 
 #include <string>
 #include <vector>

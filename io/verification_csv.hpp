@@ -1,7 +1,7 @@
 // The measured errors of `verify` as a CSV file: one row for each quantity and grid.
 #pragma once
 
-#include "solver/verification/convergence.hpp"
+#include "solver/verification/solutions/convergence.hpp"
 
 #include <filesystem>
 #include <vector>

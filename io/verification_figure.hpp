@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/line_plot.hpp"
-#include "solver/verification/convergence.hpp"
+#include "solver/verification/solutions/convergence.hpp"
 
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include "io/atomic_file.hpp"
 #include "io/file_error.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

@@ -1,7 +1,7 @@
 // One .vtu file as plain data: points, polygons and named arrays. VTK itself stays in vtk_frame.cpp.
 #pragma once
 
-#include "solver/conventions.hpp"
+#include "solver/base/conventions.hpp"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // A run with loads, a moving wall, a viscous base and prescribed heads goes on to the same bits after a stop.
-#include "solver/boundary_pieces.hpp"
-#include "solver/ledger.hpp"
-#include "solver/simulation.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/fixtures/sand_box.hpp"
 
 #include <gtest/gtest.h>

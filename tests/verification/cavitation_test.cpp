@@ -1,5 +1,5 @@
 // Water that tears: both schemes let the soil swell against the limit of tension alone.
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

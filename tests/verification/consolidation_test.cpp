@@ -1,5 +1,5 @@
 // Terzaghi's one-dimensional consolidation.
-#include "solver/verification/terzaghi.hpp"
+#include "solver/verification/solutions/terzaghi.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

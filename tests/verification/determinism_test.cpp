@@ -1,5 +1,5 @@
 // The same bits for any number of threads, and from a copy of the state taken in mid-run.
-#include "solver/threads.hpp"
+#include "solver/base/threads.hpp"
 #include "tests/fixtures/sand_box.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Every test of the laboratory over densities, stresses and K_0: it ends, and its numbers are numbers.
-#include "solver/element_loading.hpp"
+#include "solver/element/element_loading.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Motions the step must reproduce to rounding: free fall, rigid rotation, momentum of a free body.
-#include "solver/particle_motion.hpp"
-#include "solver/single_phase_step.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/motion/particle_motion.hpp"
+#include "solver/step/single_phase_step.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

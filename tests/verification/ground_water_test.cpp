@@ -1,5 +1,5 @@
 // Soil with a phreatic line inside, and layered soil: at rest where it is level, seeping where it is not.
-#include "solver/ledger.hpp"
+#include "solver/measure/ledger.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Consolidation of a layer that loses a third of its height.
-#include "solver/verification/large_strain_consolidation.hpp"
+#include "solver/verification/solutions/large_strain_consolidation.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The order of the interpolations, measured with manufactured solutions at large deformation.
-#include "solver/verification/manufactured_run.hpp"
+#include "solver/verification/bodies/manufactured_run.hpp"
 
 #include <gtest/gtest.h>
 

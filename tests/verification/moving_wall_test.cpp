@@ -1,6 +1,6 @@
 // Walls that move through the grid: platens that compress and shear.
-#include "solver/simulation.hpp"
-#include "solver/single_phase_step.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/step/single_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

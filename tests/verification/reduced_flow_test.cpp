@@ -1,7 +1,7 @@
 // Undrained and drained soil: the forms of the equations with one velocity.
-#include "solver/particle_order.hpp"
-#include "solver/single_phase_step.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/motion/particle_order.hpp"
+#include "solver/step/single_phase_step.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

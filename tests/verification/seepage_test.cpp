@@ -1,7 +1,7 @@
 // Steady seepage between prescribed heads: Darcy's flux and a linear pressure, for every step.
-#include "solver/boundary_pieces.hpp"
-#include "solver/simulation.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // The semi-implicit step: the same equations as the explicit step, at a larger step.
-#include "solver/failure.hpp"
-#include "solver/threads.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/restless_patch.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // A block on a roller at 30 degrees slides with g sin 30, dry and saturated.
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

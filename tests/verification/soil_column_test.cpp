@@ -1,8 +1,8 @@
 // One column of cells for all of them: the same answer as the run of all columns, but for rounding.
-#include "solver/boundary_pieces.hpp"
-#include "solver/ledger.hpp"
-#include "solver/soil_column.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/run/soil_column.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/sand_box.hpp"
 
 #include <gtest/gtest.h>

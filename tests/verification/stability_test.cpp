@@ -1,7 +1,7 @@
 // The largest stable step: random motion of a partly filled patch decays below it and grows above it.
-#include "solver/failure.hpp"
-#include "solver/single_phase_step.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/step/single_phase_step.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/restless_patch.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Factors of safety against known ones, and the locking of plastic flow with and without its cure.
-#include "solver/pressure_noise.hpp"
-#include "solver/strength_reduction.hpp"
-#include "solver/verification/griffiths_lane.hpp"
+#include "solver/measure/pressure_noise.hpp"
+#include "solver/run/strength_reduction.hpp"
+#include "solver/verification/solutions/griffiths_lane.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Loads on surfaces in motion: momentum, waves of known velocity, a pressure around a turning block.
-#include "solver/surface_loads.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/boundaries/surface_loads.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

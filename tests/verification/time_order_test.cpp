@@ -1,5 +1,5 @@
 // The order in time of the step, with steps of changing length.
-#include "solver/single_phase_step.hpp"
+#include "solver/step/single_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

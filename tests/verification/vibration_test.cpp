@@ -1,5 +1,5 @@
 // The finite elements that are the reference of large vibrations, against published and independent numbers.
-#include "solver/verification/elastic_block.hpp"
+#include "solver/verification/bodies/elastic_block.hpp"
 
 #include <gtest/gtest.h>
 

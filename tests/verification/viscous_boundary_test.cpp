@@ -1,7 +1,7 @@
 // Waves that leave through viscous boundaries, the compliant base, and soil that stays on it.
-#include "solver/boundary_pieces.hpp"
-#include "solver/simulation.hpp"
-#include "solver/viscous_boundary.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // What a user reads when a .geo or .msh file is wrong.
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/geometry/scratch_files.hpp"
 
 #include <sys/resource.h>

@@ -1,7 +1,7 @@
 // What a user reads when a section can be read but not be sampled.
 #include "geometry/particle_sampler.hpp"
 #include "geometry/section_check.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/geometry/scratch_files.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // Exact cutting of lattice boxes by outlines, asked through the sampler.
 #include "geometry/particle_sampler.hpp"
-#include "solver/cross_product.hpp"
+#include "solver/base/cross_product.hpp"
 #include "tests/unit/geometry/scratch_files.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "geometry/child_process.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Drawings start no programs, whatever their text hides from the reading of it.
 #include "geometry/execution_guard.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/geometry/scratch_files.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "geometry/particle_sampler.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/geometry/scratch_files.hpp"
 
 #include <cmath>

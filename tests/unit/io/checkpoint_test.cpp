@@ -1,7 +1,7 @@
 #include "io/checkpoint.hpp"
 #include "io/file_error.hpp"
 #include "io/run_manifest.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

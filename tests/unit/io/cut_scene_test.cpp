@@ -3,10 +3,10 @@
 #include "io/probe_sample.hpp"
 #include "io/result_reader.hpp"
 #include "io/vtk_frame.hpp"
-#include "solver/boundary_pieces.hpp"
-#include "solver/cell_lists.hpp"
-#include "solver/particle_to_grid.hpp"
-#include "solver/surface_loads.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/boundaries/surface_loads.hpp"
+#include "solver/motion/particle_to_grid.hpp"
+#include "solver/particles/cell_lists.hpp"
 #include "tests/unit/io/cut_scene.hpp"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/element_file.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/io/scene_example.hpp"
 
 #include <fstream>

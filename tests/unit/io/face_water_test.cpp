@@ -1,6 +1,6 @@
 // Water before the soil's faces: the same water said in several words, and what a curve takes by default.
 #include "io/face_water.hpp"
-#include "solver/monitors.hpp"
+#include "solver/measure/monitors.hpp"
 #include "tests/unit/io/slope_example.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The figures of a scene: which curves they hold, in which units and scale.
 #include "io/figure_set.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

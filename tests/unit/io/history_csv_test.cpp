@@ -1,5 +1,5 @@
 #include "io/history_csv.hpp"
-#include "solver/ledger.hpp"
+#include "solver/measure/ledger.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

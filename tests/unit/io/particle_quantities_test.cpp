@@ -1,5 +1,5 @@
 #include "io/particle_quantities.hpp"
-#include "solver/cpdi2.hpp"
+#include "solver/interpolation/cpdi2.hpp"
 
 #include <gtest/gtest.h>
 

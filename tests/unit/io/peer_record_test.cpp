@@ -1,6 +1,6 @@
 // Records in PEER's AT2 form: every form of header that databases and their copies hold.
 #include "io/peer_record.hpp"
-#include "solver/conventions.hpp"
+#include "solver/base/conventions.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "io/picture_field.hpp"
 #include "io/picture_set.hpp"
 #include "io/vtk_series.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "io/probe_writer.hpp"
 #include "io/run_manifest.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include "io/grid_frame.hpp"
 #include "io/particle_frame.hpp"
 #include "io/result_reader.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "io/run_manifest.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

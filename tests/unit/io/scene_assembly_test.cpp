@@ -1,4 +1,4 @@
-#include "solver/cpdi2.hpp"
+#include "solver/interpolation/cpdi2.hpp"
 #include "tests/unit/io/scene_example.hpp"
 
 #include <gtest/gtest.h>

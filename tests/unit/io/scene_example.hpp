@@ -3,7 +3,7 @@
 
 #include "io/case_assembly.hpp"
 #include "io/scene_file.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <fstream>

@@ -1,6 +1,6 @@
 #include "io/file_error.hpp"
 #include "io/vtk_series.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "solver/banded_cholesky.hpp"
+#include "solver/water/banded_cholesky.hpp"
 
 #include <gtest/gtest.h>
 

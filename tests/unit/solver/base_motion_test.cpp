@@ -1,4 +1,4 @@
-#include "solver/base_motion.hpp"
+#include "solver/problem/base_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "solver/boundary_conditions.hpp"
-#include "solver/moving_walls.hpp"
+#include "solver/boundaries/boundary_conditions.hpp"
+#include "solver/boundaries/moving_walls.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What few particles about a node carry to it and take back must not grow, however they lie.
-#include "solver/cpdi.hpp"
-#include "solver/single_phase_step.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/interpolation/cpdi.hpp"
+#include "solver/step/single_phase_step.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

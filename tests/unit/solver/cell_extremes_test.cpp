@@ -1,5 +1,5 @@
-#include "solver/cell_extremes.hpp"
-#include "solver/particle_order.hpp"
+#include "solver/motion/particle_order.hpp"
+#include "solver/step/cell_extremes.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "solver/cell_lists.hpp"
+#include "solver/particles/cell_lists.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "solver/cell_roots.hpp"
-#include "solver/particle_order.hpp"
+#include "solver/motion/particle_order.hpp"
+#include "solver/walls/cell_roots.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

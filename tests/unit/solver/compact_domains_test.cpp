@@ -1,6 +1,6 @@
-#include "solver/compact_domains.hpp"
-#include "solver/cpdi2.hpp"
-#include "solver/monitors.hpp"
+#include "solver/interpolation/cpdi2.hpp"
+#include "solver/measure/monitors.hpp"
+#include "solver/motion/compact_domains.hpp"
 
 #include <gtest/gtest.h>
 

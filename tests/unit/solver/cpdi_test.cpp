@@ -1,4 +1,4 @@
-#include "solver/cpdi.hpp"
+#include "solver/interpolation/cpdi.hpp"
 
 #include <gtest/gtest.h>
 

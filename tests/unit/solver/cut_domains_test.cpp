@@ -1,8 +1,8 @@
-#include "solver/cell_lists.hpp"
-#include "solver/cpdi.hpp"
-#include "solver/cross_product.hpp"
-#include "solver/cut_domains.hpp"
-#include "solver/particle_to_grid.hpp"
+#include "solver/base/cross_product.hpp"
+#include "solver/interpolation/cpdi.hpp"
+#include "solver/interpolation/cut_domains.hpp"
+#include "solver/motion/particle_to_grid.hpp"
+#include "solver/particles/cell_lists.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

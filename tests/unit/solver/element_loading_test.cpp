@@ -1,5 +1,5 @@
-#include "solver/element_loading.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/element/element_loading.hpp"
 
 #include <gtest/gtest.h>
 

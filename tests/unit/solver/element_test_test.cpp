@@ -1,5 +1,5 @@
-#include "solver/element_test_cyclic.hpp"
-#include "solver/failure.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/element/element_test_cyclic.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include "solver/failure.hpp"
-#include "solver/particle_order.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/motion/particle_order.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

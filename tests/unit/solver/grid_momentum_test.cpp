@@ -1,4 +1,4 @@
-#include "solver/grid_momentum.hpp"
+#include "solver/boundaries/grid_momentum.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // The factor of loads and motions, and its integral against quadrature.
-#include "solver/history.hpp"
+#include "solver/base/history.hpp"
 
 #include <gtest/gtest.h>
 

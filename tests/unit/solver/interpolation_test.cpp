@@ -1,10 +1,10 @@
 // The same questions to every member of the family.
-#include "solver/cpdi.hpp"
-#include "solver/cpdi2.hpp"
-#include "solver/failure.hpp"
-#include "solver/gimp.hpp"
-#include "solver/linear_interpolation.hpp"
-#include "solver/particle_motion.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/interpolation/cpdi.hpp"
+#include "solver/interpolation/cpdi2.hpp"
+#include "solver/interpolation/gimp.hpp"
+#include "solver/interpolation/linear_interpolation.hpp"
+#include "solver/motion/particle_motion.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // Balances of energy, momentum and water.
-#include "solver/boundary_pieces.hpp"
-#include "solver/ledger.hpp"
-#include "solver/monitors.hpp"
-#include "solver/single_phase_step.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/measure/monitors.hpp"
+#include "solver/step/single_phase_step.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -40,8 +40,7 @@ void set_vibrating(double amplitude, const Vector2& drift, Particles& particles)
         const double x = particles.position.x[p] - 1.0;
         const Vector2 velocity = drift + Vector2(amplitude * std::sin(std::numbers::pi * x), 0.0);
         particles.velocity_solid.set(p, velocity);
-        particles.velocity_slope_solid.xx[p] =
-            amplitude * std::numbers::pi * std::cos(std::numbers::pi * x);
+        particles.velocity_slope_solid.xx[p] = amplitude * std::numbers::pi * std::cos(std::numbers::pi * x);
         if (!particles.has_fluid()) continue;
         particles.velocity_fluid.set(p, velocity);
         particles.velocity_slope_fluid.xx[p] = particles.velocity_slope_solid.xx[p];

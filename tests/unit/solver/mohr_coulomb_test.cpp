@@ -1,8 +1,8 @@
 // The Mohr-Coulomb law at a point: the return to every part of the surface against closed forms, invariants
 // of random paths, and the stress of known tests.
-#include "solver/mohr_coulomb.hpp"
-#include "solver/mohr_coulomb_surface.hpp"
-#include "solver/particle_motion.hpp"
+#include "solver/motion/particle_motion.hpp"
+#include "solver/soil/mohr_coulomb.hpp"
+#include "solver/soil/mohr_coulomb_surface.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Measures of a recorded motion against closed forms.
-#include "solver/conventions.hpp"
-#include "solver/motion_measures.hpp"
+#include "solver/base/conventions.hpp"
+#include "solver/problem/motion_measures.hpp"
 
 #include <gtest/gtest.h>
 

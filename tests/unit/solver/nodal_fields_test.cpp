@@ -1,4 +1,4 @@
-#include "solver/nodal_fields.hpp"
+#include "solver/measure/nodal_fields.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

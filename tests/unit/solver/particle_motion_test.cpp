@@ -1,5 +1,5 @@
-#include "solver/deformation_noise.hpp"
-#include "solver/particle_motion.hpp"
+#include "solver/motion/deformation_noise.hpp"
+#include "solver/motion/particle_motion.hpp"
 
 #include <gtest/gtest.h>
 

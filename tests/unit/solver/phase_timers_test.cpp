@@ -1,4 +1,4 @@
-#include "solver/phase_timers.hpp"
+#include "solver/base/phase_timers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What the water of the pores is made of and how fast it flows: air, cavities, conductivity.
-#include "solver/pore_pressure.hpp"
-#include "solver/time_step_control.hpp"
+#include "solver/step/time_step_control.hpp"
+#include "solver/water/pore_pressure.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

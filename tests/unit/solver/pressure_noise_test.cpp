@@ -1,5 +1,5 @@
 // The measures of noise on fields whose noise is known.
-#include "solver/pressure_noise.hpp"
+#include "solver/measure/pressure_noise.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "solver/settling_sand.hpp"
-#include "solver/simulation.hpp"
-#include "solver/ubcsand_particles.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/soil/settling_sand.hpp"
+#include "solver/soil/ubcsand_particles.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "solver/slivers.hpp"
+#include "solver/motion/slivers.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Small strain: the equations stay on the reference shape, so that the answer is linear in the load.
-#include "solver/boundary_pieces.hpp"
-#include "solver/single_phase_step.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/step/single_phase_step.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "solver/boundary_pieces.hpp"
-#include "solver/ledger.hpp"
-#include "solver/soil_column.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/run/soil_column.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Loads on boundary curves: exact totals and moments, whatever the sampling and the interpolation.
-#include "solver/single_phase_step.hpp"
-#include "solver/surface_loads.hpp"
+#include "solver/boundaries/surface_loads.hpp"
+#include "solver/step/single_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

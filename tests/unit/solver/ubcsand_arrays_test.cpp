@@ -1,5 +1,5 @@
-#include "solver/ubcsand.hpp"
-#include "solver/ubcsand_memory.hpp"
+#include "solver/soil/ubcsand.hpp"
+#include "solver/soil/ubcsand_memory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "solver/failure.hpp"
-#include "solver/ubcsand_parameters.hpp"
-#include "solver/ubcsand_power.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/soil/ubcsand_parameters.hpp"
+#include "solver/soil/ubcsand_power.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "solver/ubcsand.hpp"
-#include "solver/ubcsand_flow.hpp"
-#include "solver/ubcsand_particles.hpp"
+#include "solver/soil/ubcsand.hpp"
+#include "solver/soil/ubcsand_flow.hpp"
+#include "solver/soil/ubcsand_particles.hpp"
 
 #include <gtest/gtest.h>
 

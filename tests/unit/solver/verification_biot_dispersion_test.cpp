@@ -1,4 +1,4 @@
-#include "solver/verification/biot_dispersion.hpp"
+#include "solver/verification/solutions/biot_dispersion.hpp"
 
 #include <gtest/gtest.h>
 

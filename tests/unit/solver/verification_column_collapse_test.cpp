@@ -1,4 +1,4 @@
-#include "solver/verification/column_collapse.hpp"
+#include "solver/verification/solutions/column_collapse.hpp"
 
 #include <gtest/gtest.h>
 

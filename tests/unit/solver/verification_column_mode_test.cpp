@@ -1,6 +1,6 @@
 // The standing waves of a column as initial states: the same frequencies as the dispersion relation, and the
 // projection that measures them.
-#include "solver/verification/column_mode.hpp"
+#include "solver/verification/bodies/column_mode.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "solver/verification/convergence.hpp"
+#include "solver/verification/solutions/convergence.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What the study of a slope reads off a problem, and which problems it refuses.
-#include "solver/failure.hpp"
-#include "solver/verification/griffiths_lane_study.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/verification/studies/griffiths_lane_study.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/verification/griffiths_lane.hpp"
+#include "solver/verification/solutions/griffiths_lane.hpp"
 
 #include <gtest/gtest.h>
 

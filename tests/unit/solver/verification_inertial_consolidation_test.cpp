@@ -1,5 +1,5 @@
-#include "solver/verification/inertial_consolidation.hpp"
-#include "solver/verification/terzaghi.hpp"
+#include "solver/verification/bodies/inertial_consolidation.hpp"
+#include "solver/verification/solutions/terzaghi.hpp"
 #include "tests/fixtures/closed_forms.hpp"
 
 #include <gtest/gtest.h>

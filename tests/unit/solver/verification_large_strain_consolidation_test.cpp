@@ -1,5 +1,5 @@
-#include "solver/verification/large_strain_consolidation.hpp"
-#include "solver/verification/terzaghi.hpp"
+#include "solver/verification/solutions/large_strain_consolidation.hpp"
+#include "solver/verification/solutions/terzaghi.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/verification/mandel.hpp"
+#include "solver/verification/solutions/mandel.hpp"
 #include "tests/fixtures/closed_forms.hpp"
 
 #include <gtest/gtest.h>

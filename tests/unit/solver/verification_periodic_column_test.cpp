@@ -1,4 +1,4 @@
-#include "solver/verification/periodic_column.hpp"
+#include "solver/verification/solutions/periodic_column.hpp"
 #include "tests/fixtures/closed_forms.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "solver/verification/shear_beam.hpp"
+#include "solver/verification/solutions/shear_beam.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "solver/verification/terzaghi.hpp"
+#include "solver/verification/solutions/terzaghi.hpp"
 #include "tests/fixtures/closed_forms.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
-#include "solver/verification/terzaghi.hpp"
-#include "solver/verification/transient_column.hpp"
+#include "solver/verification/solutions/terzaghi.hpp"
+#include "solver/verification/solutions/transient_column.hpp"
 #include "tests/fixtures/closed_forms.hpp"
 #include "tests/fixtures/half_space.hpp"
 

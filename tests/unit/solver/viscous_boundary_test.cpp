@@ -1,6 +1,6 @@
 // How stiff what lies beyond a viscous curve is, beside sand whose stiffness follows its stress.
-#include "solver/boundary_pieces.hpp"
-#include "solver/viscous_boundary.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/boundaries/viscous_boundary.hpp"
 #include "tests/fixtures/sand_box.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // The cell's rate of volume change in place of the particle's, where a material asks for it.
-#include "solver/particle_order.hpp"
-#include "solver/volumetric_average.hpp"
+#include "solver/motion/particle_order.hpp"
+#include "solver/motion/volumetric_average.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-#include "solver/stepper.hpp"
-#include "solver/time_step_control.hpp"
-#include "solver/wall_rows.hpp"
+#include "solver/step/stepper.hpp"
+#include "solver/step/time_step_control.hpp"
+#include "solver/walls/wall_rows.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

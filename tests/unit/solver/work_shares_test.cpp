@@ -1,4 +1,4 @@
-#include "solver/work_shares.hpp"
+#include "solver/base/work_shares.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 
 #include "io/case_assembly.hpp"
 #include "io/scene_file.hpp"
-#include "solver/simulation.hpp"
+#include "solver/run/simulation.hpp"
 #include "tests/unit/io/temporary_folder.hpp"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // The pressure's preconditioner knows walls and badly filled cells: bodies that lie across the grid cost no
 // more iterations than those along it.
-#include "solver/time_step_control.hpp"
-#include "solver/two_phase_step.hpp"
+#include "solver/step/time_step_control.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "tests/verification/drawn/drawn_section.hpp"
 
 #include <gtest/gtest.h>

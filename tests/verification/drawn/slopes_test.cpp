@@ -1,5 +1,5 @@
 // Soil on slanted bases: at rest, settling and sliding.
-#include "solver/monitors.hpp"
+#include "solver/measure/monitors.hpp"
 #include "tests/verification/drawn/drawn_section.hpp"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // What must not matter to elastic, saturated soil on a slanted base: mirrored, and scaled by 50; and its
 // momentum.
-#include "solver/ledger.hpp"
-#include "solver/monitors.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/measure/monitors.hpp"
 #include "tests/verification/drawn/drawn_section.hpp"
 
 #include <gtest/gtest.h>

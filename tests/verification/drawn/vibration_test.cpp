@@ -1,6 +1,6 @@
 // Periods of elastic bodies at any angle to the grid.
-#include "solver/stepper.hpp"
-#include "solver/time_step_control.hpp"
+#include "solver/step/stepper.hpp"
+#include "solver/step/time_step_control.hpp"
 #include "tests/verification/drawn/drawn_section.hpp"
 
 #include <gtest/gtest.h>

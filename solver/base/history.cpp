@@ -1,0 +1,96 @@
+#include "solver/base/history.hpp"
+
+#include "solver/base/overload.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+namespace quicksand {
+
+namespace {
+
+double sampled_value(const SampledHistory& table, double time)
+{
+    if (table.times.empty()) return 0.0;
+    const auto after = std::upper_bound(table.times.begin(), table.times.end(), time);
+    if (after == table.times.begin()) return table.values.front();
+    if (after == table.times.end()) return table.values.back();
+    const auto k = static_cast<std::size_t>(after - table.times.begin());
+    const double weight = (time - table.times[k - 1]) / (table.times[k] - table.times[k - 1]);
+    return (1.0 - weight) * table.values[k - 1] + weight * table.values[k];
+}
+
+/// Trapezoids from 0: exact for straight pieces.
+double sampled_integral(const SampledHistory& table, double time)
+{
+    double integral = 0.0, last_time = 0.0, last_value = sampled_value(table, 0.0);
+    const auto reach = [&](double next_time, double next_value) {
+        integral += 0.5 * (last_value + next_value) * (next_time - last_time);
+        last_time = next_time;
+        last_value = next_value;
+    };
+    for (std::size_t k = 0; k < table.times.size() && table.times[k] < time; ++k) {
+        if (table.times[k] > 0.0) reach(table.times[k], table.values[k]);
+    }
+    reach(time, sampled_value(table, time));
+    return integral;
+}
+
+double sine_integral(double angular, double ramp_time, double time)
+{
+    const double rising = std::min(time, ramp_time);
+    double integral = 0.0;
+    if (ramp_time > 0.0) {
+        // int (t / T) sin(w t) dt
+        integral = (std::sin(angular * rising) / angular - rising * std::cos(angular * rising)) /
+                   (angular * ramp_time);
+    }
+    return integral + (std::cos(angular * rising) - std::cos(angular * time)) / angular;
+}
+
+} // namespace
+
+double history_value(const History& history, double time)
+{
+    const double t = std::max(time, 0.0);
+    const double rise = t < history.ramp_time ? t / history.ramp_time : 1.0;
+    return std::visit(Overload{[&](const ConstantHistory&) { return rise; },
+                               [&](const SineHistory& sine) {
+                                   return rise * std::sin(2.0 * std::numbers::pi * sine.frequency * t);
+                               },
+                               [&](const SampledHistory& table) { return sampled_value(table, t); }},
+                      history.shape);
+}
+
+double history_integral(const History& history, double time)
+{
+    const double t = std::max(time, 0.0);
+    const double rising = std::min(t, history.ramp_time);
+    return std::visit(
+        Overload{[&](const ConstantHistory&) {
+                     const double risen =
+                         history.ramp_time > 0.0 ? 0.5 * rising * rising / history.ramp_time : 0.0;
+                     return risen + (t - rising);
+                 },
+                 [&](const SineHistory& sine) {
+                     return sine_integral(2.0 * std::numbers::pi * sine.frequency, history.ramp_time, t);
+                 },
+                 [&](const SampledHistory& table) { return sampled_integral(table, t); }},
+        history.shape);
+}
+
+double peak_value(const History& history)
+{
+    const auto largest = [](const SampledHistory& table) {
+        double peak = 0.0;
+        for (const double value : table.values) peak = std::max(peak, std::abs(value));
+        return peak;
+    };
+    return std::visit(
+        Overload{[](const ConstantHistory&) { return 1.0; }, [](const SineHistory&) { return 1.0; }, largest},
+        history.shape);
+}
+
+} // namespace quicksand

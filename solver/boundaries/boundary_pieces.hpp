@@ -1,0 +1,69 @@
+// Boundary curves carried by the particles beside them.
+//
+// What acts on the surface of the soil has to follow it. At the set-up a curve is cut into pieces, each
+// beside one particle; the ends of a piece keep their places in the particle's domain (local coordinates), so
+// that it moves, turns and stretches with the domain. What acts on a piece is shared among the corners of the
+// domain by the bilinear functions of the local coordinates and goes from there to the nodes, as CPDI does
+// with everything else (Sadeghirad, Brannon and Burghardt 2011). Nodes that a piece loads thus carry mass of
+// the piece's particle, the total is exact, and so is the moment. A piece of a cut domain lies on an edge of
+// its polygon, whose two corners share the load: with the trapezoid rule of the polygon's gradient, equal
+// pressures on both sides of the edge balance.
+#pragma once
+
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// Cut the curves that carry something into pieces of the particles beside them: fills Boundary::pieces.
+/// Returns the names of curves with segments that have no soil beside them. The lengths of a curve's pieces
+/// add up to its own.
+std::vector<std::string> attach_boundaries(Problem& problem, const Particles& particles);
+
+/// Present places of particles by their lasting number, as long as the arrays are not reordered.
+class ParticlePlaces {
+public:
+    /// Index of the particle in the arrays; the particle must be there.
+    std::size_t find(const Particles& particles, std::int32_t identifier);
+
+private:
+    std::vector<std::int32_t> index_of_identifier_;
+};
+
+/// A piece where it is now.
+struct PresentPiece {
+    Vector2 start, end;             // [m]
+    std::array<Vector2, 4> corners; // where its load reaches the grid: corners of the domain [m]
+    std::array<double, 4> shares;   // of the load for the corners, adding up to 1 [-]
+    double tolerance = 0.0;         // how near to a grid line a corner lies on it [cells]
+
+    Vector2 middle() const { return 0.5 * (start + end); }
+    /// Outward normal times the present length [m].
+    Vector2 outward() const { return {end.y() - start.y(), start.x() - end.x()}; }
+};
+
+PresentPiece present_piece(const Problem& problem, const Particles& particles, const BoundaryPiece& piece,
+                           std::size_t p);
+
+/// Call add(node, share) for the nodes that a piece's load goes to; the shares add up to 1.
+template <class Add>
+void for_each_loaded_node(const BackgroundGrid& grid, const PresentPiece& piece, Add&& add);
+
+template <class Add>
+void for_each_loaded_node(const BackgroundGrid& grid, const PresentPiece& piece, Add&& add)
+{
+    for (std::size_t c = 0; c < 4; ++c) {
+        const auto [i, j, xi, eta] = place_in_cell(grid.cells_from_rim(piece.corners[c]), piece.tolerance);
+        const std::size_t node = grid.node_index(i, j), above = grid.node_index(i, j + 1);
+        add(node, piece.shares[c] * (1.0 - xi) * (1.0 - eta));
+        add(node + 1, piece.shares[c] * xi * (1.0 - eta));
+        add(above, piece.shares[c] * (1.0 - xi) * eta);
+        add(above + 1, piece.shares[c] * xi * eta);
+    }
+}
+
+} // namespace quicksand

@@ -1,0 +1,50 @@
+#include "solver/boundaries/film_ends.hpp"
+
+#include "solver/boundaries/wall_hold.hpp"
+#include "solver/boundaries/wall_nodes.hpp"
+
+#include <algorithm>
+
+namespace quicksand {
+
+namespace {
+
+constexpr double too_long = 0.5;     // [cells]
+constexpr double most = 0.25;        // of the film's length
+constexpr double least_cosine = 0.5; // of the turn from the film to the edge beyond; in sharper corners
+                                     // nothing acts too far
+
+enum class Beyond { nothing, drained, closed };
+
+/// What the end of a film meets there.
+Beyond beyond_end(const Problem& problem, const Segment& film, bool forward, Stage stage)
+{
+    const double tolerance = on_wall * problem.grid.cell_size;
+    const Vector2 along = (film.end - film.start).normalized();
+    Beyond beyond = Beyond::nothing;
+    const auto meet = [&](const Segment& other, bool drains) {
+        const Vector2 gap = forward ? other.start - film.end : other.end - film.start;
+        if (gap.norm() > tolerance || beyond == Beyond::closed) return;
+        const bool goes_on = along.dot((other.end - other.start).normalized()) > least_cosine;
+        if (!drains)
+            beyond = Beyond::closed;
+        else if (goes_on)
+            beyond = Beyond::drained;
+    };
+    for (const Boundary& boundary : problem.boundaries)
+        for (const Segment& other : boundary.segments)
+            meet(other, boundary.soil != SoilCondition::tied &&
+                            hold_of(boundary, other, stage).water == WaterHold::none);
+    for (const Segment& edge : unnamed_edges(problem)) meet(edge, true);
+    return beyond;
+}
+
+} // namespace
+
+double drained_end(const Problem& problem, const Segment& segment, bool forward, double length, Stage stage)
+{
+    if (beyond_end(problem, segment, forward, stage) != Beyond::drained) return 0.0;
+    return std::min(too_long * problem.grid.cell_size, most * length);
+}
+
+} // namespace quicksand

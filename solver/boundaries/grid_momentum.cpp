@@ -1,0 +1,250 @@
+#include "solver/boundaries/grid_momentum.hpp"
+
+#include "solver/base/threads.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace quicksand {
+
+namespace {
+
+/// One direction of a node's balance: impulses b = momentum + dt force.
+struct Balance {
+    double mass_solid, mass_fluid, dt_drag; // [kg/m]
+    double impulse_solid, impulse_fluid;    // [N s/m]
+};
+
+/// Solve with the conditions of one direction inside: a held solid still drags the water.
+PhaseVelocities solve_direction(const Balance& balance, bool solid_fixed, bool fluid_fixed, bool film)
+{
+    if (solid_fixed) {
+        const double fluid = fluid_fixed || film || balance.mass_fluid == 0.0
+                                 ? 0.0
+                                 : balance.impulse_fluid / (balance.mass_fluid + balance.dt_drag);
+        return {0.0, fluid};
+    }
+    if (film) {
+        const double both =
+            (balance.impulse_solid + balance.impulse_fluid) / (balance.mass_solid + balance.mass_fluid);
+        return {both, both};
+    }
+    return solve_drag(balance.mass_solid, balance.mass_fluid, balance.dt_drag, balance.impulse_solid,
+                      balance.impulse_fluid);
+}
+
+struct NodeImpulses {
+    Vector2 solid, fluid; // [N s/m]
+};
+
+NodeImpulses two_phase_impulses(const Problem& problem, double dt, double acceleration,
+                                const TwoPhaseSums& node)
+{
+    // the porosity of the node stands outside the sum of F^p: a constant pressure across a porosity jump
+    // then gives no force between the phases
+    const double fluid_density = problem.water->density;
+    const double porosity = node_porosity(problem, node);
+    const double buoyant_mass = node.mass_solid + node.mass_fluid - fluid_density * node.volume;
+    const Vector2 pressure_force(node.pressure_force_x, node.pressure_force_y);
+    const Vector2 stress_force(node.stress_force_x, node.stress_force_y);
+    const Vector2 base(acceleration, 0.0);
+
+    const Vector2 drag(node.drag_force_x, node.drag_force_y);
+
+    const Vector2 force_fluid = porosity * pressure_force - node.mass_fluid * base - drag;
+    const Vector2 force_solid = stress_force + (1.0 - porosity) * pressure_force - node.mass_solid * base -
+                                Vector2(0.0, buoyant_mass * problem.gravity) + drag;
+    return {Vector2(node.momentum_solid_x, node.momentum_solid_y) + dt * force_solid,
+            Vector2(node.momentum_fluid_x, node.momentum_fluid_y) + dt * force_fluid};
+}
+
+Balance balance_along(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
+                      const Vector2& direction)
+{
+    return {node.mass_solid, node.mass_fluid, dt * node.drag, impulses.solid.dot(direction),
+            impulses.fluid.dot(direction)};
+}
+
+void set_flux_and_change(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
+{
+    set_flux(problem, node, motion);
+    motion.solid_change_x = motion.solid_x - node.momentum_solid_x / node.mass_solid;
+    motion.solid_change_y = motion.solid_y - node.momentum_solid_y / node.mass_solid;
+    if (node.mass_fluid == 0.0) return; // and the change of no water is zero
+    motion.fluid_change_x = motion.fluid_x - node.momentum_fluid_x / node.mass_fluid;
+    motion.fluid_change_y = motion.fluid_y - node.momentum_fluid_y / node.mass_fluid;
+}
+
+void set_change(const SinglePhaseSums& node, SinglePhaseMotion& motion)
+{
+    motion.change_x = motion.x - node.momentum_x / node.mass;
+    motion.change_y = motion.y - node.momentum_y / node.mass;
+}
+
+TwoPhaseMotion solve_aligned(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
+                             std::uint8_t held)
+{
+    const PhaseVelocities x = solve_direction(balance_along(node, impulses, dt, Vector2::UnitX()),
+                                              held & solid_x_fixed, held & fluid_x_fixed, held & film_x);
+    const PhaseVelocities y = solve_direction(balance_along(node, impulses, dt, Vector2::UnitY()),
+                                              held & solid_y_fixed, held & fluid_y_fixed, held & film_y);
+    return {.solid_x = x.solid, .solid_y = y.solid, .fluid_x = x.fluid, .fluid_y = y.fluid};
+}
+
+/// Impulses of a force of the pressure over a unit of time, shared by grains and water.
+NodeImpulses unit_pressure_impulses(double porosity, const Vector2& force)
+{
+    return {(1.0 - porosity) * force, porosity * force};
+}
+
+Vector2 flux_of(double porosity, const TwoPhaseMotion& motion)
+{
+    return {(1.0 - porosity) * motion.solid_x + porosity * motion.fluid_x,
+            (1.0 - porosity) * motion.solid_y + porosity * motion.fluid_y};
+}
+
+template <class Sums, class Add>
+void add_tied(const NodeConditions& conditions, std::vector<Sums>& sums, Add&& add)
+{
+    for (const TiedNodes& tie : conditions.tied) add(sums[tie.master], sums[tie.node]);
+}
+
+} // namespace
+
+double node_porosity(const Problem& problem, const TwoPhaseSums& node)
+{
+    return node.mass_fluid > 0.0 ? node.mass_fluid / (problem.water->density * node.volume) : 0.0;
+}
+
+void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
+{
+    const Vector2 flux = flux_of(node_porosity(problem, node), motion);
+    motion.flux_x = flux.x();
+    motion.flux_y = flux.y();
+}
+
+void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums)
+{
+    add_tied(conditions, sums, [](TwoPhaseSums& master, const TwoPhaseSums& node) {
+        master.mass_solid += node.mass_solid;
+        master.mass_fluid += node.mass_fluid;
+        master.volume += node.volume;
+        master.drag += node.drag;
+        master.momentum_solid_x += node.momentum_solid_x;
+        master.momentum_solid_y += node.momentum_solid_y;
+        master.momentum_fluid_x += node.momentum_fluid_x;
+        master.momentum_fluid_y += node.momentum_fluid_y;
+        master.stress_force_x += node.stress_force_x;
+        master.stress_force_y += node.stress_force_y;
+        master.pressure_force_x += node.pressure_force_x;
+        master.pressure_force_y += node.pressure_force_y;
+    });
+}
+
+void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseSums>& sums)
+{
+    add_tied(conditions, sums, [](SinglePhaseSums& master, const SinglePhaseSums& node) {
+        master.mass += node.mass;
+        master.momentum_x += node.momentum_x;
+        master.momentum_y += node.momentum_y;
+        master.weight += node.weight;
+        master.stress_force_x += node.stress_force_x;
+        master.stress_force_y += node.stress_force_y;
+    });
+}
+
+void gather_tied_sums(const NodeConditions& conditions, std::vector<OuterForce>& outer)
+{
+    if (outer.empty()) return;
+    add_tied(conditions, outer, [](OuterForce& master, const OuterForce& node) {
+        master.load_x += node.load_x;
+        master.load_y += node.load_y;
+        master.water_x += node.water_x;
+        master.water_y += node.water_y;
+        master.risen_weight += node.risen_weight;
+    });
+}
+
+void centre_drag(double dt, std::vector<TwoPhaseSums>& sums)
+{
+    for_each_index(sums.size(), [&](std::size_t i) {
+        TwoPhaseSums& node = sums[i];
+        if (!node.active() || !(node.drag > 0.0)) return;
+        const double rate = dt * node.drag * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
+        const double known = std::min(0.5, 1.0 / rate) * node.drag;
+        node.drag -= known;
+        node.drag_force_x =
+            known * (node.momentum_fluid_x / node.mass_fluid - node.momentum_solid_x / node.mass_solid);
+        node.drag_force_y =
+            known * (node.momentum_fluid_y / node.mass_fluid - node.momentum_solid_y / node.mass_solid);
+    });
+}
+
+PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,
+                           double impulse_fluid)
+{
+    if (mass_fluid == 0.0) return {impulse_solid / mass_solid, impulse_solid / mass_solid};
+    // relative velocity r and velocity of the mixture
+    const double mixture = (impulse_solid + impulse_fluid) / (mass_solid + mass_fluid);
+    const double relative = (impulse_fluid / mass_fluid - impulse_solid / mass_solid) /
+                            (1.0 + dt_drag * (1.0 / mass_solid + 1.0 / mass_fluid));
+    const double fluid_share = mass_fluid / (mass_solid + mass_fluid);
+    return {mixture - fluid_share * relative, mixture + (1.0 - fluid_share) * relative};
+}
+
+void solve_two_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
+                              double acceleration, const std::vector<TwoPhaseSums>& sums,
+                              std::vector<TwoPhaseMotion>& motion)
+{
+    for_each_index(sums.size(), [&](std::size_t i) {
+        if (!sums[i].active()) {
+            motion[i] = {};
+            return;
+        }
+        const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, sums[i]);
+        motion[i] = solve_aligned(sums[i], impulses, dt, conditions.of_node[i]);
+        set_flux_and_change(problem, sums[i], motion[i]);
+    });
+}
+
+void set_pressure_compliances(const Problem& problem, const NodeConditions& conditions, double dt,
+                              const std::vector<TwoPhaseSums>& sums, NodeCompliances& compliances)
+{
+    for (Scalars* part : {&compliances.xx, &compliances.xy, &compliances.yy}) part->resize(sums.size());
+    for_each_index(sums.size(), [&](std::size_t i) {
+        compliances.xx[i] = compliances.xy[i] = compliances.yy[i] = 0.0;
+        if (!sums[i].active()) return;
+        // x and y do not mix here, so that one force in both directions tells both
+        const double n = node_porosity(problem, sums[i]);
+        const Vector2 flux = flux_of(n, solve_aligned(sums[i], unit_pressure_impulses(n, Vector2(1.0, 1.0)),
+                                                      dt, conditions.of_node[i]));
+        compliances.xx[i] = flux.x();
+        compliances.yy[i] = flux.y();
+    });
+}
+
+void solve_single_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
+                                 double acceleration, double damping,
+                                 const std::vector<SinglePhaseSums>& sums,
+                                 std::vector<SinglePhaseMotion>& motion)
+{
+    const auto damped = [&](double force, double momentum) {
+        return momentum == 0.0 ? force : force - std::copysign(damping * std::abs(force), momentum);
+    };
+    for_each_index(sums.size(), [&](std::size_t i) {
+        const SinglePhaseSums& node = sums[i];
+        if (!node.active()) {
+            motion[i] = {};
+            return;
+        }
+        const double force_x = damped(node.stress_force_x - node.mass * acceleration, node.momentum_x);
+        const double force_y = damped(node.stress_force_y - node.weight * problem.gravity, node.momentum_y);
+        const std::uint8_t held = conditions.of_node[i];
+        motion[i].x = held & solid_x_fixed ? 0.0 : (node.momentum_x + dt * force_x) / node.mass;
+        motion[i].y = held & solid_y_fixed ? 0.0 : (node.momentum_y + dt * force_y) / node.mass;
+        set_change(node, motion[i]);
+    });
+}
+
+} // namespace quicksand

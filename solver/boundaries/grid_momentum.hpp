@@ -1,0 +1,74 @@
+// The momentum balances on the nodes, with the velocity conditions inside the solve.
+#pragma once
+
+#include "solver/boundaries/boundary_conditions.hpp"
+#include "solver/boundaries/nodes.hpp"
+#include "solver/problem/problem.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+/// Flux per force and time of the nodes; symmetric 2 x 2, off-diagonal only at dashpots and wall rows [m/kg].
+struct NodeCompliances {
+    std::vector<double> xx, xy, yy;
+};
+
+/// Velocities of the two phases in one direction [m/s].
+struct PhaseVelocities {
+    double solid, fluid;
+};
+
+/// Split the drag of every node into a part on the velocities before the step, a force known from the sums,
+/// and the rest, which stays implicit. With x = dt C (1/m_s + 1/m_w), half of it is known up to x = 2, the
+/// drag at the time of the forces, second order in time; beyond it C / x, which leaves nothing of the old
+/// relative velocity, so that none swings whatever x. A steady seepage is exact for every split. Once in a
+/// step, on sums whose tied nodes are gathered.
+void centre_drag(double dt, std::vector<TwoPhaseSums>& sums);
+
+/// Backward Euler on the drag alone: the 2 x 2 system of one node and direction
+///   (m_s + dt C) v_s - dt C v_w = b_s,   -dt C v_s + (m_w + dt C) v_w = b_w
+/// in a form without cancellation, valid for dt C from 0 to infinity.
+PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag, double impulse_solid,
+                           double impulse_fluid);
+
+/// Porosity of the saturated soil at a node; zero where there is no water [-].
+double node_porosity(const Problem& problem, const TwoPhaseSums& node);
+
+/// The flux of grains and water that follows from a node's velocities.
+void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion);
+
+/// Add the sums of tied nodes to their masters.
+void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums);
+void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseSums>& sums);
+void gather_tied_sums(const NodeConditions& conditions, std::vector<OuterForce>& outer);
+
+/// Give tied nodes their masters' velocities.
+template <class Motion>
+void spread_tied_motion(const NodeConditions& conditions, std::vector<Motion>& motion)
+{
+    for (const TiedNodes& tie : conditions.tied) motion[tie.node] = motion[tie.master];
+}
+
+/// Velocities at t + dt of both phases; `acceleration` is the horizontal acceleration of the base [m/s2].
+///   water  m_w dv_w/dt = n_i F^p - m_w a - C (v_w - v_s)
+///   grains m_s dv_s/dt = f' + (1-n_i) F^p + (m_s + m_w - rho_w V) g - m_s a + C (v_w - v_s)
+/// F^p is the force of the excess pressure; the static pressure carries the water's weight and leaves the
+/// grains their buoyant weight.
+void solve_two_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
+                              double acceleration, const std::vector<TwoPhaseSums>& sums,
+                              std::vector<TwoPhaseMotion>& motion);
+
+/// What a unit force of the pressure on each node does to its flux (1-n) v_s + n v_w in a unit of time, with
+/// drag over dt and the velocity conditions inside; zero at nodes without soil.
+void set_pressure_compliances(const Problem& problem, const NodeConditions& conditions, double dt,
+                              const std::vector<TwoPhaseSums>& sums, NodeCompliances& compliances);
+
+/// Velocities at t + dt of a body that moves as one phase. `damping` is the local damping factor: the part of
+/// a node's force that is taken away while it accelerates the node, and added while it brakes it [-].
+void solve_single_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,
+                                 double acceleration, double damping,
+                                 const std::vector<SinglePhaseSums>& sums,
+                                 std::vector<SinglePhaseMotion>& motion);
+
+} // namespace quicksand

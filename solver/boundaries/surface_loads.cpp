@@ -1,0 +1,143 @@
+#include "solver/boundaries/surface_loads.hpp"
+
+#include "solver/boundaries/viscous_boundary.hpp"
+
+#include <algorithm>
+
+namespace quicksand {
+
+namespace {
+
+/// Force of a load at its full value on a piece of its curve.
+Vector2 full_force(const SurfaceLoad& load, const BoundaryPiece& piece, const PresentPiece& present)
+{
+    return piece.length * load.traction - load.pressure * present.outward();
+}
+
+/// Call add(node, force) for every share of the forces force_of(piece, present) on a curve.
+template <class ForceOf, class Add>
+void share_out(const Problem& problem, const Boundary& boundary, const Particles& particles,
+               ParticlePlaces& places, ForceOf&& force_of, Add&& add)
+{
+    for (const BoundaryPiece& piece : boundary.pieces) {
+        const std::size_t p = places.find(particles, piece.identifier);
+        const PresentPiece present = present_piece(problem, particles, piece, p);
+        const Vector2 force = force_of(piece, present);
+        for_each_loaded_node(problem.grid, present,
+                             [&](std::size_t i, double share) { add(i, share * force); });
+    }
+}
+
+template <class Add>
+void for_each_nodal_load(const Problem& problem, double time, const Particles& particles,
+                         ParticlePlaces& places, Add&& add)
+{
+    for (const Boundary& boundary : problem.boundaries) {
+        if (!boundary.load) continue;
+        const double factor = history_value(boundary.load->history, time);
+        const auto force = [&](const BoundaryPiece& piece, const PresentPiece& present) -> Vector2 {
+            return factor * full_force(*boundary.load, piece, present);
+        };
+        share_out(problem, boundary, particles, places, force, add);
+    }
+}
+
+/// The excess pressure of the water beyond curves.
+template <class Add>
+void for_each_nodal_water(const Problem& problem, double time, const Particles& particles,
+                          ParticlePlaces& places, Add&& add)
+{
+    for (const Boundary& boundary : problem.boundaries) {
+        if (!boundary.outer_water) continue;
+        const OuterWater& water = *boundary.outer_water;
+        const double factor = history_value(water.history, time);
+        const auto force = [&](const BoundaryPiece&, const PresentPiece& present) -> Vector2 {
+            const double excess = outer_excess_pressure(problem, water, present.middle(), factor);
+            return -excess * present.outward();
+        };
+        share_out(problem, boundary, particles, places, force, add);
+    }
+}
+
+template <class Sums>
+void scatter(const Problem& problem, double time, const Particles& particles, ParticlePlaces& places,
+             std::vector<Sums>& sums)
+{
+    for_each_nodal_load(problem, time, particles, places, [&](std::size_t i, const Vector2& force) {
+        sums[i].stress_force_x += force.x();
+        sums[i].stress_force_y += force.y();
+    });
+}
+
+} // namespace
+
+void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
+                           ParticlePlaces& places, std::vector<TwoPhaseSums>& sums)
+{
+    scatter(problem, time, particles, places, sums);
+}
+
+void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
+                           ParticlePlaces& places, std::vector<SinglePhaseSums>& sums)
+{
+    scatter(problem, time, particles, places, sums);
+}
+
+void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
+                         ParticlePlaces& places, std::vector<TwoPhaseSums>& sums)
+{
+    for_each_nodal_water(problem, time, particles, places, [&](std::size_t i, const Vector2& force) {
+        sums[i].pressure_force_x += force.x();
+        sums[i].pressure_force_y += force.y();
+    });
+}
+
+void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
+                         ParticlePlaces& places, std::vector<SinglePhaseSums>& sums)
+{
+    for_each_nodal_water(problem, time, particles, places, [&](std::size_t i, const Vector2& force) {
+        sums[i].stress_force_x += force.x();
+        sums[i].stress_force_y += force.y();
+    });
+}
+
+bool has_outer_forces(const Problem& problem)
+{
+    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [](const Boundary& boundary) {
+        return boundary.load || boundary.outer_water || boundary.soil == SoilCondition::viscous;
+    });
+}
+
+void note_outer_forces(const Problem& problem, double time, const State& state, ParticlePlaces& places,
+                       std::vector<OuterForce>& outer)
+{
+    const auto add_load = [&](std::size_t i, const Vector2& force) {
+        outer[i].load_x += force.x();
+        outer[i].load_y += force.y();
+    };
+    for_each_nodal_load(problem, time, state.particles, places, add_load);
+    for_each_nodal_reaction(problem, state, places, add_load);
+    for_each_nodal_water(problem, time, state.particles, places, [&](std::size_t i, const Vector2& force) {
+        outer[i].water_x += force.x();
+        outer[i].water_y += force.y();
+    });
+}
+
+double load_time(const State& state)
+{
+    return state.stage == Stage::relaxation ? 0.0 : state.time;
+}
+
+Vector2 full_load(const Problem& problem, const State& state, const Boundary& boundary)
+{
+    Vector2 force = Vector2::Zero();
+    if (!boundary.load) return force;
+    ParticlePlaces places;
+    for (const BoundaryPiece& piece : boundary.pieces) {
+        const std::size_t p = places.find(state.particles, piece.identifier);
+        force += full_force(*boundary.load, piece, present_piece(problem, state.particles, piece, p));
+    }
+    return force;
+}
+
+} // namespace quicksand

@@ -1,0 +1,90 @@
+// Boundaries that let waves out: dashpots on the curve (Lysmer and Kuhlemeyer 1969).
+//
+// A half-space beyond the curve answers a plane wave at normal incidence with the stress
+//   sigma_n = - rho V_p v_n,   tau = - rho V_s v_t
+// on the soil. With the rock's own density and wave speeds this is a compliant base. The frame moves with the
+// motion that the rock would have without the soil, the outcrop motion, as with a rigid base: the incoming
+// wave is half of it, its stress 2 rho V (v_outcrop / 2 - v / 2) = rho V (v_outcrop - v) is that of the
+// dashpots on velocities relative to the outcrop (Joyner and Chen 1975), and the acceleration of the frame is
+// the body force that the base's acceleration is anyway. The dashpots act on the grains (and through an
+// impervious curve on the water's normal velocity as well) and are implicit at each node (Crank-Nicolson), so
+// that they do not limit the step.
+//
+// Without a rock's numbers what lies beyond is as stiff as the soil beside it at its present stress: sand
+// that follows its stress and softens meets its like, and a run that goes on from a checkpoint has the same
+// dashpots. The modulus is that of unloading, which waves of small amplitude travel with.
+//
+// While the soil settles the curve is held; the forces that held it stay when the dashpots take over.
+#pragma once
+
+#include "solver/boundaries/boundary_conditions.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/boundaries/node_response.hpp"
+#include "solver/boundaries/nodes.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+/// The dashpots of a node, a symmetric tensor [N s/m2].
+struct Dashpot {
+    std::size_t node = 0;
+    double xx = 0.0, xy = 0.0, yy = 0.0;
+};
+
+/// Impedances rho V_p and rho V_s of what lies beyond a boundary, beside the particle p [Pa s/m].
+struct Impedance {
+    double normal = 0.0, shear = 0.0;
+};
+Impedance impedance(const Problem& problem, const Boundary& boundary, const Particles& particles,
+                    std::size_t p);
+
+/// The dashpots of all viscous boundaries, each node once, in the order of the nodes.
+void gather_dashpots(const Problem& problem, const Particles& particles, const NodeConditions& conditions,
+                     ParticlePlaces& places, std::vector<Dashpot>& dashpots);
+
+/// What a dashpot takes of its node's velocity over dt, with the mean of the velocities before and after the
+/// step: v'' = v' - r dt C (v + v'')/2, r the response of the grains.
+struct Braking {
+    Eigen::Matrix2d half;   // dt C / 2 [kg/m]
+    Eigen::Matrix2d factor; // r dt C / 2 [-]
+    Eigen::Matrix2d left;   // (1 + factor)^-1: velocity left of one given by other forces [-]
+};
+Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponse& x, const NodeResponse& y);
+
+/// Put the dashpots' impulses on the velocities, after the momentum balance.
+void brake_by_dashpots(const Problem& problem, const NodeConditions& conditions, double dt,
+                       const std::vector<Dashpot>& dashpots, const std::vector<TwoPhaseSums>& sums,
+                       std::vector<TwoPhaseMotion>& motion);
+void brake_by_dashpots(const NodeConditions& conditions, double dt, const std::vector<Dashpot>& dashpots,
+                       const std::vector<SinglePhaseSums>& sums, std::vector<SinglePhaseMotion>& motion);
+
+/// Call add(node, force) for every share of the held forces.
+template <class Add>
+void for_each_nodal_reaction(const Problem& problem, const State& state, ParticlePlaces& places, Add&& add);
+
+/// Add the held forces to the nodes.
+void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
+                       std::vector<TwoPhaseSums>& sums);
+void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
+                       std::vector<SinglePhaseSums>& sums);
+
+template <class Add>
+void for_each_nodal_reaction(const Problem& problem, const State& state, ParticlePlaces& places, Add&& add)
+{
+    if (state.reactions.x.empty() || state.stage != Stage::shaking) return;
+    std::size_t k = 0;
+    for (const Boundary& boundary : problem.boundaries) {
+        if (boundary.soil != SoilCondition::viscous) continue;
+        for (const BoundaryPiece& piece : boundary.pieces) {
+            const std::size_t p = places.find(state.particles, piece.identifier);
+            const Vector2 force = state.reactions[k++];
+            for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
+                                 [&](std::size_t i, double share) { add(i, share * force); });
+        }
+    }
+}
+
+} // namespace quicksand

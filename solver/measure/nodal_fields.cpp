@@ -1,0 +1,220 @@
+#include "solver/measure/nodal_fields.hpp"
+
+#include "solver/interpolation/cpdi.hpp"
+#include "solver/measure/monitors.hpp"
+#include "solver/particles/cell_lists.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace quicksand {
+
+namespace {
+
+/// Call visit(array) for every averaged array, in one fixed order.
+template <class Visit>
+void for_each_field(NodalFields& fields, std::optional<WaterFlow> flow, Visit&& visit)
+{
+    visit(fields.displacement.x);
+    visit(fields.displacement.y);
+    visit(fields.velocity_solid.x);
+    visit(fields.velocity_solid.y);
+    visit(fields.mean_effective_stress);
+    visit(fields.vertical_effective_stress);
+    visit(fields.shear_stress_xy);
+    if (!flow) return;
+    visit(fields.pore_pressure);
+    visit(fields.excess_pore_pressure);
+    visit(fields.ru);
+    visit(fields.porosity);
+    if (flow != WaterFlow::coupled) return;
+    visit(fields.velocity_fluid.x);
+    visit(fields.velocity_fluid.y);
+}
+
+constexpr std::size_t most_fields = 13;
+
+/// The particle's values in the order of for_each_field.
+void particle_values(const Problem& problem, const Particles& particles, std::size_t p, double* values)
+{
+    const SymmetricTensors& stress = particles.stress;
+    *values++ = particles.position.x[p] - particles.reference_position.x[p];
+    *values++ = particles.position.y[p] - particles.reference_position.y[p];
+    *values++ = particles.velocity_solid.x[p];
+    *values++ = particles.velocity_solid.y[p];
+    *values++ = -(stress.xx[p] + stress.yy[p] + stress.zz[p]) / 3.0;
+    *values++ = -stress.yy[p];
+    *values++ = stress.xy[p];
+    if (!particles.has_fluid()) return;
+    const double excess = risen_pore_pressure(problem, particles, p);
+    const double initial = particles.initial_vertical_effective_stress[p];
+    *values++ = static_water_pressure(problem, particles.position.y[p]) + excess_pore_pressure(particles, p);
+    *values++ = excess;
+    *values++ = excess / std::max(initial, ru_stress_threshold(problem));
+    *values++ = particles.porosity[p];
+    if (particles.velocity_fluid.x.empty()) return;
+    *values++ = particles.velocity_fluid.x[p];
+    *values++ = particles.velocity_fluid.y[p];
+}
+
+/// The cell of a point wherever it may lie; the grid's upper and right edges belong to the last cells.
+std::optional<PlaceInCell> find_cell(const BackgroundGrid& grid, const Vector2& point)
+{
+    const Vector2 cells = grid.cells_from_rim(point);
+    const bool in_grid = cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() <= grid.all_cells_x() &&
+                         cells.y() <= grid.all_cells_y();
+    if (!in_grid) return std::nullopt;
+    const int i = std::min(static_cast<int>(cells.x()), grid.all_cells_x() - 1),
+              j = std::min(static_cast<int>(cells.y()), grid.all_cells_y() - 1);
+    return PlaceInCell{i, j, cells.x() - i, cells.y() - j};
+}
+
+/// Node k of the four of a cell, row by row.
+std::size_t node_of(const BackgroundGrid& grid, const PlaceInCell& cell, int k)
+{
+    return grid.node_index(cell.i + k % 2, cell.j + k / 2);
+}
+
+/// Which nodes are asked for.
+using NodeMask = std::vector<std::uint8_t>;
+
+/// A particle's present domain within its reach.
+struct PresentDomain {
+    ParallelogramDomain whole;
+    const CutDomain* shape = nullptr; // of a cut domain
+    std::vector<Vector2> corners;     // of a cut domain [m]
+    Vector2 reach;                    // greatest distance from the centre along the axes [m]
+};
+
+PresentDomain present_domain(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    const double h = problem.grid.cell_size;
+    PresentDomain domain;
+    domain.whole = {particles.position[p], particles.half_edge_1[p], particles.half_edge_2[p]};
+    domain.shape = problem.cut_domains.find(particles.identifier[p]);
+    if (domain.shape == nullptr) {
+        limit_domain(h, domain.whole);
+        domain.reach = domain.whole.half_edge_1.cwiseAbs() + domain.whole.half_edge_2.cwiseAbs();
+        return domain;
+    }
+    domain.corners = domain_polygon(problem.cut_domains, particles, p);
+    limit_polygon(h, domain.whole.centre, domain.corners);
+    domain.reach = Vector2::Zero();
+    bool finite = true;
+    for (const Vector2& corner : domain.corners) {
+        const Vector2 apart = (corner - domain.whole.centre).cwiseAbs();
+        domain.reach = domain.reach.cwiseMax(apart);
+        finite = finite && apart.allFinite();
+    }
+    if (!finite) domain.reach.setConstant(std::numeric_limits<double>::quiet_NaN()); // reaches no node
+    return domain;
+}
+
+/// Whether a domain may give weight to a node that is asked for.
+bool may_reach(const BackgroundGrid& grid, const PresentDomain& domain, const NodeMask& wanted)
+{
+    constexpr double rounding = 1e-6; // [cells]
+    const Vector2 centre = grid.cells_from_rim(domain.whole.centre);
+    const Vector2 lower = centre - domain.reach / grid.cell_size - Vector2::Constant(rounding),
+                  upper = centre + domain.reach / grid.cell_size + Vector2::Constant(1.0 + rounding);
+    const bool meets_grid =
+        upper.x() >= 0.0 && upper.y() >= 0.0 && lower.x() < grid.nodes_x() && lower.y() < grid.nodes_y();
+    if (!meets_grid) return false;
+    const int last_i = std::min(static_cast<int>(upper.x()), grid.nodes_x() - 1),
+              last_j = std::min(static_cast<int>(upper.y()), grid.nodes_y() - 1);
+    for (int j = std::max(0, static_cast<int>(lower.y())); j <= last_j; ++j) {
+        for (int i = std::max(0, static_cast<int>(lower.x())); i <= last_i; ++i)
+            if (wanted[grid.node_index(i, j)] != 0) return true;
+    }
+    return false;
+}
+
+/// Weights of a domain that may lie partly outside the grid, as displaced domains of small strain do: the
+/// patch's columns and rows then lie outside, too.
+void evaluate_anywhere(const BackgroundGrid& grid, const PresentDomain& domain, NodePatch& patch)
+{
+    const Vector2 lower = grid.cells_from_rim(domain.whole.centre) - domain.reach / grid.cell_size;
+    const int columns = std::max(0, static_cast<int>(std::ceil(-lower.x()))),
+              rows = std::max(0, static_cast<int>(std::ceil(-lower.y())));
+    BackgroundGrid around = grid;
+    around.origin -= grid.cell_size * Vector2(columns, rows);
+    if (domain.shape == nullptr)
+        evaluate_cpdi(around, domain.whole, patch);
+    else
+        evaluate_polygon(around, *domain.shape, domain.corners, patch);
+    patch.column -= columns;
+    patch.row -= rows;
+}
+
+NodalFields average(const Problem& problem, const Particles& particles, const NodeMask& wanted)
+{
+    const BackgroundGrid& grid = problem.grid;
+    NodalFields fields;
+    fields.volume.assign(grid.node_count(), 0.0);
+    std::vector<Scalars*> arrays;
+    for_each_field(fields, carried_flow(particles), [&](Scalars& field) {
+        field.assign(grid.node_count(), 0.0);
+        arrays.push_back(&field);
+    });
+
+    NodePatch patch;
+    double values[most_fields];
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const PresentDomain domain = present_domain(problem, particles, p);
+        if (!may_reach(grid, domain, wanted)) continue;
+        evaluate_anywhere(grid, domain, patch);
+        particle_values(problem, particles, p, values);
+        for (int k = 0; k < patch.width * patch.height; ++k) {
+            const int i = patch.column + k % patch.width, j = patch.row + k / patch.width;
+            if (i < 0 || j < 0 || i >= grid.nodes_x() || j >= grid.nodes_y()) continue;
+            const std::size_t node = grid.node_index(i, j);
+            if (wanted[node] == 0) continue;
+            const double weight = patch.weights[k].value * particles.volume[p];
+            fields.volume[node] += weight;
+            for (std::size_t f = 0; f < arrays.size(); ++f) (*arrays[f])[node] += weight * values[f];
+        }
+    }
+    for (std::size_t i = 0; i < grid.node_count(); ++i) {
+        if (fields.volume[i] <= 0.0) continue;
+        for (Scalars* array : arrays) (*array)[i] /= fields.volume[i];
+    }
+    return fields;
+}
+
+} // namespace
+
+NodalFields nodal_fields(const Problem& problem, const Particles& particles)
+{
+    return average(problem, particles, NodeMask(problem.grid.node_count(), 1));
+}
+
+NodalFields nodal_fields_at(const Problem& problem, const Particles& particles,
+                            const std::vector<Vector2>& points)
+{
+    NodeMask wanted(problem.grid.node_count(), 0);
+    for (const Vector2& point : points) {
+        const auto cell = find_cell(problem.grid, point);
+        for (int k = 0; cell && k < 4; ++k) wanted[node_of(problem.grid, *cell, k)] = 1;
+    }
+    return average(problem, particles, wanted);
+}
+
+PointWeights point_weights(const BackgroundGrid& grid, const NodalFields& fields, const Vector2& point)
+{
+    PointWeights result;
+    const auto cell = find_cell(grid, point);
+    if (!cell) return result;
+    result.inside = true;
+    for (int k = 0; k < 4; ++k) {
+        result.node[k] = node_of(grid, *cell, k);
+        result.weight[k] =
+            (k % 2 == 0 ? 1.0 - cell->xi : cell->xi) * (k / 2 == 0 ? 1.0 - cell->eta : cell->eta);
+        result.inside = result.inside && fields.volume[result.node[k]] > 0.0;
+    }
+    return result;
+}
+
+} // namespace quicksand

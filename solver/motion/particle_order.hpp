@@ -1,0 +1,22 @@
+// Keeping the particles findable: by cell in every step, in memory now and then.
+#pragma once
+
+#include "solver/particles/background_grid.hpp"
+#include "solver/particles/cell_lists.hpp"
+#include "solver/problem/state.hpp"
+
+namespace quicksand {
+
+/// Bring the lists up to date; every 64 steps, where more than a twentieth of the neighbours are strangers in
+/// memory, also reorder the particle arrays. Depends on nothing but the state: a resumed run does the same.
+/// Throws NumericalError when a particle has left the grid or its position is not a number.
+void sort_particles(const BackgroundGrid& grid, double dt, State& state, CellLists& lists);
+
+/// Throws NumericalError: a corner of the particle's quadrilateral has left the grid.
+[[noreturn]] void throw_lost_corner(double dt, const State& state, std::size_t p);
+
+/// Throws NumericalError when a particle's velocity is not a number, its volume is not positive or its pores
+/// have closed on their water.
+void check_particles(double dt, const State& state);
+
+} // namespace quicksand

@@ -1,0 +1,67 @@
+#include "solver/motion/volumetric_average.hpp"
+
+#include "solver/motion/particle_motion.hpp"
+
+#include <algorithm>
+
+namespace quicksand {
+
+namespace {
+
+void average_tile(const VolumetricAverage& average, const CellLists& lists, const Tile& tile,
+                  Particles& particles)
+{
+    Gradients& L = particles.velocity_gradient_solid;
+    const auto asks = [&](std::size_t p) {
+        return average.asked_for[static_cast<std::size_t>(particles.material[p])] != 0;
+    };
+    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
+        const auto slot = static_cast<std::size_t>(c);
+        const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
+        const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
+        double volume = 0.0, growth = 0.0; // [m3/m], [m3/s per metre]
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            if (!asks(p)) continue;
+            volume += particles.volume[p];
+            growth += particles.volume[p] * (L.xx[p] + L.yy[p]);
+        }
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            if (!asks(p)) continue;
+            const double half = 0.5 * (growth / volume - (L.xx[p] + L.yy[p]));
+            L.xx[p] += half;
+            L.yy[p] += half;
+        }
+    }
+}
+
+} // namespace
+
+VolumetricAverage make_volumetric_average(const Problem& problem)
+{
+    VolumetricAverage average;
+    for (const Material& material : problem.materials)
+        average.asked_for.push_back(material.volumetric_strain == VolumetricStrain::cell ? 1 : 0);
+    if (std::find(average.asked_for.begin(), average.asked_for.end(), 1) == average.asked_for.end())
+        average.asked_for.clear();
+    return average;
+}
+
+void update_stress_of_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles,
+                            VolumetricAverage& average)
+{
+    if (average.asked_for.empty()) {
+        update_effective_stress(problem, dt, particles);
+        return;
+    }
+    Gradients& L = particles.velocity_gradient_solid;
+    average.own_xx = L.xx;
+    average.own_yy = L.yy;
+    for_each_tile(lists, [&](const Tile& tile) { average_tile(average, lists, tile, particles); });
+    update_effective_stress(problem, dt, particles);
+    L.xx.swap(average.own_xx);
+    L.yy.swap(average.own_yy);
+}
+
+} // namespace quicksand

@@ -1,0 +1,202 @@
+// The material points: one array per quantity, so that kernels run across particles.
+#pragma once
+
+#include "solver/base/conventions.hpp"
+#include "solver/particles/water_flow.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+namespace quicksand {
+
+using Scalars = std::vector<double>;
+
+struct Vectors {
+    Scalars x, y;
+    Vector2 operator[](std::size_t p) const { return {x[p], y[p]}; }
+    void set(std::size_t p, const Vector2& v) { x[p] = v.x(), y[p] = v.y(); }
+};
+
+/// Velocity gradients, L_ab = d v_a / d x_b [1/s].
+struct Gradients {
+    Scalars xx, xy, yx, yy;
+};
+
+/// Plane-strain symmetric tensors with their out-of-plane component.
+struct SymmetricTensors {
+    Scalars xx, yy, zz, xy;
+};
+
+/// Memory of the cycles of UBCSAND; meaning and signs as in UbcSandState [-].
+struct CycleMemory {
+    Scalars eta_max, branch;
+    Vectors peak, origin, leg, back;
+    Scalars last_leg, waiting, half_cycles, dilation, active_dilation;
+};
+
+/// In small strain the equations are set up on the reference shape; position and edges show the displaced
+/// one. Structure of arrays; every array has `size()` entries, or none where the scene does not need it: a
+/// dry scene carries nothing of water, a drained one the porosity and the pressures that are held, and
+/// velocities of the water are there in coupled flow alone.
+struct Particles {
+    std::vector<std::int32_t> identifier; // lasting number, as sampled; the arrays are reordered [-]
+    std::vector<std::int32_t> material;   // index into Problem::materials [-]
+    std::vector<std::int32_t> region;     // index into Problem::region_names [-]
+
+    Vectors position;           // x_p, centre of the domain [m]
+    Vectors half_edge_1;        // r_1, half an edge of the parallelogram domain [m]
+    Vectors half_edge_2;        // r_2, the other half edge, r_1 x r_2 > 0 [m]
+    Vectors twist;              // t of a quadrilateral domain, see cpdi2.hpp; none otherwise [m]
+    Vectors reference_position; // x_p when displacements were last set to zero [m]
+    Vectors reference_edge_1;   // r_1 at that time [m]
+    Vectors reference_edge_2;   // r_2 at that time [m]
+    Scalars volume;             // V_p per metre of thickness [m3/m]
+
+    Vectors velocity_solid;            // v_s [m/s]
+    Gradients velocity_gradient_solid; // L_s, with which the domain deforms [1/s]
+    Gradients velocity_slope_solid;    // C_s, carried to the nodes, see carried_slope.hpp [1/s]
+    Scalars mass_solid;                // (1-n) rho_s V_p, constant [kg/m]
+    SymmetricTensors stress;           // effective stress sigma', tension positive [Pa]
+
+    Vectors velocity_fluid;         // v_w, true velocity [m/s]
+    Gradients velocity_slope_fluid; // C_w [1/s]
+    Scalars porosity;               // n [-]
+    Scalars water_volume;           // of the water a particle keeps when undrained, without pressure [m3/m]
+    Scalars tension_deficit;    // excess pressure that cavities keep from the water, see pore_pressure.hpp,
+                                // never positive; none without a cavitation limit [Pa]
+    Scalars pore_pressure;      // excess over the static water pressure, compression positive [Pa]
+    Scalars pore_pressure_rate; // of the cell in the last semi-implicit step, none in explicit runs [Pa/s]
+    Scalars initial_vertical_effective_stress; // sigma'_v0 at the start of shaking, compression positive [Pa]
+    Scalars water_table; // y to which the water stood at the start, none where it is the level [m]
+
+    CycleMemory cycles; // none without a material of UBCSAND
+
+    std::size_t size() const { return identifier.size(); }
+    bool has_fluid() const { return !porosity.empty(); }
+    bool has_cycles() const { return !cycles.branch.empty(); }
+};
+
+/// Call `visit(name, values)` for every array of doubles, in a fixed order. `ParticleSet` is Particles or
+/// const Particles. Reordering, checkpoints and memory counts go through here.
+template <class ParticleSet, class Visitor>
+void for_each_array(ParticleSet& particles, Visitor&& visit)
+{
+    const auto vectors = [&](const char* name_x, const char* name_y, auto& field) {
+        visit(name_x, field.x);
+        visit(name_y, field.y);
+    };
+    const auto gradients = [&](const char* xx, const char* xy, const char* yx, const char* yy, auto& field) {
+        visit(xx, field.xx);
+        visit(xy, field.xy);
+        visit(yx, field.yx);
+        visit(yy, field.yy);
+    };
+    vectors("position_x", "position_y", particles.position);
+    vectors("half_edge_1_x", "half_edge_1_y", particles.half_edge_1);
+    vectors("half_edge_2_x", "half_edge_2_y", particles.half_edge_2);
+    vectors("twist_x", "twist_y", particles.twist);
+    vectors("reference_position_x", "reference_position_y", particles.reference_position);
+    vectors("reference_edge_1_x", "reference_edge_1_y", particles.reference_edge_1);
+    vectors("reference_edge_2_x", "reference_edge_2_y", particles.reference_edge_2);
+    visit("volume", particles.volume);
+    vectors("velocity_solid_x", "velocity_solid_y", particles.velocity_solid);
+    gradients("velocity_gradient_solid_xx", "velocity_gradient_solid_xy", "velocity_gradient_solid_yx",
+              "velocity_gradient_solid_yy", particles.velocity_gradient_solid);
+    gradients("velocity_slope_solid_xx", "velocity_slope_solid_xy", "velocity_slope_solid_yx",
+              "velocity_slope_solid_yy", particles.velocity_slope_solid);
+    visit("mass_solid", particles.mass_solid);
+    visit("stress_xx", particles.stress.xx);
+    visit("stress_yy", particles.stress.yy);
+    visit("stress_zz", particles.stress.zz);
+    visit("stress_xy", particles.stress.xy);
+    vectors("velocity_fluid_x", "velocity_fluid_y", particles.velocity_fluid);
+    gradients("velocity_slope_fluid_xx", "velocity_slope_fluid_xy", "velocity_slope_fluid_yx",
+              "velocity_slope_fluid_yy", particles.velocity_slope_fluid);
+    visit("porosity", particles.porosity);
+    visit("water_volume", particles.water_volume);
+    visit("tension_deficit", particles.tension_deficit);
+    visit("pore_pressure", particles.pore_pressure);
+    visit("pore_pressure_rate", particles.pore_pressure_rate);
+    visit("initial_vertical_effective_stress", particles.initial_vertical_effective_stress);
+    visit("water_table", particles.water_table);
+    visit("cycles_eta_max", particles.cycles.eta_max);
+    visit("cycles_branch", particles.cycles.branch);
+    vectors("cycles_peak_x", "cycles_peak_y", particles.cycles.peak);
+    vectors("cycles_origin_x", "cycles_origin_y", particles.cycles.origin);
+    vectors("cycles_leg_x", "cycles_leg_y", particles.cycles.leg);
+    vectors("cycles_back_x", "cycles_back_y", particles.cycles.back);
+    visit("cycles_last_leg", particles.cycles.last_leg);
+    visit("cycles_waiting", particles.cycles.waiting);
+    visit("cycles_half_cycles", particles.cycles.half_cycles);
+    visit("cycles_dilation", particles.cycles.dilation);
+    visit("cycles_active_dilation", particles.cycles.active_dilation);
+}
+
+/// As for_each_array, for the arrays of 32-bit integers.
+template <class ParticleSet, class Visitor>
+void for_each_index_array(ParticleSet& particles, Visitor&& visit)
+{
+    visit("identifier", particles.identifier);
+    visit("material", particles.material);
+    visit("region", particles.region);
+}
+
+/// The arrays that come and go together.
+enum class ArrayGroup {
+    always,
+    pores,         // with water
+    pressure,      // with water that has an excess pressure
+    fluid_motion,  // with water that moves by itself
+    kept_water,    // with water that cannot
+    cavities,      // with a cavitation limit
+    water_table,   // with a phreatic line above the level
+    pressure_rate, // with the semi-implicit scheme
+    twist,         // with quadrilaterals
+    cycles,        // with a material of UBCSAND
+};
+
+/// The group of an array by its name in for_each_array.
+ArrayGroup group_of(std::string_view name);
+
+/// Size the arrays that such a flow of water (none: a dry scene) needs for `count` particles, at zero; none
+/// that depend on more than the flow.
+void resize(Particles& particles, std::size_t count, std::optional<WaterFlow> flow);
+
+/// The flow whose arrays the particles carry; none: dry.
+std::optional<WaterFlow> carried_flow(const Particles& particles);
+
+/// Excess pore pressure, zero where none is carried [Pa].
+inline double excess_pore_pressure(const Particles& particles, std::size_t p)
+{
+    return particles.pore_pressure.empty() ? 0.0 : particles.pore_pressure[p];
+}
+
+/// Velocity of the water, that of the grains where it has none of its own [m/s].
+inline Vector2 velocity_of_water(const Particles& particles, std::size_t p)
+{
+    return particles.velocity_fluid.x.empty() ? particles.velocity_solid[p] : particles.velocity_fluid[p];
+}
+
+/// Give every particle a memory of cycles, at zero.
+void add_cycle_memory(Particles& particles);
+
+/// Permute the particles: the new particle k is the old particle order[k].
+void reorder(Particles& particles, const std::vector<std::int32_t>& order);
+
+/// Declare the present shape the reference of displacement and strain.
+void reset_reference(Particles& particles);
+
+/// Undo the displacements since the reference; of small strain, where the drawn shape is that of the
+/// equations.
+void return_to_reference(Particles& particles);
+
+/// Deformation gradient since the reference, from the domain's edges [-].
+Eigen::Matrix2d deformation_gradient(const Particles& particles, std::size_t p);
+
+/// Bytes held by the particle arrays [byte].
+std::size_t memory_bytes(const Particles& particles);
+
+} // namespace quicksand

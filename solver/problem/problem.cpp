@@ -1,0 +1,92 @@
+#include "solver/problem/problem.hpp"
+
+#include <algorithm>
+
+namespace quicksand {
+
+const std::optional<Water>& water_of(const Problem& problem, const Material& material)
+{
+    static const std::optional<Water> none;
+    return material.saturated ? problem.water : none;
+}
+
+bool has_unsaturated_soil(const Problem& problem)
+{
+    return problem.water && std::any_of(problem.materials.begin(), problem.materials.end(),
+                                        [](const Material& material) { return !material.saturated; });
+}
+
+std::optional<WaterFlow> water_flow(const Problem& problem)
+{
+    if (!problem.water) return std::nullopt;
+    return problem.water->flow;
+}
+
+void resize_particles(const Problem& problem, std::size_t count, Particles& particles)
+{
+    resize(particles, count, water_flow(problem));
+    if (problem.interpolation == Interpolation::cpdi2)
+        particles.twist.x = particles.twist.y = Scalars(count, 0.0);
+    // drained water presses as long as its line rises above the level that static pressures count from
+    if (water_flow(problem) == WaterFlow::drained && problem.water->rises_above_level)
+        particles.pore_pressure = Scalars(count, 0.0);
+    if (problem.water && problem.water->rises_above_level)
+        particles.water_table = Scalars(count, problem.water->level);
+    if (!particles.pore_pressure.empty() && problem.water->cavitation_pressure)
+        particles.tension_deficit = Scalars(count, 0.0);
+}
+
+double elevation(const std::vector<Vector2>& line, double x)
+{
+    const auto right = std::find_if(line.begin(), line.end(), [&](const Vector2& p) { return p.x() >= x; });
+    if (right == line.begin()) return line.front().y();
+    if (right == line.end()) return line.back().y();
+    const Vector2 &b = *right, &a = *(right - 1);
+    return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
+}
+
+double pressure_below(const Problem& problem, double surface, double y)
+{
+    return problem.water->density * problem.gravity * std::max(0.0, surface - y);
+}
+
+double static_water_pressure(const Problem& problem, double y)
+{
+    return problem.water ? pressure_below(problem, problem.water->level, y) : 0.0;
+}
+
+double outer_excess_pressure(const Problem& problem, const OuterWater& outer, const Vector2& point,
+                             double factor)
+{
+    const auto below_line = [&](const WaterLine& line) {
+        return pressure_below(problem, elevation(line.points, point.x()), point.y());
+    };
+    const double still = static_water_pressure(problem, point.y());
+    const double at_rest = outer.at_rest ? below_line(*outer.at_rest) - still : 0.0;
+    double full = 0.0;
+    if (const auto* water = std::get_if<WaterHead>(&outer.value)) {
+        full = pressure_below(problem, water->head, point.y()) - still;
+    } else if (const auto* line = std::get_if<WaterLine>(&outer.value)) {
+        full = below_line(*line) - still;
+    } else {
+        full = std::get<PorePressure>(outer.value).pressure - still;
+    }
+    return at_rest + factor * (full - at_rest);
+}
+
+double risen_pore_pressure(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    const double excess = excess_pore_pressure(particles, p);
+    if (particles.water_table.empty()) return excess;
+    const bool fixed = problem.strain == StrainForm::small;
+    const double y = (fixed ? particles.reference_position : particles.position).y[p];
+    return excess -
+           (pressure_below(problem, particles.water_table[p], y) - static_water_pressure(problem, y));
+}
+
+double modulus_with_air(double water_modulus, double saturation, double air_pressure)
+{
+    return 1.0 / (saturation / water_modulus + (1.0 - saturation) / air_pressure);
+}
+
+} // namespace quicksand

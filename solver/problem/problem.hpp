@@ -1,0 +1,254 @@
+// What a run is given and never changes: grid, materials, water, boundaries, loads.
+#pragma once
+
+#include "solver/base/history.hpp"
+#include "solver/interpolation/cut_domains.hpp"
+#include "solver/interpolation/interpolation.hpp"
+#include "solver/particles/background_grid.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/particles/water_flow.hpp"
+#include "solver/problem/base_motion.hpp"
+#include "solver/soil/skeleton_law.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace quicksand {
+
+/// Whether a particle's stress follows the volume change at the particle or that of its cell, see
+/// volumetric_average.hpp.
+enum class VolumetricStrain { particle, cell };
+
+/// How the conductivity follows the porosity n, from its value k_0 at the initial n_0.
+enum class PermeabilityLaw {
+    constant,                // k_0
+    kozeny_carman,           // k_0 [n^3 / (1-n)^2] / [n_0^3 / (1-n_0)^2]
+    specific_volume_squared, // k_0 [(1-n_0) / (1-n)]^2 = k_0 J^2 (Xie and Leo 2004)
+};
+
+struct Material {
+    std::string name;
+    SkeletonLaw law;
+    double grain_density = 0.0;                     // rho_s [kg/m3]
+    double porosity = 0.0;                          // n, initial [-]
+    double hydraulic_conductivity = 0.0;            // k [m/s]; not intrinsic permeability
+    double conductivity_gravity = standard_gravity; // g_k, the gravity at which k is stated [m/s2]
+    VolumetricStrain volumetric_strain = VolumetricStrain::particle;
+    PermeabilityLaw permeability_law = PermeabilityLaw::constant;
+    bool saturated = true; // pores full of water where the scene has water; false above a phreatic line
+};
+
+struct Water {
+    double density = 1000.0;        // rho_w [kg/m3]
+    double bulk_modulus = 2.2e9;    // K_w, of the water with the air in it [Pa]
+    double level = 0.0;             // y of the still water surface [m]
+    bool rises_above_level = false; // a phreatic line in the soil lies above the level somewhere
+    WaterFlow flow = WaterFlow::coupled;
+    std::optional<double> cavitation_pressure = {}; // absolute; none: water bears any tension [Pa]
+};
+
+enum class SoilCondition {
+    free,
+    fixed,   // no motion
+    roller,  // no motion normal to the curve
+    tied,    // points of equal height on two sides move together
+    moving,  // with a given velocity or displacement
+    viscous, // waves leave through it
+};
+enum class WaterCondition {
+    drained,    // no excess pressure
+    impervious, // water moves with the grains normal to the curve
+    prescribed, // a given head or pressure
+};
+
+/// A straight piece of a boundary curve; the soil lies to its left, going from start to end.
+struct Segment {
+    Vector2 start, end; // [m]
+};
+
+/// A load on a boundary curve; it moves and deforms with the surface that it was put on. It is the total
+/// load: where water drains through the curve, the grains carry all of it.
+struct SurfaceLoad {
+    Vector2 traction = Vector2::Zero(); // a dead load: it keeps its direction and its total, the traction on
+                                        // the curve as drawn [N/m2]
+    double pressure = 0.0;              // normal to the present surface and on its present length, positive
+                                        // onto the soil [Pa]
+    History history;
+};
+
+enum class MotionQuantity { velocity, displacement };
+enum class WallGrip {
+    rough,  // the grains take part in the wall's motion in both directions
+    smooth, // in that normal to the wall only
+};
+
+/// The motion of a moving boundary curve.
+struct WallMotion {
+    MotionQuantity quantity = MotionQuantity::velocity;
+    WallGrip grip = WallGrip::rough;
+    Vector2 value = Vector2::Zero(); // of a rough wall [m/s] or [m]
+    double inward = 0.0;             // of a smooth wall, normal to it and positive into the soil [m/s] or [m]
+    History history;
+};
+
+/// Rock or soil that goes on beyond a viscous boundary.
+struct HalfSpace {
+    double density = 0.0;                // rho [kg/m3]
+    double shear_wave_speed = 0.0;       // V_s [m/s]
+    double compression_wave_speed = 0.0; // V_p [m/s]
+};
+
+/// Still water beyond a curve, standing up to a height.
+struct WaterHead {
+    double head = 0.0; // y of its surface [m]
+};
+
+/// Pore pressure along a curve.
+struct PorePressure {
+    double pressure = 0.0; // with its static part, compression positive [Pa]
+};
+
+/// Still water up to a line, level beyond its ends; at every x as deep as the line is high there.
+struct WaterLine {
+    std::vector<Vector2> points; // from left to right, at least one [m]
+};
+
+/// y at x of a line from left to right, level beyond its ends [m].
+double elevation(const std::vector<Vector2>& line, double x);
+
+/// Water with a given pressure at a curve; the history is a factor on what it has beyond the water at rest.
+struct OuterWater {
+    std::variant<WaterHead, PorePressure, WaterLine> value;
+    History history;
+    std::optional<WaterLine> at_rest = {}; // none: the still water at the level
+};
+
+/// A piece of a boundary curve, carried by the particle beside it: straight between two points that keep
+/// their places in the particle's domain. Found by attach_boundaries (boundary_pieces.hpp).
+struct BoundaryPiece {
+    std::int32_t identifier = 0;     // lasting number of the particle [-]
+    Vector2 start = Vector2::Zero(); // local coordinates in the half edges, -1..1 in a whole domain [-]
+    Vector2 end = Vector2::Zero();
+    double length = 0.0;    // as drawn [m]
+    std::int32_t edge = -1; // of a cut domain's polygon, from the corner of this number; -1: a whole domain
+};
+
+/// One named boundary curve.
+struct Boundary {
+    std::string name;
+    SoilCondition soil = SoilCondition::free;
+    WaterCondition water = WaterCondition::drained;
+    std::vector<Segment> segments;
+    std::optional<SurfaceLoad> load = {};
+    std::optional<WallMotion> motion = {};      // of a moving curve
+    std::optional<HalfSpace> half_space = {};   // beyond a viscous curve; none: as the soil beside it
+    std::optional<OuterWater> outer_water = {}; // where the water is prescribed
+    std::vector<BoundaryPiece> pieces = {};     // none where nothing acts on the curve
+};
+
+/// Two vertical sides whose points of equal height move together, as in a laminar box.
+struct TiedSides {
+    std::string left, right; // names of the boundary curves
+    double x_left = 0.0;     // [m], on a grid line
+    double x_right = 0.0;    // [m], on a grid line
+    bool wraps = false;      // soil that leaves by one side comes in by the other
+};
+
+/// How the equations follow the motion of the soil.
+enum class StrainForm {
+    large, // weights, volumes and porosities are those of the present shape, stress turns with the soil
+    small, // all on the reference shape: the equations of linear consolidation and dynamics
+};
+
+/// How the two-phase step goes forward in time.
+enum class TimeScheme {
+    explicit_steps, // every balance from the old state; sound of the water limits dt
+    semi_implicit,  // the water's pressure and drag implicit together; waves of the skeleton limit dt
+};
+
+/// Immutable inputs of a run. Without `water` the scene is dry.
+struct Problem {
+    BackgroundGrid grid;
+    Interpolation interpolation = Interpolation::cpdi;
+    StrainForm strain = StrainForm::large;
+    TimeScheme scheme = TimeScheme::explicit_steps; // of a saturated body
+    double step_share = 1.0;                        // of the stable time step that is taken [-]
+    std::vector<Material> materials;
+    std::vector<std::string> region_names;
+    CutDomains cut_domains; // of the particles that an outline cuts
+    std::optional<Water> water;
+    double gravity = standard_gravity; // magnitude, acting in -y [m/s2]
+    BaseMotion base_motion;
+    std::vector<Boundary> boundaries;
+    std::vector<Segment> rim; // all edges of the soil as drawn, with a boundary or without: where walls end
+    std::optional<TiedSides> tied_sides;
+    /// Body force per mass on a point of a body of one phase, by its reference position and time; for
+    /// verification, none otherwise [m/s2].
+    std::function<Vector2(const Vector2&, double)> body_acceleration;
+};
+
+/// The water of a material's pores: none in a dry scene and above a phreatic line.
+const std::optional<Water>& water_of(const Problem& problem, const Material& material);
+
+/// Whether any material is not saturated in a scene with water.
+bool has_unsaturated_soil(const Problem& problem);
+
+/// How water flows in the scene; none: the scene is dry.
+std::optional<WaterFlow> water_flow(const Problem& problem);
+
+/// Size the arrays that the problem needs for `count` particles, at zero.
+void resize_particles(const Problem& problem, std::size_t count, Particles& particles);
+
+/// Static pressure of the still water at height y, zero above the level [Pa].
+double static_water_pressure(const Problem& problem, double y);
+
+/// Static pressure of water that stands up to a height, at height y, zero above [Pa].
+double pressure_below(const Problem& problem, double surface, double y);
+
+/// Excess over the still water that a boundary's outer water has at a point, its history having the value
+/// `factor` [Pa].
+double outer_excess_pressure(const Problem& problem, const OuterWater& outer, const Vector2& point,
+                             double factor = 1.0);
+
+/// Pore pressure beyond that of the water at the start of the shaking, whose table lay at the level or at a
+/// phreatic line; what the scene begins with as excess is counted [Pa].
+double risen_pore_pressure(const Problem& problem, const Particles& particles, std::size_t p);
+
+/// Modulus of water that holds air bubbles (Verruijt 1969): 1/K = S/K_w + (1-S)/p_air, with the saturation S
+/// and the absolute pressure p_air of the air, both constant [Pa].
+double modulus_with_air(double water_modulus, double saturation, double air_pressure);
+
+/// k at the porosity [m/s].
+inline double hydraulic_conductivity(const Material& material, double porosity)
+{
+    const double k = material.hydraulic_conductivity;
+    if (material.permeability_law == PermeabilityLaw::constant) return k;
+    const double J = (1.0 - material.porosity) / (1.0 - porosity); // volume over the initial volume
+    if (material.permeability_law == PermeabilityLaw::specific_volume_squared) return k * J * J;
+    const double ratio = porosity / material.porosity;
+    return k * ratio * ratio * ratio * J * J;
+}
+
+/// n^2 rho_w g_k, which over k is the drag [N/m3].
+inline double drag_weight(const Material& material, const Water& water, double porosity)
+{
+    return porosity * porosity * water.density * material.conductivity_gravity;
+}
+
+/// C = n^2 rho_w g_k / k(n), the drag between water and grains [N s/m4].
+inline double drag_coefficient(const Material& material, const Water& water, double porosity)
+{
+    return drag_weight(material, water, porosity) / hydraulic_conductivity(material, porosity);
+}
+
+/// Where the particles are in the equations: in small strain at their reference positions [m].
+inline const Vectors& place_in_equations(const Problem& problem, const Particles& particles)
+{
+    return problem.strain == StrainForm::small ? particles.reference_position : particles.position;
+}
+
+} // namespace quicksand

@@ -1,0 +1,159 @@
+// The forces that held a viscous curve at rest, as forces on its pieces: F_k = L_k sum_i w_ki y_i with
+// multipliers y of the nodes, such that sum_k w_ki F_k = R_i, by conjugate gradients. The matrix is that of a
+// mass along the curve; a few iterations reach rounding.
+#include "solver/run/held_reactions.hpp"
+
+#include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/step/single_phase_step.hpp"
+
+#include <algorithm>
+
+namespace quicksand {
+
+namespace {
+
+/// Where the force of one piece goes, and its length.
+struct PieceWeights {
+    double length = 0.0; // [m]
+    std::vector<std::pair<std::size_t, double>> shares;
+};
+
+std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State& state,
+                                            const NodeConditions& conditions)
+{
+    std::vector<PieceWeights> all;
+    ParticlePlaces places;
+    for (const Boundary& boundary : problem.boundaries) {
+        if (boundary.soil != SoilCondition::viscous) continue;
+        for (const BoundaryPiece& piece : boundary.pieces) {
+            const std::size_t p = places.find(state.particles, piece.identifier);
+            PieceWeights weights{piece.length, {}};
+            for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
+                                 [&](std::size_t i, double share) {
+                                     if (share != 0.0)
+                                         weights.shares.emplace_back(conditions.master[i], share);
+                                 });
+            all.push_back(std::move(weights));
+        }
+    }
+    return all;
+}
+
+/// F_k = L_k sum_i w_ki y_i over the released nodes.
+Scalars forces_of(const std::vector<PieceWeights>& pieces, const Scalars& multiplier)
+{
+    Scalars forces;
+    for (const PieceWeights& piece : pieces) {
+        double sum = 0.0;
+        for (const auto& [node, share] : piece.shares) sum += share * multiplier[node];
+        forces.push_back(piece.length * sum);
+    }
+    return forces;
+}
+
+/// sum_k w_ki F_k at the released nodes.
+Scalars sums_at_nodes(const std::vector<PieceWeights>& pieces, const std::vector<std::uint8_t>& released,
+                      const Scalars& forces)
+{
+    Scalars sums(released.size(), 0.0);
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        for (const auto& [node, share] : pieces[k].shares) {
+            if (released[node]) sums[node] += share * forces[k];
+        }
+    }
+    return sums;
+}
+
+double dot(const Scalars& a, const Scalars& b)
+{
+    double sum = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+    return sum;
+}
+
+/// Forces of the pieces whose sums at the released nodes are `wanted`, as near as the pieces reach.
+Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vector<std::uint8_t>& released,
+                         Scalars wanted)
+{
+    constexpr int most_iterations = 500;
+    constexpr double tolerance = 1e-30; // of the squared residual
+    constexpr double lost = 1e4;        // growth of the squared residual after which nothing better comes
+    const Scalars reach = sums_at_nodes(pieces, released, forces_of(pieces, Scalars(wanted.size(), 1.0)));
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+        if (!(reach[i] > 0.0)) wanted[i] = 0.0;
+    Scalars solution(wanted.size(), 0.0), residual = wanted, direction = wanted, best = solution;
+    double square = dot(residual, residual), least = square;
+    const double enough = tolerance * square;
+    for (int k = 0; k < most_iterations && square > enough && square < lost * least; ++k) {
+        const Scalars image = sums_at_nodes(pieces, released, forces_of(pieces, direction));
+        const double curvature = dot(direction, image);
+        if (!(curvature > 0.0)) break; // nothing of what is left can be reached
+        const double step = square / curvature;
+        for (std::size_t i = 0; i < solution.size(); ++i) {
+            solution[i] += step * direction[i];
+            residual[i] -= step * image[i];
+        }
+        const double next = dot(residual, residual);
+        for (std::size_t i = 0; i < solution.size(); ++i)
+            direction[i] = residual[i] + next / square * direction[i];
+        square = next;
+        if (square >= least) continue;
+        least = square;
+        best = solution;
+    }
+    return forces_of(pieces, best);
+}
+
+/// The nodes of the state at rest, with all forces, the pressure of the water included, and the rows of the
+/// walls.
+SinglePhaseWorkspace nodes_at_rest(const Problem& problem, const State& state)
+{
+    State held = state;
+    held.stage = Stage::relaxation;
+    held.reactions = {};
+    SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
+    locate_particles(problem, 0.0, held, work);
+    scatter_to_nodes(problem, 0.0, held, work);
+    constexpr double unit_time = 1.0; // forces stand for impulses
+    assemble_walls(problem, unit_time, work.sums, work);
+    return work;
+}
+
+} // namespace
+
+void hold_reactions(const Problem& problem, State& state)
+{
+    state.reactions = {};
+    const auto is_viscous = [](const Boundary& b) { return b.soil == SoilCondition::viscous; };
+    if (std::none_of(problem.boundaries.begin(), problem.boundaries.end(), is_viscous)) return;
+    const NodeConditions held = node_conditions(problem, Stage::relaxation),
+                         free = node_conditions(problem, Stage::shaking);
+    const std::vector<PieceWeights> pieces = weights_of_pieces(problem, state, held);
+    const SinglePhaseWorkspace rest = nodes_at_rest(problem, state);
+    const std::vector<SinglePhaseSums>& nodes = rest.sums;
+    const std::vector<Vector2> by_rows =
+        resting_reactions(problem, rest.walls, nodes, [&](const WallChain& chain) {
+            return is_viscous(problem.boundaries[chain.edges.front().boundary]);
+        });
+    for (const std::uint8_t fixed : {std::uint8_t{solid_x_fixed}, std::uint8_t{solid_y_fixed}}) {
+        std::vector<std::uint8_t> released(nodes.size(), 0);
+        Scalars wanted(nodes.size(), 0.0);
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            if (!nodes[i].active() || held.master[i] != i) continue;
+            released[i] = (held.of_node[i] & ~free.of_node[i] & fixed) != 0;
+            if (!released[i]) continue;
+            wanted[i] = fixed == solid_x_fixed ? -nodes[i].stress_force_x
+                                               : nodes[i].weight * problem.gravity - nodes[i].stress_force_y;
+        }
+        for (std::size_t k = 0; k < by_rows.size(); ++k) {
+            const std::size_t i = rest.walls.rows.nodes()[k];
+            if (by_rows[k].squaredNorm() == 0.0) continue;
+            released[i] = 1;
+            wanted[i] += fixed == solid_x_fixed ? by_rows[k].x() : by_rows[k].y();
+        }
+        (fixed == solid_x_fixed ? state.reactions.x : state.reactions.y) =
+            spread_on_pieces(pieces, released, wanted);
+    }
+}
+
+} // namespace quicksand

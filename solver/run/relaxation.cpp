@@ -1,0 +1,181 @@
+#include "solver/base/failure.hpp"
+#include "solver/motion/particle_order.hpp"
+#include "solver/problem/material_runs.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/run/unbalanced_forces.hpp"
+#include "solver/step/single_phase_step.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+#include <string_view>
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::int64_t steps_between_checks = 50;
+
+double out_of_balance(const Problem& problem, const SinglePhaseWorkspace& work)
+{
+    return unbalanced_forces(problem, 0.0, work.conditions, work.walls, work.sums);
+}
+
+void set_at_rest(Particles& particles)
+{
+    for_each_array(particles, [](const char* name, Scalars& values) {
+        if (std::string_view(name).starts_with("velocity")) std::fill(values.begin(), values.end(), 0.0);
+    });
+}
+
+bool has_cycle_memory(const Problem& problem)
+{
+    return std::any_of(problem.materials.begin(), problem.materials.end(), [](const Material& material) {
+        return std::holds_alternative<UbcSand>(material.law);
+    });
+}
+
+/// Pores keep their pressure while soil settles: let it be that of the water at the start of the shaking.
+void sink_water_table(const Problem& problem, Particles& particles)
+{
+    const double weight = problem.water ? problem.water->density * problem.gravity : 0.0; // [N/m3]
+    if (weight <= 0.0) return;
+    const auto total_head = [&](double y) { return y + static_water_pressure(problem, y) / weight; };
+    for (std::size_t p = 0; p < particles.water_table.size(); ++p) {
+        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+        particles.water_table[p] +=
+            total_head(particles.position.y[p]) - total_head(particles.reference_position.y[p]);
+    }
+}
+
+/// Call visit(sand, first, last) for every run of particles of one material of UBCSAND.
+template <class Visit>
+void for_each_sand_run(const Problem& problem, const Particles& particles, Visit&& visit)
+{
+    for_each_material_run(problem, particles, 0, particles.size(),
+                          [&](const Material& material, std::size_t first, std::size_t last) {
+                              if (const auto* sand = std::get_if<UbcSand>(&material.law))
+                                  visit(*sand, first, last);
+                          });
+}
+
+std::size_t count_at_failure(const Problem& problem, const Particles& particles)
+{
+    constexpr double rounding = 1e-9;
+    std::size_t count = 0;
+    for_each_sand_run(problem, particles, [&](const UbcSand& sand, std::size_t first, std::size_t last) {
+        const SymmetricTensors& stress = particles.stress;
+        for (std::size_t p = first; p < last; ++p) {
+            const double s = -0.5 * (stress.xx[p] + stress.yy[p]);
+            const double t = std::hypot(0.5 * (stress.xx[p] - stress.yy[p]), stress.xy[p]);
+            count += t >= (1.0 - rounding) * failure_shear(sand, s) ? 1U : 0U;
+        }
+    });
+    return count;
+}
+
+[[noreturn]] void fail_to_settle(const RelaxationControls& controls, double residual, double dt,
+                                 const State& state)
+{
+    std::ostringstream what;
+    what << "the soil does not settle: after " << state.step << " steps the out-of-balance force is "
+         << residual << " of the weight, the tolerance " << controls.tolerance;
+    FailureRecord record;
+    record.phase = "relaxation";
+    record.what = what.str();
+    record.causes =
+        "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
+        "small or max_steps too few";
+    record.step = state.step;
+    record.time_step = dt;
+    throw NumericalError(record);
+}
+
+} // namespace
+
+double out_of_balance(const Problem& problem, const State& state)
+{
+    State copy = state;
+    SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
+    copy.stage = Stage::relaxation;
+    locate_particles(problem, 0.0, copy, work);
+    scatter_to_nodes(problem, 0.0, copy, work);
+    constexpr double unit_time = 1.0; // forces stand for impulses
+    assemble_walls(problem, unit_time, work.sums, work);
+    return out_of_balance(problem, work);
+}
+
+Problem settling_problem(const Problem& problem)
+{
+    Problem settling = problem;
+    for (Material& material : settling.materials) {
+        const double buoyancy = water_of(problem, material) ? problem.water->density : 0.0;
+        const double cell_weight = (1.0 - material.porosity) * (material.grain_density - buoyancy) *
+                                   problem.gravity * problem.grid.cell_size;
+        if (const auto* sand = std::get_if<UbcSand>(&material.law)) {
+            material.law = SettlingSand{*sand, cell_weight};
+        }
+    }
+    return settling;
+}
+
+RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls, State& state,
+                       const std::function<void(std::int64_t, double)>& progress)
+{
+    const Problem problem = settling_problem(shaken);
+    if (state.stage != Stage::relaxation) {
+        state.stage = Stage::relaxation;
+        state.time = 0.0;
+        state.step = 0;
+        state.last_step = 0.0;
+    }
+    SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
+    RelaxationReport report;
+    for (;;) {
+        const double dt = stable_relaxation_step(problem, state.particles).dt;
+        advance_single_phase_step(problem, dt, controls.damping, state, work);
+        if (state.step % steps_between_checks != 0) continue;
+        check_particles(dt, state);
+        report.out_of_balance = out_of_balance(problem, work);
+        if (progress) progress(state.step, report.out_of_balance);
+        if (report.out_of_balance <= controls.tolerance) break;
+        if (state.step >= controls.max_steps) fail_to_settle(controls, report.out_of_balance, dt, state);
+    }
+    report.steps = state.step;
+    report.max_displacement = monitor(problem, state, {}).max_displacement;
+    report.at_failure = count_at_failure(shaken, state.particles);
+    set_at_rest(state.particles);
+    if (problem.strain == StrainForm::small) return_to_reference(state.particles);
+    begin_shaking(shaken, state);
+    return report;
+}
+
+std::size_t begin_shaking(const Problem& problem, State& state)
+{
+    std::size_t limited = 0;
+    if (has_cycle_memory(problem)) add_cycle_memory(state.particles);
+    for_each_sand_run(problem, state.particles,
+                      [&](const UbcSand& sand, std::size_t first, std::size_t last) {
+                          limited += start_memory(sand, first, last, state.particles);
+                      });
+    sink_water_table(problem, state.particles);
+    begin_shaking(state);
+    return limited;
+}
+
+void begin_shaking(State& state)
+{
+    state.stage = Stage::shaking;
+    state.time = 0.0;
+    state.step = 0;
+    state.last_step = 0.0;
+    reset_reference(state.particles);
+    for (std::size_t p = 0; p < state.particles.water_volume.size(); ++p)
+        state.particles.water_volume[p] = state.particles.porosity[p] * state.particles.volume[p];
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        state.particles.initial_vertical_effective_stress[p] = -state.particles.stress.yy[p];
+    }
+}
+
+} // namespace quicksand

@@ -1,0 +1,82 @@
+#include "solver/run/simulation.hpp"
+
+#include "solver/motion/particle_order.hpp"
+#include "solver/run/held_reactions.hpp"
+#include "solver/run/soil_column.hpp"
+#include "solver/step/stepper.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::int64_t steps_between_restarts = 32;
+
+/// Equal steps to the next event: the step is shortened a little each time rather than much at the end.
+TimeStep divide_evenly(TimeStep stable, double remaining)
+{
+    constexpr double rounding = 1e-6; // of a step: the last division is not split by rounding
+    const double steps = std::max(1.0, std::ceil(remaining / stable.dt - rounding));
+    if (steps == 1.0 && remaining < 0.5 * stable.dt) stable.limiter = TimeStepLimiter::output;
+    stable.dt = remaining / steps;
+    return stable;
+}
+
+/// Whether an observer that marks restarts waits for the state's time.
+bool marks_restart(const std::vector<Observer*>& observers, const State& state)
+{
+    return std::any_of(observers.begin(), observers.end(), [&](const Observer* observer) {
+        return observer->marks_restarts() && observer->next_time() <= state.time;
+    });
+}
+
+} // namespace
+
+double next_event(const std::vector<Observer*>& observers, double latest)
+{
+    double next = latest;
+    for (const Observer* observer : observers) next = std::min(next, observer->next_time());
+    return next;
+}
+
+void observe_due(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
+                 const StepReport& report)
+{
+    for (Observer* observer : observers) {
+        if (observer->next_time() <= state.time) observer->observe(problem, state, report);
+    }
+}
+
+void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
+         const std::function<bool()>& stop_requested)
+{
+    if (state.step == 0) hold_reactions(problem, state);
+    const std::unique_ptr<Stepper> stepper = make_stepper(problem);
+    StepReport report{state.step, state.time, {}, 0, true};
+    observe_due(problem, observers, state, report);
+    while (state.time < end_time) {
+        const double event = next_event(observers, end_time);
+        const TimeStep stable = stable_time_step(problem, state.particles);
+        report.time_step = divide_evenly(stable, event - state.time);
+        const bool arrives = report.time_step.dt >= event - state.time;
+        stepper->advance(problem, report.time_step.dt, state);
+        wrap_particles(problem, state.particles);
+        if (arrives) state.time = event; // hit exactly, without the sum's rounding
+        check_particles(report.time_step.dt, state);
+        report.step = state.step;
+        report.time = state.time;
+        report.limited_domains = stepper->limited_domains();
+        report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
+                                  state.step % steps_between_restarts == 0;
+        for (Observer* observer : observers) observer->after_step(report);
+        if (arrives) observe_due(problem, observers, state, report);
+        if (!report.is_restart_point) continue;
+        stepper->restart();
+        if (stop_requested && stop_requested()) break;
+    }
+    for (Observer* observer : observers) observer->finish();
+}
+
+} // namespace quicksand

@@ -1,0 +1,90 @@
+// The run: the stages, the loop over the steps, and the observers that look on. No file access.
+#pragma once
+
+#include "solver/measure/monitors.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+#include "solver/step/time_step_control.hpp"
+
+#include <functional>
+#include <vector>
+
+namespace quicksand {
+
+/// What an observer is told of the step just taken.
+struct StepReport {
+    std::int64_t step = 0;            // steps taken in the stage [-]
+    double time = 0.0;                // t at the end of the step [s]
+    TimeStep time_step;               // and its limiting reason
+    std::int64_t limited_domains = 0; // particle domains scaled down in the step, see domain_reach [-]
+    bool is_restart_point = false;    // a run resumed from here goes on with the same bits
+};
+
+/// Looks at the run without changing it. `observe` is called when the time `next_time` is hit exactly (the
+/// loop shortens dt for it), also at the start of the stage; `after_step` after every step.
+class Observer {
+public:
+    virtual ~Observer() = default;
+    /// Next time to observe [s], infinite when there is none.
+    virtual double next_time() const = 0;
+    /// Whether the run may be continued from the times it waits for. Those of histories lie close: setting up
+    /// anew there what serves many steps would cost more than the steps.
+    virtual bool marks_restarts() const { return true; }
+    /// The state stands at next_time(); the observer moves its next_time() on.
+    virtual void observe(const Problem& problem, const State& state, const StepReport& report) = 0;
+    virtual void after_step(const StepReport&) {}
+    /// The run has come to its end or was stopped: wait for what is still under way, and throw its failure.
+    virtual void finish() {}
+};
+
+/// The earliest time that one of the observers waits for, `latest` when none waits for an earlier one [s].
+double next_event(const std::vector<Observer*>& observers, double latest);
+
+/// Show the state to the observers that wait for its time.
+void observe_due(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
+                 const StepReport& report);
+
+struct RelaxationControls {
+    double damping = 0.7;             // local damping factor [-]
+    double tolerance = 1e-6;          // out-of-balance force / body force at which the stage ends [-]
+    std::int64_t max_steps = 200'000; // then the stage is a NumericalError [-]
+};
+
+/// Outcome of the relaxation stage.
+struct RelaxationReport {
+    std::int64_t steps = 0;        // [-]
+    double out_of_balance = 0.0;   // out-of-balance force / body force at the end [-]
+    double max_displacement = 0.0; // how far the soil moved while settling [m]
+    std::size_t at_failure = 0;    // particles whose shear stress is the largest their sand can carry [-]
+};
+
+/// Out-of-balance force / body force of the state, all forces in the norm sum_i |f_i| over the free
+/// directions of the nodes; without gravity, relative to the internal forces [-].
+double out_of_balance(const Problem& problem, const State& state);
+
+/// Settle under gravity, damped and with the pore pressures held; then velocities are zero, displacements are
+/// counted from the settled shape and sigma'_v0 is frozen. A state of the stage relaxation goes on where it
+/// stopped. `progress(steps, out_of_balance)` is called now and then, between two steps; it may throw to
+/// stop.
+RelaxationReport relax(const Problem& problem, const RelaxationControls& controls, State& state,
+                       const std::function<void(std::int64_t, double)>& progress = {});
+
+/// The problem while it settles under gravity: laws with a memory of cycles are replaced by what they are in
+/// a static stage.
+Problem settling_problem(const Problem& problem);
+
+/// The start of shaking: freeze sigma'_v0 from the present stress, set the reference of displacements, and
+/// let the memory of cycles begin where a material has one. Returns the number of particles whose stress was
+/// beyond what their material can carry and has been brought back to it.
+std::size_t begin_shaking(const Problem& problem, State& state);
+
+/// The same for a body whose laws have no memory.
+void begin_shaking(State& state);
+
+/// Run from state.time to end_time. Throws NumericalError. What serves several steps is set up anew at
+/// restart points: at the end, where observers look on that mark them, and every few dozen steps. There
+/// `stop_requested` is asked.
+void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
+         const std::function<bool()>& stop_requested = {});
+
+} // namespace quicksand

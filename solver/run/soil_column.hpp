@@ -1,0 +1,71 @@
+// One column of cells that stands for a body whose columns are all the same.
+//
+// Between tied sides columns a whole number of widths apart are the same column. When the initial state
+// repeats from cell to cell, and nothing that acts on the body tells its columns apart, a shift by one cell
+// maps the equations onto themselves and the initial state onto itself. Their solution is unique, so it
+// repeats from cell to cell for ever, and is that of one column whose sides are tied at a width of one cell.
+// Soil that leaves the column by one side comes in by the other. A run of all columns has the same answer
+// until soil drifts over its sides; there its outermost cells are filled in part only, those of the column
+// never. It also lets differences of rounding between columns grow, which one column does not have.
+#pragma once
+
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+#include "solver/run/simulation.hpp"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// The column, and how its particles repeat in the body.
+struct SoilColumn {
+    Problem problem; // one cell wide
+    State state;     // its particles are numbered anew
+    int columns = 1; // that it stands for [-]
+
+    std::vector<std::int32_t> source;     // of each particle of the body: its number in the column [-]
+    std::vector<std::int32_t> identifier; // of each particle of the body [-]
+    Scalars shift;                        // of each particle of the body from its source [m]
+    Scalars drawn_x;                      // of each number in the column: x at the beginning [m]
+};
+
+/// The column that stands for the body, or what keeps there from being one: empty for a body without tied
+/// sides, for which nobody asks. `state` is that at the start of a run.
+struct ColumnSearch {
+    std::optional<SoilColumn> column;
+    std::string obstacle;
+};
+
+ColumnSearch find_soil_column(const Problem& problem, const State& state);
+
+/// Let soil that has left a body with wrapping sides by one of them come in by the other.
+void wrap_particles(const Problem& problem, Particles& particles);
+
+/// The state of the whole body, in the order of its particles at the beginning: values repeat, positions have
+/// drifted as far as the soil has, sums of the ledger are those of all columns. Held reactions are left out.
+void widen(const SoilColumn& column, const State& narrow, State& wide);
+
+/// Shows observers the whole body while the column runs.
+class ColumnObserver : public Observer {
+public:
+    /// All outlive the observer; `body` is the problem that the column was found in.
+    ColumnObserver(const SoilColumn& column, const Problem& body, std::vector<Observer*> observers);
+
+    double next_time() const override;
+    void observe(const Problem& problem, const State& state, const StepReport& report) override;
+    void after_step(const StepReport& report) override;
+    void finish() override;
+
+private:
+    StepReport report_of_body(const StepReport& report) const;
+
+    const SoilColumn& column_;
+    const Problem& body_;
+    std::vector<Observer*> observers_;
+    State wide_;
+};
+
+} // namespace quicksand

@@ -1,0 +1,175 @@
+#include "solver/run/strength_reduction.hpp"
+
+#include "solver/base/failure.hpp"
+#include "solver/run/held_shape.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/step/time_step_control.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::int64_t steps_between_checks = 50;
+constexpr double growth = 1.25; // of the factor while the bracket is open
+
+struct HasStrength {
+    bool operator()(const MohrCoulomb&) const { return true; }
+    bool operator()(const UbcSand&) const { return true; }
+    bool operator()(const SettlingSand&) const { return true; }
+    template <class Law>
+    bool operator()(const Law&) const
+    {
+        return false;
+    }
+};
+
+/// gamma H^2 / G of the softest material, gamma that of the grains alone: the size of elastic displacements
+/// [m].
+double elastic_displacement(const Problem& problem, const Particles& particles)
+{
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
+    double mass = 0.0, volume = 0.0, softest = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        lowest = std::min(lowest, particles.position.y[p]);
+        highest = std::max(highest, particles.position.y[p]);
+        mass += particles.mass_solid[p];
+        volume += particles.volume[p];
+    }
+    for (const Material& material : problem.materials) {
+        softest =
+            std::min(softest, std::visit([](const auto& law) { return shear_modulus(law); }, material.law));
+    }
+    const double height = highest - lowest;
+    return mass / volume * problem.gravity * height * height / softest;
+}
+
+/// Time of the slowest shear wave along the width and the height of the grid [s].
+double shear_crossing_time(const Problem& problem)
+{
+    double slowest = std::numeric_limits<double>::infinity();
+    for (const Material& material : problem.materials)
+        slowest =
+            std::min(slowest, wave_speeds(material, water_of(problem, material), material.porosity).shear);
+    return problem.grid.cell_size * (problem.grid.cells_x + problem.grid.cells_y) / slowest;
+}
+
+/// The trials of one body.
+class StrengthReduction {
+public:
+    StrengthReduction(const Problem& problem, const StrengthReductionControls& controls, State& state)
+        : problem_(problem), controls_(controls), state_(state), shape_(hold_shape(problem, state)),
+          largest_displacement_(controls.largest_displacement *
+                                elastic_displacement(problem, state.particles)),
+          crossing_time_(shear_crossing_time(problem))
+    {
+    }
+
+    /// Relax with the strength divided by `factor`; the state moves on when the body stands.
+    StrengthTrial relax(double factor)
+    {
+        const Problem weaker = with_reduced_strength(problem_, factor);
+        const double dt = stable_relaxation_step(weaker, state_.particles).dt;
+        const double acceleration = -controls_.seismic_coefficient * problem_.gravity;
+        Particles trial_particles = state_.particles;
+        HeldShape trial_shape = shape_;
+        StrengthTrial trial;
+        trial.factor = factor;
+        const auto most_steps = static_cast<std::int64_t>(controls_.crossings * crossing_time_ / dt);
+        while (trial.steps < most_steps && trial.displacement < largest_displacement_ && !trial.stands) {
+            for (std::int64_t step = 0; step < steps_between_checks; ++step, ++trial.steps)
+                advance_held_shape(weaker, dt, controls_.damping, acceleration, trial_particles, trial_shape);
+            trial.displacement = largest_displacement(problem_, trial_shape);
+            trial.out_of_balance = out_of_balance(problem_, acceleration, trial_shape);
+            if (!std::isfinite(trial.out_of_balance)) fail(trial, dt, "the stresses are not numbers");
+            trial.stands = trial.out_of_balance <= controls_.settled;
+        }
+        if (!trial.stands) {
+            failure_ = std::move(trial_particles);
+            displace(problem_, trial_shape, failure_);
+            return trial;
+        }
+        state_.particles = std::move(trial_particles);
+        shape_ = std::move(trial_shape);
+        set_at_rest(shape_);
+        if (!has_stood_) reset_displacement(shape_);
+        has_stood_ = true;
+        return trial;
+    }
+
+    /// The particles displaced as in the last trial that failed.
+    Particles failure() && { return std::move(failure_); }
+
+    [[noreturn]] void fail(const StrengthTrial& trial, double dt, const std::string& what) const
+    {
+        FailureRecord record;
+        record.phase = "strength reduction";
+        record.what = what;
+        record.causes = "a wall is missing among the boundaries; the soil is far too weak for its weight";
+        record.step = trial.steps;
+        record.time_step = dt;
+        throw NumericalError(record);
+    }
+
+private:
+    const Problem& problem_;
+    const StrengthReductionControls& controls_;
+    State& state_;
+    HeldShape shape_;
+    double largest_displacement_; // [m]
+    double crossing_time_;        // of a shear wave along the grid's width and height [s]
+    bool has_stood_ = false;
+    Particles failure_;
+};
+
+} // namespace
+
+bool has_strength(const Problem& problem)
+{
+    return std::any_of(problem.materials.begin(), problem.materials.end(),
+                       [](const Material& material) { return std::visit(HasStrength{}, material.law); });
+}
+
+Problem with_reduced_strength(const Problem& problem, double factor)
+{
+    Problem weaker = settling_problem(problem);
+    for (Material& material : weaker.materials) {
+        if (auto* law = std::get_if<MohrCoulomb>(&material.law)) *law = reduced(*law, factor);
+        if (auto* law = std::get_if<SettlingSand>(&material.law)) *law = reduced(*law, factor);
+    }
+    return weaker;
+}
+
+SafetyFactor safety_factor(const Problem& problem, const StrengthReductionControls& controls, State& state,
+                           const std::function<void(const StrengthTrial&)>& progress)
+{
+    StrengthReduction reduction(problem, controls, state);
+    SafetyFactor result;
+    result.fails = std::numeric_limits<double>::infinity();
+    double factor = 1.0;
+    for (;;) {
+        const StrengthTrial trial = reduction.relax(factor);
+        result.trials.push_back(trial);
+        if (progress) progress(trial);
+        (trial.stands ? result.stands : result.fails) = factor;
+        if (result.stands == 0.0) {
+            factor /= growth;
+            if (factor * controls.greatest_factor < 1.0)
+                reduction.fail(trial, 0.0, "the body does not stand, however strong its soil");
+        } else if (std::isinf(result.fails)) {
+            if (factor >= controls.greatest_factor) break;
+            factor = std::min(growth * factor, controls.greatest_factor);
+        } else {
+            factor = 0.5 * (result.stands + result.fails);
+            if (result.fails - result.stands <= controls.tolerance * factor) break;
+        }
+    }
+    result.factor = std::isinf(result.fails) ? result.stands : 0.5 * (result.stands + result.fails);
+    result.failure = std::move(reduction).failure();
+    return result;
+}
+
+} // namespace quicksand

@@ -1,0 +1,58 @@
+// The factor of safety of a slope by strength reduction: the number by which cohesion and tan(friction) have
+// to be divided for the slope to fail under its weight (Zienkiewicz, Humpheson and Lewis 1975; Griffiths and
+// Lane 1999).
+//
+// For every factor the body relaxes under gravity with damping, in a shape that is held, from the stress in
+// which it stood with the last factor. It stands when the forces come to balance, and fails when they do not:
+// then the displacement runs away, by far beyond that of an elastic body. The factor is found by bisection.
+#pragma once
+
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace quicksand {
+
+struct StrengthReductionControls {
+    double tolerance = 0.005;          // width of the last bracket over the factor [-]
+    double settled = 1e-5;             // out-of-balance force over weight at which the slope stands [-]
+    double damping = 0.7;              // local damping factor [-]
+    double largest_displacement = 1.0; // over gamma H^2 / G, at which the slope has failed [-]
+    double crossings = 30.0; // a body that has not settled when a shear wave has crossed the grid's width and
+                             // height so many times does not stand [-]
+    double seismic_coefficient = 0.0; // k_h, horizontal force towards +x over weight [-]
+    double greatest_factor = 32.0;    // beyond which the slope is safe [-]
+};
+
+/// What became of the body with one factor.
+struct StrengthTrial {
+    double factor = 0.0; // F [-]
+    bool stands = false;
+    double displacement = 0.0;   // largest, since the first trial in which the body stood [m]
+    double out_of_balance = 0.0; // out-of-balance force over weight at the end [-]
+    std::int64_t steps = 0;
+};
+
+struct SafetyFactor {
+    double factor = 0.0;               // middle of the bracket [-]
+    double stands = 0.0, fails = 0.0;  // the bracket; fails is infinite above the greatest factor [-]
+    std::vector<StrengthTrial> trials; // in the order in which they were made
+    Particles failure; // displaced as in the last trial that failed, none when no trial failed
+};
+
+/// The problem with its strengths divided; laws without strength stay as they are.
+Problem with_reduced_strength(const Problem& problem, double factor);
+
+/// Whether the problem has a material whose strength can be reduced.
+bool has_strength(const Problem& problem);
+
+/// The factor of safety of a body at rest, its stress being the initial one. The pore pressure is held: what
+/// exceeds the static one takes part. `state` keeps its shape and becomes that of the last factor at which
+/// the body stood. Throws NumericalError, also when no factor down to 1 / greatest_factor lets it stand.
+SafetyFactor safety_factor(const Problem& problem, const StrengthReductionControls& controls, State& state,
+                           const std::function<void(const StrengthTrial&)>& progress = {});
+
+} // namespace quicksand

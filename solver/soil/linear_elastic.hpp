@@ -1,0 +1,34 @@
+// Isotropic linear elasticity in rate form: the objective (Jaumann) rate of the effective stress is linear
+// in the strain rate.
+#pragma once
+
+#include "solver/particles/particle_moduli.hpp"
+#include "solver/particles/particles.hpp"
+
+#include <cstddef>
+
+namespace quicksand {
+
+struct LinearElastic {
+    double shear_modulus = 0.0; // G [Pa]
+    double poisson_ratio = 0.0; // nu, drained [-]
+};
+
+/// lambda = 2 G nu / (1 - 2 nu) [Pa]
+double lame_modulus(const LinearElastic& law);
+
+/// M = lambda + 2 G, the stiffest response to one-dimensional strain [Pa]
+double constrained_modulus(const LinearElastic& law);
+
+/// G [Pa]
+double shear_modulus(const LinearElastic& law);
+
+/// Of the particles [first, last): all the same.
+ParticleModuli particle_moduli(const LinearElastic& law, std::size_t first, std::size_t last,
+                               const Particles& particles);
+
+/// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
+void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
+                   Particles& particles);
+
+} // namespace quicksand

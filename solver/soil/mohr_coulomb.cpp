@@ -1,0 +1,109 @@
+#include "solver/soil/mohr_coulomb.hpp"
+
+#include "solver/soil/linear_elastic.hpp"
+#include "solver/soil/mohr_coulomb_surface.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+using Eigen::Vector3d;
+
+LinearElastic elastic_part(const MohrCoulomb& law)
+{
+    return {law.shear_modulus, law.poisson_ratio};
+}
+
+/// Replace the trial stress of a particle, outside the surface, by the stress to which it returns.
+void return_particle(const MohrCoulombSurface& surface, std::size_t p, SymmetricTensors& stress)
+{
+    const double centre = 0.5 * (stress.xx[p] + stress.yy[p]);
+    const double half = 0.5 * (stress.xx[p] - stress.yy[p]), shear = stress.xy[p];
+    const double radius = std::sqrt(half * half + shear * shear);
+    const double upper = centre + radius, lower = centre - radius, out_of_plane = stress.zz[p];
+    // place of the out-of-plane stress among the three
+    const int place = out_of_plane >= upper ? 0 : out_of_plane >= lower ? 1 : 2;
+    const int first = place == 0 ? 1 : 0, second = place == 2 ? 1 : 2;
+    Vector3d trial;
+    trial[place] = out_of_plane;
+    trial[first] = upper;
+    trial[second] = lower;
+    const Vector3d returned = surface.return_from(trial);
+    const double new_centre = 0.5 * (returned[first] + returned[second]);
+    const double shrink = radius > 0.0 ? 0.5 * (returned[first] - returned[second]) / radius : 0.0;
+    stress.xx[p] = new_centre + shrink * half;
+    stress.yy[p] = new_centre - shrink * half;
+    stress.xy[p] = shrink * shear;
+    stress.zz[p] = returned[place];
+}
+
+} // namespace
+
+double surface_tip(const MohrCoulomb& law)
+{
+    const double tangent = std::tan(law.friction_angle);
+    return tangent > 0.0 ? law.cohesion / tangent : std::numeric_limits<double>::infinity();
+}
+
+MohrCoulomb reduced(const MohrCoulomb& law, double factor)
+{
+    MohrCoulomb weaker = law;
+    weaker.cohesion = law.cohesion / factor;
+    weaker.tension_strength = law.tension_strength / factor;
+    weaker.friction_angle = std::atan(std::tan(law.friction_angle) / factor);
+    weaker.dilation_angle = std::min(law.dilation_angle, weaker.friction_angle);
+    return weaker;
+}
+
+double lame_modulus(const MohrCoulomb& law)
+{
+    return lame_modulus(elastic_part(law));
+}
+
+double constrained_modulus(const MohrCoulomb& law)
+{
+    return constrained_modulus(elastic_part(law));
+}
+
+double shear_modulus(const MohrCoulomb& law)
+{
+    return law.shear_modulus;
+}
+
+ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t, std::size_t, const Particles&)
+{
+    return {constrained_modulus(law), constrained_modulus(law)};
+}
+
+void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::size_t last,
+                   Particles& particles)
+{
+    constexpr std::size_t block = 64; // particles checked at a time [-]
+    update_stress(elastic_part(law), dt, first, last, particles);
+    const MohrCoulombSurface surface(law);
+    SymmetricTensors& stress = particles.stress;
+    std::array<double, block> excess;
+    for (; first < last; first += std::min(block, last - first)) {
+        const std::size_t count = std::min(block, last - first);
+        double largest_excess = -1.0;
+        for (std::size_t k = 0; k < count; ++k) {
+            const std::size_t p = first + k;
+            const double centre = 0.5 * (stress.xx[p] + stress.yy[p]);
+            const double half = 0.5 * (stress.xx[p] - stress.yy[p]);
+            const double radius = std::sqrt(half * half + stress.xy[p] * stress.xy[p]);
+            excess[k] = surface.excess(std::max(centre + radius, stress.zz[p]),
+                                       std::min(centre - radius, stress.zz[p]));
+            largest_excess = std::max(largest_excess, excess[k]);
+        }
+        if (largest_excess <= 0.0) continue;
+        for (std::size_t k = 0; k < count; ++k) {
+            if (excess[k] > 0.0) return_particle(surface, first + k, stress);
+        }
+    }
+}
+
+} // namespace quicksand

@@ -1,0 +1,50 @@
+// Linear elasticity with the perfectly plastic surface of Mohr and Coulomb and a cut-off of tension, in rate
+// form: strength of friction and cohesion, without liquefaction.
+//
+// With principal stresses s_1 >= s_2 >= s_3 (tension positive; the out-of-plane stress is one of them)
+//   shear    (1 + sin phi) s_i - (1 - sin phi) s_j <= 2 c cos phi   for i < j
+//   tension  s_i <= t
+// Plastic strain on a shear plane goes along (1 + sin psi) e_i - (1 - sin psi) e_j, on a tension plane along
+// e_i. The elastic trial stress returns to the surface by the implicit rule of Koiter, in closed form on
+// every plane, edge and corner (surface and its edges: de Souza Neto, Peric and Owen 2008, chapter 8).
+#pragma once
+
+#include "solver/particles/particle_moduli.hpp"
+#include "solver/particles/particles.hpp"
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <limits>
+
+namespace quicksand {
+
+struct MohrCoulomb {
+    double shear_modulus = 0.0;  // G [Pa]
+    double poisson_ratio = 0.0;  // nu, drained [-]
+    double cohesion = 0.0;       // c [Pa]
+    double friction_angle = 0.0; // phi [rad]
+    double dilation_angle = 0.0; // psi, at most phi [rad]
+    /// t; the surface itself ends in tension at c / tan phi, beyond which t has no meaning [Pa].
+    double tension_strength = std::numeric_limits<double>::infinity();
+};
+
+/// Largest mean tension that cohesion and friction allow: c / tan phi, infinite without friction [Pa].
+double surface_tip(const MohrCoulomb& law);
+
+/// The law with cohesion and tan(friction) divided by `factor`, and what has to follow: the dilation angle is
+/// at most the friction angle. The tension strength is cohesion's kin and is divided, too.
+MohrCoulomb reduced(const MohrCoulomb& law, double factor);
+
+double lame_modulus(const MohrCoulomb& law);        // lambda [Pa]
+double constrained_modulus(const MohrCoulomb& law); // lambda + 2 G, elastic [Pa]
+double shear_modulus(const MohrCoulomb& law);       // G [Pa]
+
+/// Of the particles [first, last): the elastic modulus, for plastic flow only softens.
+ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t first, std::size_t last,
+                               const Particles& particles);
+
+/// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
+void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::size_t last,
+                   Particles& particles);
+
+} // namespace quicksand

@@ -1,0 +1,31 @@
+// Compressible neo-Hookean elasticity, for verification at large strain:
+//   P = lambda ln J F^-T + mu (F - F^-T),  sigma = [lambda ln J I + mu (F F^T - I)] / J
+// in plane strain (F_zz = 1). The stress follows from the deformation since the reference, not from rates:
+// the body is free of stress as drawn, and a stage that sets a new reference loses its stress.
+#pragma once
+
+#include "solver/particles/particle_moduli.hpp"
+#include "solver/particles/particles.hpp"
+
+#include <cstddef>
+
+namespace quicksand {
+
+struct NeoHookean {
+    double shear_modulus = 0.0; // mu [Pa]
+    double poisson_ratio = 0.0; // at small strain [-]
+};
+
+double lame_modulus(const NeoHookean& law);        // lambda [Pa]
+double constrained_modulus(const NeoHookean& law); // lambda + 2 mu, at small strain [Pa]
+double shear_modulus(const NeoHookean& law);       // mu [Pa]
+
+/// Of the particles [first, last) at their present stretches.
+ParticleModuli particle_moduli(const NeoHookean& law, std::size_t first, std::size_t last,
+                               const Particles& particles);
+
+/// Set the stress of the particles [first, last) from their deformation gradients.
+void update_stress(const NeoHookean& law, double dt, std::size_t first, std::size_t last,
+                   Particles& particles);
+
+} // namespace quicksand

@@ -1,0 +1,134 @@
+#include "solver/soil/ubcsand.hpp"
+
+#include "solver/soil/ubcsand_flow.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+namespace quicksand {
+
+namespace {
+
+double mean_stress(const UbcSand& law, const UbcSandState& state)
+{
+    return ubcsand::larger(0.5 * (state.sigma_x + state.sigma_y), law.s_min);
+}
+
+ubcsand::Moduli present_moduli(const UbcSand& law, const UbcSandState& state)
+{
+    const double s = mean_stress(law, state);
+    return law.square_roots ? ubcsand::elastic_moduli<true>(law, s) : ubcsand::elastic_moduli<false>(law, s);
+}
+
+template <bool square_roots, Integration order>
+void advance(const UbcSand& law, ubcsand::Strain remaining, UbcSandState& state)
+{
+    for (double budget = ubcsand::most_substeps; budget > 0.0; budget -= 1.0) {
+        const ubcsand::Substep substep =
+            ubcsand::next_substep<square_roots, order>(law, state, budget, remaining);
+        const ubcsand::Trial trial = ubcsand::elastic_trial<order>(law, state, substep.start, substep.strain);
+        if (trial.plastic) {
+            ubcsand::finish_plastic<order>(law, trial, state);
+        } else {
+            ubcsand::finish_elastic(law, trial, state);
+        }
+        if (substep.last) return;
+    }
+}
+
+template <Integration order>
+void advance(const UbcSand& law, const ubcsand::Strain& strain, UbcSandState& state)
+{
+    if (law.square_roots) {
+        advance<true, order>(law, strain, state);
+    } else {
+        advance<false, order>(law, strain, state);
+    }
+}
+
+} // namespace
+
+UbcSand make_ubcsand(const UbcSandParameters& parameters)
+{
+    check(parameters);
+    const UbcSandParameters& m = parameters;
+    const double degree = std::numbers::pi / 180.0;
+    UbcSand law;
+    law.G_atm = m.elastic_shear_number * atmospheric_pressure;
+    law.B_atm = m.elastic_bulk_number * atmospheric_pressure;
+    law.Gp_atm = m.plastic_shear_number * atmospheric_pressure;
+    law.ne = m.elastic_shear_exponent;
+    law.me = m.elastic_bulk_exponent;
+    law.np = m.plastic_shear_exponent;
+    law.sin_cv = std::sin(m.constant_volume_friction_deg * degree);
+    law.eta_f = std::sin(m.peak_friction_deg * degree);
+    law.R = m.failure_ratio / law.eta_f;
+    law.a = m.cohesion / std::tan(m.peak_friction_deg * degree);
+    law.h1 = m.virgin_factor;
+    law.h2 = m.secondary_factor;
+    law.s0 = m.secondary_start;
+    law.s1 = m.secondary_growth;
+    law.tolerance_squared = m.reversal_tolerance * m.reversal_tolerance;
+    law.ripple_squared = m.ripple_strain * m.ripple_strain;
+    law.a_dil_log2 = m.dilation_softening * std::numbers::log2e;
+    law.fac_post = m.softened_factor;
+    law.s_min = m.stress_floor;
+    law.static_poisson = m.static_poisson_ratio;
+    law.per_ratio_step = 1.0 / m.largest_ratio_step;
+    law.per_excursion_step = std::max(law.per_ratio_step, 1.0 / std::max(m.reversal_tolerance, 1e-6));
+    law.per_stress_step = 1.0 / m.largest_stress_step;
+    law.largest_specific_volume = m.largest_specific_volume;
+    law.smallest_specific_volume = m.smallest_specific_volume;
+    law.resolved = m.resolved_floors * m.stress_floor;
+    law.integration = m.integration;
+    law.square_roots = law.ne == 0.5 && law.me == 0.5;
+    return law;
+}
+
+void begin_shaking(const UbcSand& law, UbcSandState& state)
+{
+    const double sb = mean_stress(law, state) + law.a;
+    UbcSandState fresh;
+    fresh.sigma_x = state.sigma_x;
+    fresh.sigma_y = state.sigma_y;
+    fresh.sigma_z = state.sigma_z;
+    fresh.tau_xy = state.tau_xy;
+    fresh.peak_x = 0.5 * (state.sigma_x - state.sigma_y) / sb;
+    fresh.peak_y = state.tau_xy / sb;
+    fresh.eta_max = std::sqrt(fresh.peak_x * fresh.peak_x + fresh.peak_y * fresh.peak_y);
+    fresh.origin_x = fresh.peak_x;
+    fresh.origin_y = fresh.peak_y;
+    fresh.branch = ubcsand::loading;
+    state = fresh;
+}
+
+void turn(double spin, UbcSandState& state)
+{
+    const ubcsand::Rotation rotation = ubcsand::rotation_of(spin);
+    ubcsand::turn_stress(rotation, state);
+    ubcsand::turn_memory(rotation, state);
+}
+
+void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState& state)
+{
+    turn(increment.spin, state);
+    const ubcsand::Strain strain =
+        ubcsand::borne(law, state, {increment.strain_x, increment.strain_y, increment.shear});
+    if (law.integration == Integration::first_order) {
+        advance<Integration::first_order>(law, strain, state);
+    } else {
+        advance<Integration::second_order>(law, strain, state);
+    }
+}
+
+double shear_modulus(const UbcSand& law, const UbcSandState& state)
+{
+    return present_moduli(law, state).G;
+}
+
+double constrained_modulus(const UbcSand& law, const UbcSandState& state)
+{
+    return present_moduli(law, state).E1;
+}
+
+} // namespace quicksand

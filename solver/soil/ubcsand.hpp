@@ -1,0 +1,154 @@
+// UBCSAND for one point and for arrays of points: effective stress of sand that contracts and dilates under
+// cyclic shear, so that its pore water gains pressure and the sand liquefies.
+//
+// What       Radial yield loci in stress ratio that the stress drags along, a hyperbola of hardening, the
+//            flow rule sin psi = eta - sin phi_cv, a Mohr-Coulomb limit, elastic unloading, stiff reloading,
+//            softening after dilation. Parameters and reference: ubcsand_parameters.hpp; equations:
+//            ubcsand_kernel.hpp.
+// Units/signs  UbcSandState and UbcSandIncrement are compression positive, as the model is published; the
+//            arrays of points are tension positive, as everywhere else. Shear strain is engineering shear.
+// Limits     Start from a stress inside the failure limit (K_0 of 0.5; elastic gravity loading with these
+//            moduli gives 0.016). Turning of the principal stresses at constant ratio causes no plastic
+//            strain. Ripples are no half cycles where the parameters have a strain of ripples, as in runs,
+//            and the locus stays at the last true reversal; those of unloading contract the sand a little.
+#pragma once
+
+#include "solver/particles/particle_moduli.hpp"
+#include "solver/soil/ubcsand_parameters.hpp"
+
+#include <cstddef>
+
+namespace quicksand {
+
+/// The law made ready: parameters as the kernel uses them. Make it with `make_ubcsand` only.
+struct UbcSand {
+    double G_atm, B_atm, Gp_atm;     // elastic shear, elastic bulk and plastic shear modulus at s = P_a [Pa]
+    double ne, me, np;               // their exponents [-]
+    double sin_cv, eta_f;            // sin phi_cv, sin phi_f [-]
+    double R;                        // R_f / eta_f [-]
+    double a;                        // c cot phi_f, shift of the mean stress [Pa]
+    double h1, h2, s0, s1;           // factors of the plastic modulus [-]
+    double tolerance_squared;        // reversal tolerance, squared [-]
+    double ripple_squared;           // strain of a ripple, squared [-]
+    double a_dil_log2;               // softening after dilation, as a power of 2 [-]
+    double fac_post;                 // least factor after dilation [-]
+    double s_min;                    // stress floor [Pa]
+    double static_poisson;           // nu while settling under gravity [-]
+    double per_ratio_step;           // 1 / largest elastic change of the stress ratio in a substep [-]
+    double per_excursion_step;       // the same while an excursion may still be tiny [-]
+    double per_stress_step;          // 1 / largest relative elastic change of s in a substep [-]
+    double largest_specific_volume;  // of the loosest sand, per mass of grains [m3/kg]
+    double smallest_specific_volume; // of the densest [m3/kg]
+    double resolved;                 // mean stress below which substeps are as long as there [Pa]
+    Integration integration;         // of the substeps
+    bool square_roots;               // ne = me = 1/2
+};
+
+/// Stress and memory of a point. A new point has the memory `begin_shaking` gives.
+struct UbcSandState {
+    double sigma_x = 0.0;     // effective stress, compression positive [Pa]
+    double sigma_y = 0.0;     // [Pa]
+    double sigma_z = 0.0;     // [Pa]
+    double tau_xy = 0.0;      // [Pa]
+    double eta_max = 0.0;     // largest stress ratio so far [-]
+    double branch = 2.0;      // 0 just reversed, 0.5 strain too, 1 far from there, 1.5 in a ripple, 2 loading
+    double peak_x = 0.0;      // r where the stress last turned: (sigma_x - sigma_y)/2 over s [-]
+    double peak_y = 0.0;      //                                 tau_xy over s [-]
+    double origin_x = 0.0;    // the same for the last turn that was not a ripple's [-]
+    double origin_y = 0.0;    // [-]
+    double leg_x = 0.0;       // strain from where it last reversed to its farthest point, eps_x - eps_y [-]
+    double leg_y = 0.0;       //                                                           gamma_xy [-]
+    double back_x = 0.0;      // and back from there, eps_x - eps_y [-]
+    double back_y = 0.0;      //                      gamma_xy [-]
+    double last_leg = 0.0;    // length of the leg before, squared [-]
+    double waiting = 0.0;     // 1 a reversal of the strain for loading, -1 loading for a reversal, 0 none
+    double half_cycles = 0.0; // n, reversals that were followed by loading [-]
+    double dilation = 0.0;    // g_dil, plastic shear strain in dilation [-]
+    double active_dilation = 0.0; // its value at the last counted half cycle, which softens the branch [-]
+    // bounds of D, given and not remembered: -1, or 0 where the sand is at its loosest, and 1, or 0 where it
+    // is at its densest [-]
+    double least_contraction = -1.0, most_contraction = 1.0;
+};
+
+/// A strain increment, compression positive, and the rotation that comes with it.
+struct UbcSandIncrement {
+    double strain_x = 0.0, strain_y = 0.0; // [-]
+    double shear = 0.0;                    // d gamma_xy, of the sign of tau_xy [-]
+    double spin = 0.0;                     // (L_yx - L_xy) dt / 2, counterclockwise [rad]
+};
+
+UbcSand make_ubcsand(const UbcSandParameters& parameters);
+
+/// Start of the dynamic stage: the present stress is the last peak, and nothing has dilated yet.
+void begin_shaking(const UbcSand& law, UbcSandState& state);
+
+/// Advance a point by a strain increment.
+///
+///  1  turn the stress and what is remembered of ratios and strains by the spin
+///  2  divide the increment into substeps; for each of them
+///  3  elastic moduli at the present mean stress, not below the floor
+///  4  elastic trial
+///  5  ratio of the yield locus: dragged along, or at the last reversal for a tiny excursion from it
+///  6  the trial's mean stress is not below the floor
+///  7  inside the locus: elastic; the first such substep after loading is a reversal, which is remembered
+///  8  outside: loading after a reversal counts a half cycle, the plastic modulus follows from memory, the
+///     stress returns to the hardened locus, to the failure line, or flows at the stress floor
+///  9  out-of-plane stress; strain in dilation
+/// 10  stress in the direction of the trial, largest ratio
+///
+/// With a strain of ripples a half cycle needs, besides loading after a reversal, that the strain itself has
+/// turned and gone that far back, or a quarter of the longer of its last two legs when that is less. Until
+/// then unloading is an excursion, which reloads elastically.
+void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState& state);
+
+/// Step 1 alone. Tangent of half the angle is half the spin (Hughes and Winget 1980).
+void turn(double spin, UbcSandState& state);
+
+/// G [Pa] of unloading at the present stress.
+double shear_modulus(const UbcSand& law, const UbcSandState& state);
+
+/// E1 = K' + G = B + 4G/3 [Pa] with d s = K' d eps_v, the stiffest response at the present stress: unloading
+/// in one dimension.
+double constrained_modulus(const UbcSand& law, const UbcSandState& state);
+
+/// Points as structure of arrays, tension positive. None of the arrays may overlap.
+struct UbcSandArrays {
+    const double *L_xx, *L_xy, *L_yx, *L_yy;               // velocity gradient [1/s]
+    double *stress_xx, *stress_yy, *stress_zz, *stress_xy; // effective stress [Pa]
+    double *eta_max, *branch, *peak_x, *peak_y;            // memory as in UbcSandState and of its signs
+    double *origin_x, *origin_y, *leg_x, *leg_y, *back_x, *back_y, *last_leg, *waiting;
+    double *half_cycles, *dilation, *active_dilation;
+    const double *volume, *mass_solid; // [m3/m, kg/m], which tell where the sand is at its loosest or densest
+
+    UbcSandState state(std::size_t p) const
+    {
+        return {-stress_xx[p], -stress_yy[p],  -stress_zz[p], -stress_xy[p],     eta_max[p],
+                branch[p],     peak_x[p],      peak_y[p],     origin_x[p],       origin_y[p],
+                leg_x[p],      leg_y[p],       back_x[p],     back_y[p],         last_leg[p],
+                waiting[p],    half_cycles[p], dilation[p],   active_dilation[p]};
+    }
+
+    void set(std::size_t p, const UbcSandState& state) const
+    {
+        stress_xx[p] = -state.sigma_x, stress_yy[p] = -state.sigma_y, stress_zz[p] = -state.sigma_z;
+        stress_xy[p] = -state.tau_xy;
+        eta_max[p] = state.eta_max, branch[p] = state.branch;
+        peak_x[p] = state.peak_x, peak_y[p] = state.peak_y;
+        origin_x[p] = state.origin_x, origin_y[p] = state.origin_y;
+        leg_x[p] = state.leg_x, leg_y[p] = state.leg_y;
+        back_x[p] = state.back_x, back_y[p] = state.back_y;
+        last_leg[p] = state.last_leg, waiting[p] = state.waiting;
+        half_cycles[p] = state.half_cycles;
+        dilation[p] = state.dilation, active_dilation[p] = state.active_dilation;
+    }
+};
+
+/// Advance the points [first, last) by dt; the same bits as `update` one by one. Spin is left to the caller,
+/// who turns the points before, or not at all in small strain.
+void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, const UbcSandArrays& points);
+
+/// Constrained moduli of the points [first, last) by their stresses [Pa] and volumes [m3/m].
+ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
+                               const double* stress_xx, const double* stress_yy, const double* volume);
+
+} // namespace quicksand

@@ -1,0 +1,250 @@
+// One substep of UBCSAND, equation by equation: straight lines of arithmetic that a single point and a vector
+// of points share, so that both give the same bits.
+//
+// Symbols    s = (sigma_x + sigma_y)/2, q = ((sigma_x - sigma_y)/2, tau_xy), t = |q|
+//            a = c cot phi_f, sb = s + a, r = q/sb, eta = t/sb = sin of the mobilised friction angle
+//            lambda = plastic shear strain, D = sin phi_cv - eta = plastic contraction per lambda, but not
+//            negative in the loosest sand and not positive in the densest
+//            K' = B + G/3, E1 = B + 4G/3, E2 = B - 2G/3
+// Units/signs  Pa; stress and strain are compression positive in here, shear strain is engineering shear.
+// Numbers    [1] to [10] are the steps of the algorithm as the docstring of `update` lists them.
+#pragma once
+
+#include "solver/base/conventions.hpp"
+#include "solver/soil/ubcsand_memory.hpp"
+#include "solver/soil/ubcsand_power.hpp"
+
+#include <cmath>
+
+namespace quicksand::ubcsand {
+
+struct Moduli {
+    double G, B, E1, E2, K; // [Pa]
+};
+
+inline Moduli moduli_of(double G, double B)
+{
+    return {G, B, B + G * (4.0 / 3.0), B - G * (2.0 / 3.0), B + G * (1.0 / 3.0)};
+}
+
+/// [3] Elastic moduli at a mean stress. `square_roots`: both exponents are 1/2, as in the generic set.
+template <bool square_roots>
+Moduli elastic_moduli(const UbcSand& m, double s)
+{
+    const double ratio = s * (1.0 / atmospheric_pressure);
+    if constexpr (square_roots) {
+        const double root = std::sqrt(ratio);
+        return moduli_of(m.G_atm * root, m.B_atm * root);
+    } else {
+        return moduli_of(m.G_atm * power(ratio, m.ne), m.B_atm * power(ratio, m.me));
+    }
+}
+
+/// The moduli where the mean stress has changed by a share, (1 + share)^n = 1 + n share + ...
+inline Moduli changed_moduli(const UbcSand& m, const Moduli& moduli, double share)
+{
+    return moduli_of(moduli.G * (1.0 + m.ne * share), moduli.B * (1.0 + m.me * share));
+}
+
+struct Strain {
+    double x, y, xy; // [-]
+};
+
+/// The strain that the grains feel: none where they have parted, which is at the stress floor in sand looser
+/// than the loosest.
+inline Strain borne(const UbcSand& m, const UbcSandState& state, const Strain& strain)
+{
+    constexpr double rounding = 1.0 + 1e-9;
+    const double at_floor = select(0.5 * (state.sigma_x + state.sigma_y) <= m.s_min * rounding, 1.0, 0.0);
+    const double share = 1.0 - at_floor * (1.0 + state.least_contraction);
+    return {share * strain.x, share * strain.y, share * strain.xy};
+}
+
+/// Stress of a point as the substep finds it.
+struct Start {
+    Moduli moduli;        // there
+    double s_old, s;      // as it is, and not below the floor [Pa]
+    double sb;            // [Pa]
+    double per_s, per_sb; // 1/s, 1/sb [1/Pa]
+    double q_x, q_y;      // [Pa]
+    double squared;       // t^2 [Pa^2]
+};
+
+template <bool square_roots>
+Start start_of(const UbcSand& m, const UbcSandState& state)
+{
+    Start start;
+    start.s_old = 0.5 * (state.sigma_x + state.sigma_y);
+    start.s = larger(start.s_old, m.s_min);
+    start.sb = start.s + m.a;
+    const Inverses per = inverses(start.s, start.sb);
+    start.per_s = per.of_a;
+    start.per_sb = per.of_b;
+    start.q_x = 0.5 * (state.sigma_x - state.sigma_y);
+    start.q_y = state.tau_xy;
+    start.squared = start.q_x * start.q_x + start.q_y * start.q_y;
+    start.moduli = elastic_moduli<square_roots>(m, start.s);
+    return start;
+}
+
+/// Half of the change of the mean stress, over it: where the middle of a substep is. [-]
+inline double half_change(const Start& start, double s_end)
+{
+    return smaller(0.5, larger(-0.25, 0.5 * (s_end - start.s) * start.per_s));
+}
+
+/// Most substeps of one update: an absurd strain is then taken in larger ones, stable but coarse. [-]
+inline constexpr double most_substeps = 100000.0;
+
+/// The least whole number that is not smaller, but 1.
+inline double count_of(double demand)
+{
+    constexpr double shift = 0x1.8p52; // adding 1.5 x 2^52 rounds to the nearest
+    const double nearest = (demand + shift) - shift;
+    return larger(1.0, nearest + select(nearest < demand, 1.0, 0.0));
+}
+
+/// Below this share of the strain that remains the way to the least ratio is rounding. [-]
+inline constexpr double least_inward_share = 1e-6;
+
+/// [2] Share of the strain that the next substep takes. It moves the stress ratio by at most the given step,
+/// were it elastic, and the mean stress, relatively, by at most its step; below the resolved stress by as
+/// much as there: in liquefied sand the ratio changes at the least strain, but the stresses hardly.
+///
+/// In second order a strain that lowers the ratio first goes to where it is least, elastically and thus
+/// without regard to the ratio's step: eta(x) = |q + x dq|/(sb + x ds) is least at x = (|q|^2 ds - q.dq
+/// sb)/(|dq|^2 sb - q.dq ds).
+template <Integration order>
+double substep_share(const UbcSand& m, const Start& start, const UbcSandState& state, const Strain& strain,
+                     double budget)
+{
+    const double G = start.moduli.G;
+    const double dq_x = G * (strain.x - strain.y), dq_y = G * strain.xy;
+    const double ds = start.moduli.K * (strain.x + strain.y), squared = dq_x * dq_x + dq_y * dq_y;
+    const double resolved = larger(start.s, m.resolved);
+    const Inverses per = inverses(resolved, resolved + m.a);
+    const double by_stress = std::abs(ds) * m.per_stress_step * per.of_a;
+    const double by_ratio = std::sqrt(squared) * per.of_b;
+    if constexpr (order == Integration::first_order) {
+        return 1.0 / count_of(smaller(larger(by_ratio * m.per_ratio_step, by_stress), budget));
+    } else {
+        const double per_ratio =
+            select(state.branch == strain_reversed, m.per_excursion_step, m.per_ratio_step);
+        const double along = start.q_x * dq_x + start.q_y * dq_y;
+        const double inward = start.squared * ds - along * start.sb;
+        const double turns = larger(squared * start.sb - along * ds, inward); // at most the whole strain
+        const bool goes_inward = (inward > least_inward_share * turns) & (inward > 0.0) & (budget > 1.0);
+        const double way = select(goes_inward, inward / select(turns > 0.0, turns, 1.0), 1.0);
+        const double demand = select(goes_inward, way * by_stress, larger(by_ratio * per_ratio, by_stress));
+        return way / count_of(smaller(demand, budget));
+    }
+}
+
+struct Substep {
+    Start start;
+    Strain strain;
+    bool last;
+};
+
+/// [2, 3] Take the next substep off the strain that remains.
+template <bool square_roots, Integration order>
+Substep next_substep(const UbcSand& m, const UbcSandState& state, double budget, Strain& remaining)
+{
+    Substep substep;
+    substep.start = start_of<square_roots>(m, state);
+    const double share = substep_share<order>(m, substep.start, state, remaining, budget);
+    substep.strain = {remaining.x * share, remaining.y * share, remaining.xy * share};
+    substep.last = share >= 1.0;
+    remaining = {remaining.x - substep.strain.x, remaining.y - substep.strain.y,
+                 remaining.xy - substep.strain.xy};
+    return substep;
+}
+
+/// What an elastic substep would give, and whether the locus stands in its way.
+struct Trial {
+    Start start;
+    double s;           // not below the floor [Pa]
+    double q_x, q_y, t; // [Pa]
+    double sigma_z;     // before the substep [Pa]
+    double volumetric;  // strain of the substep [-]
+    double shear_x;     // eps_x - eps_y of the substep [-]
+    double shear_y;     // its gamma_xy [-]
+    double E2;          // in the middle of the substep [Pa]
+    double eta_y;       // ratio of the locus [-]
+    double least_D;     // of the state [-]
+    double most_D;      // [-]
+    double branch;      // before the substep, with the departure from where it turned noticed
+    bool plastic;
+};
+
+/// [5] Ratio of the yield locus: the present one in loading and on a branch that has left its reversal, the
+/// one at the reversal for a tiny excursion.
+inline void place_locus(const UbcSand& m, const UbcSandState& state, Trial& trial)
+{
+    const double per_sb = trial.start.per_sb;
+    const double away_x = trial.start.q_x * per_sb - state.peak_x;
+    const double away_y = trial.start.q_y * per_sb - state.peak_y;
+    const double departed =
+        select(away_x * away_x + away_y * away_y >= m.tolerance_squared, far_from_reversal, strain_reversed);
+    trial.branch = select(state.branch == strain_reversed, departed, state.branch);
+    const double eta_squared = trial.start.squared * per_sb * per_sb;
+    const double peak_squared = state.peak_x * state.peak_x + state.peak_y * state.peak_y;
+    const double held =
+        select(trial.branch < far_from_reversal, larger(eta_squared, peak_squared), eta_squared);
+    trial.eta_y = smaller(std::sqrt(held), m.eta_f);
+}
+
+/// [3] to [7] up to the decision. In second order with the moduli of the middle of the substep.
+template <Integration order>
+Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Start& start, const Strain& strain)
+{
+    Trial trial;
+    trial.start = start;
+    trial.sigma_z = state.sigma_z;
+    trial.least_D = state.least_contraction;
+    trial.most_D = state.most_contraction;
+    trial.volumetric = strain.x + strain.y;
+    trial.shear_x = strain.x - strain.y;
+    trial.shear_y = strain.xy;
+
+    // [4] d s = K' d eps_v, d q = G (d eps_x - d eps_y, d gamma_xy); s as it is, be it below the floor
+    Moduli moduli = start.moduli;
+    if constexpr (order == Integration::second_order) {
+        const double change = half_change(start, start.s + start.moduli.K * trial.volumetric);
+        moduli = changed_moduli(m, start.moduli, change);
+    }
+    trial.q_x = start.q_x + moduli.G * trial.shear_x;
+    trial.q_y = start.q_y + moduli.G * trial.shear_y;
+    trial.t = std::sqrt(trial.q_x * trial.q_x + trial.q_y * trial.q_y);
+    trial.E2 = moduli.E2;
+    trial.s = larger(start.s_old + moduli.K * trial.volumetric, m.s_min); // [6]
+    place_locus(m, state, trial);                                         // [5]
+    trial.plastic = trial.t > trial.eta_y * (trial.s + m.a);              // [7]
+    return trial;
+}
+
+/// [10] Stress from its parts in the plane.
+inline void set_stress(const UbcSand& m, double s, double q_x, double q_y, double sigma_z,
+                       UbcSandState& state)
+{
+    state.sigma_x = s + q_x;
+    state.sigma_y = s - q_x;
+    state.sigma_z = larger(sigma_z, 0.2 * m.s_min);
+    state.tau_xy = q_y;
+}
+
+/// [7] The elastic end: the first elastic substep after loading is a reversal, which is remembered.
+inline void finish_elastic(const UbcSand& m, const Trial& trial, UbcSandState& state)
+{
+    const bool reversal = trial.branch == loading;
+    state.peak_x = select(reversal, trial.start.q_x * trial.start.per_sb, state.peak_x);
+    state.peak_y = select(reversal, trial.start.q_y * trial.start.per_sb, state.peak_y);
+    const double turned = follow_strain(m, trial.shear_x, trial.shear_y, state);
+    const double resumed = select(trial.branch == loading_in_ripple, far_from_reversal, trial.branch);
+    const double branch = select(reversal, just_reversed, resumed);
+    state.branch = select(turned > 0.0, larger(branch, strain_reversed), branch);
+    count_half_cycles(turned, 0.0, state);
+    set_stress(m, trial.s, trial.q_x, trial.q_y, trial.sigma_z + trial.E2 * trial.volumetric, state);
+}
+
+} // namespace quicksand::ubcsand

@@ -1,0 +1,35 @@
+// UBCSAND as a law of particles: its stress is theirs, its memory their CycleMemory, without copies.
+#pragma once
+
+#include "solver/particles/particle_moduli.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/soil/ubcsand.hpp"
+
+#include <cstddef>
+
+namespace quicksand {
+
+/// M and G of unloading at a mean stress of one atmosphere [Pa].
+double constrained_modulus(const UbcSand& law);
+double shear_modulus(const UbcSand& law);
+
+/// Of the particles [first, last) at their present stress.
+ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
+                               const Particles& particles);
+
+/// Add the stress of the strain L dt to the particles [first, last) and advance their memory, rotated stress
+/// and memory given. Pre: start_memory.
+void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles);
+
+/// Start of shaking: bring a stress that the sand cannot carry to its failure limit and its floor, and let
+/// the memory begin with the stress. Returns the number of particles whose stress was changed. Pre:
+/// add_cycle_memory.
+std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles);
+
+/// The largest t within the failure limit at a mean stress s: (s + a) sin phi_f [Pa].
+inline double failure_shear(const UbcSand& law, double s)
+{
+    return law.eta_f * (s + law.a);
+}
+
+} // namespace quicksand

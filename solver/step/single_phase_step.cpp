@@ -1,0 +1,125 @@
+#include "solver/step/single_phase_step.hpp"
+
+#include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/surface_loads.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/motion/deformation_noise.hpp"
+#include "solver/motion/grid_to_particle.hpp"
+#include "solver/motion/particle_motion.hpp"
+#include "solver/motion/slivers.hpp"
+
+namespace quicksand {
+
+namespace {
+
+/// Whether the water takes part with a pressure that follows from the change of volume.
+bool is_undrained(const Problem& problem, const State& state)
+{
+    return state.stage == Stage::shaking && water_flow(problem) == WaterFlow::undrained;
+}
+
+/// Whether pore pressures act on the body: they follow from its motion, or are held as they are. Held at zero
+/// everywhere while the soil settles, they have no share in what the water beyond curves brings: that comes
+/// with the shaking, when the pores answer it; put on before, the grains alone would settle under it.
+bool carries_pressure(const State& state)
+{
+    const Particles& particles = state.particles;
+    return !particles.pore_pressure.empty() && (state.stage == Stage::shaking || has_pressure(particles));
+}
+
+} // namespace
+
+SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage stage)
+{
+    SinglePhaseWorkspace work;
+    set_up_workspace(problem, work, stage);
+    work.sums.resize(problem.grid.node_count());
+    work.motion.resize(problem.grid.node_count());
+    if (has_outer_forces(problem)) work.outer.resize(problem.grid.node_count());
+    if (water_flow(problem) == WaterFlow::undrained) {
+        work.cell_means = make_cell_means(problem);
+        work.pressure_increment.resize(problem.grid.cell_count());
+    }
+    return work;
+}
+
+void scatter_to_nodes(const Problem& problem, double dt, const State& state, SinglePhaseWorkspace& work)
+{
+    const Particles& particles = state.particles;
+    const bool pressed = carries_pressure(state);
+    const auto scatter = pressed ? scatter_total_stress : scatter_single_phase;
+    compute_carried_masses(problem, state, work.masses);
+    set_to_zero(work.sums);
+    for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
+        const PatchStore& store = work.patches_of(tile);
+        scatter(problem, particles, work.masses, work.lists, tile, store, work.sums);
+        if (!problem.body_acceleration) return;
+        scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
+    });
+    const double time = load_time(state);
+    scatter_surface_loads(problem, time, particles, work.places, work.sums);
+    if (pressed) scatter_outer_water(problem, time, particles, work.places, work.sums);
+    scatter_reactions(problem, state, work.places, work.sums);
+    place_boundaries(problem, dt, state, work);
+    gather_tied_sums(work.conditions, work.sums);
+    if (work.outer.empty() || !state.ledger) return;
+    work.outer.assign(work.outer.size(), OuterForce{});
+    note_outer_forces(problem, time, state, work.places, work.outer);
+    if (!pressed)
+        for (OuterForce& outer : work.outer) outer.water_x = outer.water_y = 0.0;
+    gather_tied_sums(work.conditions, work.outer);
+}
+
+void advance_single_phase_step(const Problem& problem, double dt, double damping, State& state,
+                               SinglePhaseWorkspace& work)
+{
+    Particles& particles = state.particles;
+    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state, work); });
+    timed(work.timers, Phase::momentum, [&] {
+        const bool shaking = state.stage == Stage::shaking;
+        const double acceleration = shaking ? base_acceleration(problem.base_motion, state.time) : 0.0;
+        const double kick = kick_time(state, dt);
+        assemble_walls(problem, kick, work.sums, work);
+        if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
+        solve_single_phase_momentum(problem, work.conditions, kick, acceleration, damping, work.sums,
+                                    work.motion);
+        brake_by_dashpots(work.conditions, kick, work.dashpots, work.sums, work.motion);
+        hold_at_walls(work.walls, work.motion);
+        if (state.ledger)
+            enter_nodes(problem, work.ledger_nodes, kick, acceleration, work.sums, work.outer, work.motion,
+                        *state.ledger);
+        spread_tied_motion(work.conditions, work.motion);
+    });
+    timed(work.timers, Phase::gather, [&] {
+        const double share = dt / (dt + work.noise_time);
+        for_each_tile(work.lists, [&](const Tile& tile) {
+            gather_single_phase(problem, share, work.lists, tile, work.patches_of(tile), work.motion,
+                                particles, work.grid_velocity);
+        });
+    });
+    if (is_undrained(problem, state))
+        timed(work.timers, Phase::pore_pressure, [&] {
+            advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure_increment, particles,
+                                  work.cell_means, [&](const Tile& tile) {
+                                      undrained_increments(problem, dt, work.lists_with_pressure(), tile,
+                                                           particles, work.pressure_increment);
+                                  });
+        });
+    timed(work.timers, Phase::motion, [&] {
+        const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
+        // undrained waves are far faster than any deformation
+        if (problem.strain == StrainForm::large && !is_undrained(problem, state))
+            fade_noise_of_deformation(dt, work.masses.inertia, work.grid_velocity, work.fading, particles);
+        if (state.ledger) enter_exchange(problem, dt, particles, *state.ledger);
+        move_particles(problem, dt, work.grid_velocity, velocity, state);
+    });
+    timed(work.timers, Phase::stress,
+          [&] { update_stress_of_cells(problem, dt, work.volume_lists(), particles, work.average); });
+    carry_slivers(problem, work.places, state);
+    state.time += dt;
+    state.last_step = dt;
+    ++state.step;
+}
+
+} // namespace quicksand

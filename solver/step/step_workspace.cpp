@@ -1,0 +1,89 @@
+#include "solver/step/step_workspace.hpp"
+
+#include "solver/motion/grid_to_particle.hpp"
+#include "solver/motion/particle_order.hpp"
+#include "solver/water/pore_pressure.hpp"
+
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+/// Exchanges the particles' shape with that of the reference for as long as it lives.
+class ReferenceShape {
+public:
+    explicit ReferenceShape(Particles& particles) : particles_(particles) { exchange(); }
+    ~ReferenceShape() { exchange(); }
+    ReferenceShape(const ReferenceShape&) = delete;
+    ReferenceShape& operator=(const ReferenceShape&) = delete;
+
+private:
+    void exchange()
+    {
+        std::swap(particles_.position, particles_.reference_position);
+        std::swap(particles_.half_edge_1, particles_.reference_edge_1);
+        std::swap(particles_.half_edge_2, particles_.reference_edge_2);
+    }
+
+    Particles& particles_;
+};
+
+void keep_reference_weights(const Problem& problem, double dt, State& state, StepWorkspace& work)
+{
+    {
+        const ReferenceShape reference(state.particles);
+        sort_particles(problem.grid, dt, state, work.lists);
+    }
+    Particles undisplaced = state.particles;
+    return_to_reference(undisplaced);
+    for_each_weighted_tile(problem, undisplaced, work, [](const Tile&) {});
+    work.patches_are_kept = true;
+}
+
+} // namespace
+
+void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
+{
+    work.lists = make_cell_lists(problem.grid);
+    work.partly_saturated = has_unsaturated_soil(problem);
+    if (work.partly_saturated) work.wet_lists = work.lists;
+    work.conditions = node_conditions(problem, stage);
+    set_up_wall_rows(problem, stage, work.walls);
+    work.wall_kinds = ledger_nodes(work.conditions);
+    work.ledger_nodes = work.wall_kinds;
+    work.patches.resize(work.lists.tiles.size());
+    work.average = make_volumetric_average(problem);
+    work.noise_time = noise_time(problem);
+}
+
+void place_boundaries(const Problem& problem, double dt, const State& state, StepWorkspace& work)
+{
+    place_wall_rows(problem, dt, state, work.conditions, work.lists, work.patches, work.walls);
+    // nodes that the dashpots and rows of the last step have left count no reaction any more
+    if (work.walls.any || !work.dashpots.empty()) work.ledger_nodes = work.wall_kinds;
+    work.dashpots.clear();
+    if (state.stage == Stage::shaking)
+        gather_dashpots(problem, state.particles, work.conditions, work.places, work.dashpots);
+    for (const Dashpot& dashpot : work.dashpots) count_reaction(dashpot.node, work.ledger_nodes);
+}
+
+void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work)
+{
+    work.grid_velocity.x.resize(state.particles.size());
+    work.grid_velocity.y.resize(state.particles.size());
+    if (work.patches_are_kept) return;
+    if (problem.strain == StrainForm::small) {
+        keep_reference_weights(problem, dt, state, work);
+    } else {
+        sort_particles(problem.grid, dt, state, work.lists);
+    }
+    if (work.partly_saturated) select_saturated(problem, state.particles, work.lists, work.wet_lists);
+    if (!work.walls.any) return;
+    find_roots(problem, work.conditions, work.lists, state.particles, work.walls.roots);
+    merge_shared_cells(work.lists, work.walls.roots.shared, work.shared_lists);
+    if (work.partly_saturated)
+        merge_shared_cells(work.wet_lists, work.walls.roots.shared, work.shared_wet_lists);
+}
+
+} // namespace quicksand

@@ -1,0 +1,110 @@
+// What every step needs, whatever moves in it: where the particles are, their weights, the walls.
+#pragma once
+
+#include "solver/base/phase_timers.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/boundaries/boundary_conditions.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/interpolation/node_weights.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/motion/particle_to_grid.hpp"
+#include "solver/motion/volumetric_average.hpp"
+#include "solver/particles/cell_lists.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+#include "solver/walls/wall_rows.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// Memory of the steps; nothing of it has to survive a checkpoint.
+struct StepWorkspace {
+    CellLists lists;
+    CellLists wet_lists;                        // the saturated particles alone, where there are others
+    bool partly_saturated = false;              // a phreatic line runs through the soil
+    SharedLists shared_lists, shared_wet_lists; // where soil ends within cells
+    NodeConditions conditions;
+    WallRows walls;
+    std::vector<PatchStore> patches;        // per tile
+    bool patches_are_kept = false;          // small strain: they hold for all steps
+    VolumetricAverage average;              // of the materials that ask for it
+    ParticlePlaces places;                  // of the particles that carry boundaries
+    std::vector<Dashpot> dashpots;          // of viscous boundaries
+    Vectors grid_velocity;                  // sum phi v_i of the grains [m/s]
+    std::vector<std::uint8_t> wall_kinds;   // the nodes as the ledger sees them without dashpots
+    std::vector<std::uint8_t> ledger_nodes; // and with those of the step, see ledger.hpp
+    double noise_time = 0.0;                // tau of the velocity filter, see grid_to_particle.hpp [s]
+    std::int64_t limited_domains = 0;       // domains scaled down in the last step [-]
+    PhaseTimers timers;
+
+    /// The lists by which cells have one change of volume: badly filled cells with their roots.
+    const CellLists& volume_lists() const { return walls.any ? shared_lists.lists : lists; }
+
+    /// The same of the particles that have a pore pressure.
+    const CellLists& lists_with_pressure() const
+    {
+        if (!partly_saturated) return volume_lists();
+        return walls.any ? shared_wet_lists.lists : wet_lists;
+    }
+
+    const PatchStore& patches_of(const Tile& tile) const
+    {
+        return patches[static_cast<std::size_t>(tile.number)];
+    }
+};
+
+void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage = Stage::shaking);
+
+/// Bring walls and dashpots up to the state, from the weights of the particles.
+void place_boundaries(const Problem& problem, double dt, const State& state, StepWorkspace& work);
+
+/// Bring the cell lists up to date, and the arrays of a step to the particles' number. In small strain lists
+/// and weights are found once, on the reference shape. Throws NumericalError.
+void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work);
+
+/// Set up the rows of the walls from the nodes' sums, with tied nodes gathered; `kick` is the time over which
+/// forces act [s].
+template <class Sums>
+void assemble_walls(const Problem& problem, double kick, const std::vector<Sums>& sums, StepWorkspace& work)
+{
+    if (!work.walls.any) return;
+    assemble_wall_rows(problem, work.conditions, kick, work.dashpots, sums, work.walls);
+    for (const std::size_t node : work.walls.rows.nodes()) count_reaction(node, work.ledger_nodes);
+}
+
+/// Clear the sums of all nodes.
+template <class Sums>
+void set_to_zero(std::vector<Sums>& sums)
+{
+    const auto at = [&](std::size_t i) { return sums.begin() + static_cast<std::ptrdiff_t>(i); };
+    for_each_chunk(sums.size(),
+                   [&](std::size_t first, std::size_t last) { std::fill(at(first), at(last), Sums{}); });
+}
+
+/// Call scatter_tile(tile) for every tile, tiles of one colour at the same time, with the weights of its
+/// particles in work.patches.
+template <class ScatterTile>
+void for_each_weighted_tile(const Problem& problem, const Particles& particles, StepWorkspace& work,
+                            ScatterTile&& scatter_tile)
+{
+    if (work.patches_are_kept) {
+        for_each_tile_by_colour(work.lists, scatter_tile);
+        return;
+    }
+    std::atomic<std::int64_t> limited = 0;
+    for_each_tile_by_colour(work.lists, [&](const Tile& tile) {
+        // a tile's weights are used while they are still in the cache
+        limited += evaluate_weights(problem, particles, work.lists, tile,
+                                    work.patches[static_cast<std::size_t>(tile.number)]);
+        scatter_tile(tile);
+    });
+    work.limited_domains = limited;
+}
+
+} // namespace quicksand

@@ -1,0 +1,62 @@
+#include "solver/step/stepper.hpp"
+
+#include "solver/step/single_phase_step.hpp"
+#include "solver/step/two_phase_step.hpp"
+
+namespace quicksand {
+
+namespace {
+
+/// A stepper with the workspace of its step.
+template <class Workspace>
+class WorkingStepper : public Stepper {
+public:
+    explicit WorkingStepper(Workspace work) : work_(std::move(work)) {}
+    std::int64_t limited_domains() const override { return work_.limited_domains; }
+    PhaseTimers& timers() override { return work_.timers; }
+    void restart() override {}
+
+protected:
+    Workspace work_;
+};
+
+class TwoPhaseStepper : public WorkingStepper<TwoPhaseWorkspace> {
+public:
+    using WorkingStepper::WorkingStepper;
+    void advance(const Problem& problem, double dt, State& state) override
+    {
+        advance_two_phase_step(problem, dt, state, work_);
+    }
+};
+
+class SemiImplicitStepper : public WorkingStepper<SemiImplicitWorkspace> {
+public:
+    using WorkingStepper::WorkingStepper;
+    void advance(const Problem& problem, double dt, State& state) override
+    {
+        advance_semi_implicit_step(problem, dt, state, work_);
+    }
+    void restart() override { work_.pressure.blocks_are_due = true; }
+};
+
+class SinglePhaseStepper : public WorkingStepper<SinglePhaseWorkspace> {
+public:
+    using WorkingStepper::WorkingStepper;
+    void advance(const Problem& problem, double dt, State& state) override
+    {
+        advance_single_phase_step(problem, dt, 0.0, state, work_);
+    }
+};
+
+} // namespace
+
+std::unique_ptr<Stepper> make_stepper(const Problem& problem)
+{
+    if (water_flow(problem) != WaterFlow::coupled)
+        return std::make_unique<SinglePhaseStepper>(make_single_phase_workspace(problem));
+    if (problem.scheme == TimeScheme::semi_implicit)
+        return std::make_unique<SemiImplicitStepper>(make_semi_implicit_workspace(problem));
+    return std::make_unique<TwoPhaseStepper>(make_two_phase_workspace(problem));
+}
+
+} // namespace quicksand

@@ -1,0 +1,36 @@
+// The largest stable time step and what limits it.
+#pragma once
+
+#include "solver/problem/problem.hpp"
+#include "solver/problem/wave_speeds.hpp"
+
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// The speeds of every material in the cell where the present stress makes it stiffest, at its initial
+/// porosity; as without particles where there are none of it.
+std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles);
+
+enum class TimeStepLimiter { wave, motion, output };
+
+struct TimeStep {
+    double dt = 0.0;                                 // [s]
+    TimeStepLimiter limiter = TimeStepLimiter::wave; // why it is not larger
+    std::string material;                            // whose wave limits it
+};
+
+/// Step of the shaking [s]: problem.step_share of min(0.65 h / fastest_speed(...), 0.2 h / max|v|). With the
+/// semi-implicit scheme 0.72 of the least over the materials of
+///   slow P wave   (4 M / h^2) dt^2 - (2 C / n^2) dt - 4 m = 0,  m = r_s + ((1-n)/n)^2 r_w
+///   shear wave    (4 G / h^2) dt^2 = 4 r_s + 2 dt C - (2 dt C)^2 / (4 r_w + 2 dt C), and 0.85 of it
+/// (r_s = (1-n) rho_s, r_w = n rho_w, C the drag) stands in the place of the first.
+TimeStep stable_time_step(const Problem& problem, const Particles& particles);
+
+/// Largest stable step of the drained relaxation stage [s].
+TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles);
+
+const char* name_of(TimeStepLimiter limiter);
+
+} // namespace quicksand

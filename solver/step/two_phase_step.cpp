@@ -1,0 +1,248 @@
+#include "solver/step/two_phase_step.hpp"
+
+#include "solver/base/failure.hpp"
+#include "solver/boundaries/boundary_compliance.hpp"
+#include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/surface_loads.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/motion/grid_to_particle.hpp"
+#include "solver/motion/particle_motion.hpp"
+#include "solver/motion/particle_to_grid.hpp"
+#include "solver/motion/slivers.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace quicksand {
+
+namespace {
+
+/// `time` is that of the loads [s].
+void scatter(const Problem& problem, double dt, double time, const State& state, TwoPhaseWorkspace& work)
+{
+    const Particles& particles = state.particles;
+    set_to_zero(work.sums);
+    work.outer.assign(work.outer.size(), OuterForce{});
+    for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
+        scatter_two_phase(problem, particles, work.lists, tile, work.patches_of(tile), work.sums);
+        if (problem.water->rises_above_level)
+            scatter_risen_water(problem, particles, work.lists, tile, work.patches_of(tile), work.sums,
+                                work.outer);
+    });
+    scatter_surface_loads(problem, time, particles, work.places, work.sums);
+    scatter_outer_water(problem, time, particles, work.places, work.sums);
+    scatter_reactions(problem, state, work.places, work.sums);
+    if (state.ledger && !work.outer.empty()) note_outer_forces(problem, time, state, work.places, work.outer);
+    place_boundaries(problem, dt, state, work);
+    gather_tied_sums(work.conditions, work.sums);
+    gather_tied_sums(work.conditions, work.outer);
+}
+
+/// `kick` is the time over which the forces act, see kick_time [s].
+void solve_velocities(const Problem& problem, double kick, const State& state, TwoPhaseWorkspace& work)
+{
+    const double acceleration = base_acceleration(problem.base_motion, state.time);
+    solve_two_phase_momentum(problem, work.conditions, kick, acceleration, work.sums, work.motion);
+    brake_by_dashpots(problem, work.conditions, kick, work.dashpots, work.sums, work.motion);
+    hold_at_walls(problem, work.sums, work.walls, work.motion);
+    spread_tied_motion(work.conditions, work.motion);
+}
+
+void enter_works(const Problem& problem, double kick, const TwoPhaseWorkspace& work, State& state)
+{
+    if (!state.ledger) return;
+    const double acceleration = base_acceleration(problem.base_motion, state.time);
+    enter_nodes(problem, work.ledger_nodes, kick, acceleration, work.sums, work.outer, work.motion,
+                *state.ledger);
+}
+
+void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
+{
+    Particles& particles = state.particles;
+    const double share = dt / (dt + work.noise_time);
+    for_each_tile(work.lists, [&](const Tile& tile) {
+        gather_two_phase(problem, dt, share, work.lists, tile, work.patches_of(tile), work.motion, particles,
+                         work.grid_velocity, work.flux_divergence);
+    });
+    if (work.partly_saturated) carry_moisture(problem, particles);
+    if (!state.ledger) return;
+    enter_outflow(problem, dt, particles, work.flux_divergence, *state.ledger);
+    enter_exchange(problem, dt, particles, *state.ledger);
+}
+
+[[noreturn]] void fail_to_solve(const PressureSolve& pressure, double dt, const State& state)
+{
+    FailureRecord record;
+    record.phase = "pressure";
+    record.what = "the pressure of the cells does not converge in " + std::to_string(pressure.iterations) +
+                  " iterations";
+    record.causes = "the run has become unstable: look at the last good frame for the place where it began";
+    record.step = state.step;
+    record.time = state.time;
+    record.time_step = dt;
+    throw NumericalError(record);
+}
+
+/// Deficits and limits of the cells; soil without water has neither.
+void set_up_cavities(const Problem& problem, const Particles& particles, SemiImplicitWorkspace& work)
+{
+    CavitySolve& cavity = work.pressure.cavity;
+    if (cavity.cavities.empty()) return;
+    std::fill(cavity.deficit.begin(), cavity.deficit.end(), 0.0);
+    std::fill(cavity.lowest_increment.begin(), cavity.lowest_increment.end(),
+              -std::numeric_limits<double>::infinity());
+    const CellLists& lists = work.lists_with_pressure();
+    for_each_tile(lists, [&](const Tile& tile) {
+        prepare_cavities(problem, lists, tile, particles, cavity.deficit, cavity.lowest_increment);
+    });
+}
+
+/// Divergence and storage of the cells, and what boundaries let the nodes answer.
+void set_up_pressure(const Problem& problem, double dt, double kick, const Particles& particles,
+                     SemiImplicitWorkspace& work)
+{
+    PressureSolve& pressure = work.pressure;
+    if (work.partly_saturated) {
+        // soil without water gives cells no divergence, and cells of such soil alone an equation dp = 0
+        set_saturated_volumes(problem, particles, work.wet_volume);
+        std::fill(pressure.storage.begin(), pressure.storage.end(), 1.0);
+        std::fill(pressure.increment.begin(), pressure.increment.end(), 0.0);
+    }
+    const Scalars& volume = work.partly_saturated ? work.wet_volume : particles.volume;
+    const CellLists& lists = work.lists_with_pressure();
+    for_each_tile(work.lists, [&](const Tile& tile) {
+        assemble_divergence(problem.grid, volume, work.lists, tile, work.patches_of(tile),
+                            pressure.divergence[static_cast<std::size_t>(tile.number)]);
+        prepare_increments(problem, dt, lists, tile, particles, pressure.storage, pressure.increment);
+    });
+    set_up_cavities(problem, particles, work);
+    set_pressure_compliances(problem, work.conditions, kick, work.sums, pressure.compliance);
+    include_dashpots(problem, work.conditions, kick, work.dashpots, work.sums, pressure.compliance);
+    Scalars porosities;
+    for (const std::size_t i : work.walls.rows.nodes())
+        porosities.push_back(node_porosity(problem, work.sums[i]));
+    set_row_response(porosities, work.walls.rows, pressure);
+    if (work.walls.any) share_pressures(work.walls.roots.shared, pressure);
+}
+
+/// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes.
+void solve_pressure(const Problem& problem, double dt, double kick, const State& state,
+                    SemiImplicitWorkspace& work)
+{
+    PressureSolve& pressure = work.pressure;
+    // the flux gains over the kick and fills cells over the step: dt kick in the place of the equations' dt^2
+    const double step = std::sqrt(dt * kick);
+    choose_blocks(step, pressure);
+    set_up_pressure(problem, dt, kick, state.particles, work);
+    for_each_index(work.motion.size(), [&](std::size_t i) {
+        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
+        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
+    });
+    if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
+        fail_to_solve(pressure, dt, state);
+    set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
+    for_each_index(work.sums.size(), [&](std::size_t i) {
+        work.sums[i].pressure_force_x += pressure.force_x[i];
+        work.sums[i].pressure_force_y += pressure.force_y[i];
+        pressure.force_x[i] = pressure.force_y[i] = 0.0;
+    });
+}
+
+void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
+{
+    timed(work.timers, Phase::motion, [&] {
+        const auto velocity = [&](std::size_t i) {
+            return Vector2(work.motion[i].solid_x, work.motion[i].solid_y);
+        };
+        move_particles(problem, dt, work.grid_velocity, velocity, state);
+    });
+    timed(work.timers, Phase::stress,
+          [&] { update_stress_of_cells(problem, dt, work.volume_lists(), state.particles, work.average); });
+    carry_slivers(problem, work.places, state);
+    state.time += dt;
+    state.last_step = dt;
+    ++state.step;
+}
+
+} // namespace
+
+TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
+{
+    ENSURE(!problem.body_acceleration); // of bodies of one phase only
+    TwoPhaseWorkspace work;
+    set_up_workspace(problem, work);
+    work.sums.resize(problem.grid.node_count());
+    work.motion.resize(problem.grid.node_count());
+    work.cell_means = make_cell_means(problem);
+    work.pressure_increment.resize(problem.grid.cell_count());
+    if (problem.water->rises_above_level || has_outer_forces(problem))
+        work.outer.resize(problem.grid.node_count());
+    return work;
+}
+
+SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem)
+{
+    SemiImplicitWorkspace work{make_two_phase_workspace(problem), {}, {}};
+    work.pressure =
+        make_pressure_solve(work.lists.tiles.size(), problem.grid.cell_count(), problem.grid.node_count());
+    if (problem.water->cavitation_pressure) add_cavities(work.pressure);
+    return work;
+}
+
+void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
+{
+    Particles& particles = state.particles;
+    work.flux_divergence.resize(particles.size());
+    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time, state, work); });
+    timed(work.timers, Phase::momentum, [&] {
+        const double kick = kick_time(state, dt);
+        centre_drag(kick, work.sums);
+        assemble_walls(problem, kick, work.sums, work);
+        solve_velocities(problem, kick, state, work);
+        enter_works(problem, kick, work, state);
+    });
+    timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
+    timed(work.timers, Phase::pore_pressure, [&] {
+        advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure_increment, particles,
+                              work.cell_means, [&](const Tile& tile) {
+                                  explicit_increments(problem, dt, work.lists_with_pressure(), tile,
+                                                      particles, work.flux_divergence,
+                                                      work.pressure_increment);
+                              });
+    });
+    move_and_deform(problem, dt, state, work);
+}
+
+void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work)
+{
+    Particles& particles = state.particles;
+    work.flux_divergence.resize(particles.size());
+    particles.pore_pressure_rate.resize(particles.size());
+    timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
+    // loads between the stresses, which stand at the begin of the step, and the pressures at its end
+    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time + 0.5 * dt, state, work); });
+    const double kick = kick_time(state, dt);
+    timed(work.timers, Phase::momentum, [&] {
+        assemble_walls(problem, kick, work.sums, work);
+        solve_velocities(problem, kick, state, work);
+    });
+    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, kick, state, work); });
+    timed(work.timers, Phase::momentum, [&] {
+        solve_velocities(problem, kick, state, work);
+        enter_works(problem, kick, work, state);
+    });
+    timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
+    timed(work.timers, Phase::pore_pressure, [&] {
+        const PressureSolve& pressure = work.pressure;
+        const Scalars& increment =
+            pressure.cavity.cavities.empty() ? pressure.increment : pressure.cavity.water_increment;
+        advance_pore_pressure(problem, dt, work.lists_with_pressure(), increment, particles, work.cell_means,
+                              [](const Tile&) {});
+    });
+    move_and_deform(problem, dt, state, work);
+}
+
+} // namespace quicksand

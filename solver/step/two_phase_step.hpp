@@ -1,0 +1,56 @@
+// THE step of a saturated body: water and grains with their own velocities (v-w form), explicit or with the
+// water's pressure implicit.
+#pragma once
+
+#include "solver/boundaries/nodes.hpp"
+#include "solver/step/step_workspace.hpp"
+#include "solver/water/pore_pressure.hpp"
+#include "solver/water/pressure_solve.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+struct TwoPhaseWorkspace : StepWorkspace {
+    Scalars wet_volume; // of the saturated particles, 0 of the others [m3/m]
+    std::vector<TwoPhaseSums> sums;
+    std::vector<OuterForce> outer; // none where there are none
+    std::vector<TwoPhaseMotion> motion;
+    Scalars flux_divergence;    // [1/s]
+    Scalars pressure_increment; // of the cells [Pa]
+    CellMeans cell_means;       // of the pore pressure
+};
+
+/// What the semi-implicit step needs besides.
+struct SemiImplicitWorkspace : TwoPhaseWorkspace {
+    PressureSolve pressure;
+    PressureSolveControls controls;
+};
+
+TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
+
+/// Advance the saturated state by one explicit step, t -> t + dt.
+///
+///  1  particles by cell; CPDI weights from their domains
+///  2  particles -> nodes: masses, momenta, forces of stress and excess pressure, drag, loads on surfaces
+///  3  momentum balances of water and grains on the nodes, drag at the time of the forces, implicit where
+///     it is strong (centre_drag), with the velocity conditions inside; the base's acceleration acts on
+///     both phases as a body force
+///  4  nodes -> particles: velocities, velocity gradients, divergence of the flux
+///  5  water: excess pore pressure, one increment per cell, and its slope within the cell
+///  6  particles: position, domain, volume, porosity
+///  7  grains: effective stress from the new velocity gradient (stress last)
+///
+/// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
+void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work);
+
+SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem);
+
+/// The same step with the water's pressure implicit: between 3 and 4 the increments of the cells' pressure
+/// are solved for with drag and walls inside (pressure_solve.hpp), and the momentum balances again with their
+/// force; 5 takes these increments. Waves of the water no longer limit dt.
+///
+/// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
+void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work);
+
+} // namespace quicksand

@@ -1,0 +1,306 @@
+#include "solver/walls/wall_rows.hpp"
+
+#include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/node_response.hpp"
+#include "solver/walls/wall_shares.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+
+namespace quicksand {
+
+namespace {
+
+/// Of the mass of a node with a good cell: a corner that touches a grid line by rounding makes no follower
+/// [-].
+constexpr double least_mass = 1e-9;
+constexpr double least_row = 1e-6; // sum of a row's shares below which no soil touches the wall there [-]
+
+/// What a row holds of each node.
+enum class Held { grains, water, water_against_grains };
+
+/// A node's part in a hat of a chain.
+struct HatShare {
+    const WallShare* share;
+    double value; // psi_m g_i / h [-]
+};
+using ChainHats = std::vector<std::vector<HatShare>>;
+
+std::vector<ChainHats> by_hats(const Problem& problem, const WallRows& walls,
+                               const std::vector<WallShare>& shares)
+{
+    std::vector<ChainHats> chains;
+    for (const WallChain& chain : walls.edges.chains) chains.emplace_back(chain.hats);
+    for (const WallShare& share : shares) {
+        const std::size_t c = share.contact->chain;
+        for_each_hat(walls.edges.chains[c], share.contact->s, [&](std::size_t m, double psi) {
+            if (psi > 0.0) chains[c][m].push_back({&share, psi * share.length / problem.grid.cell_size});
+        });
+    }
+    return chains;
+}
+
+NodeVelocities coefficients(Held held, const Vector2& c)
+{
+    NodeVelocities result = NodeVelocities::Zero();
+    if (held != Held::water) result.head<2>() = held == Held::grains ? c : Vector2(-c);
+    if (held != Held::grains) result.tail<2>() = c;
+    return result;
+}
+
+/// The rows of a chain's hats, along the normal or across it.
+void add_rows(const ChainHats& hats, Held held, bool across, VelocityRows& rows)
+{
+    for (const std::vector<HatShare>& hat : hats) {
+        double sum = 0.0, value = 0.0;
+        const auto direction = [&](const HatShare& part) {
+            const Vector2& n = part.share->direction;
+            return across ? Vector2(-n.y(), n.x()) : n;
+        };
+        for (const HatShare& part : hat) {
+            sum += part.value;
+            value += part.value * part.share->contact->velocity.dot(direction(part));
+        }
+        if (sum < least_row) continue;
+        rows.begin_row(held == Held::water_against_grains ? 0.0 : value);
+        for (const HatShare& part : hat)
+            rows.add(part.share->contact->node, coefficients(held, part.value * direction(part)));
+    }
+}
+
+void add_grain_rows(const Problem& problem, WallRows& walls)
+{
+    walls.chain_of_row.clear();
+    const std::vector<WallShare> shares =
+        share_normals(walls.edges, walls.contacts, walls.active_nodes, walls.normal);
+    const std::vector<ChainHats> hats = by_hats(problem, walls, shares);
+    for (std::size_t c = 0; c < hats.size(); ++c) {
+        const GrainHold hold = walls.edges.chains[c].hold.grains;
+        if (hold != GrainHold::none) add_rows(hats[c], Held::grains, false, walls.rows);
+        if (hold == GrainHold::all) add_rows(hats[c], Held::grains, true, walls.rows);
+        walls.chain_of_row.resize(walls.rows.size(), c);
+    }
+}
+
+void add_water_rows(const Problem& problem, WallRows& walls)
+{
+    const Vectors& normal = walls.divides_water ? walls.wet_normal : walls.normal;
+    const std::vector<WallShare> shares =
+        share_normals(walls.edges, walls.contacts, walls.active_nodes, normal);
+    const std::vector<ChainHats> hats = by_hats(problem, walls, shares);
+    for (std::size_t c = 0; c < hats.size(); ++c) {
+        const WaterHold hold = walls.edges.chains[c].hold.water;
+        if (hold == WaterHold::sealed) add_rows(hats[c], Held::water, false, walls.rows);
+        if (hold == WaterHold::with_grains) add_rows(hats[c], Held::water_against_grains, false, walls.rows);
+        walls.chain_of_row.resize(walls.rows.size(), c);
+    }
+}
+
+double mass_of(const TwoPhaseSums& node)
+{
+    return node.mass_solid;
+}
+
+double mass_of(const SinglePhaseSums& node)
+{
+    return node.mass;
+}
+
+bool has_water(const TwoPhaseSums& node)
+{
+    return node.mass_fluid > 0.0;
+}
+
+bool has_water(const SinglePhaseSums&)
+{
+    return false;
+}
+
+/// The rows of the nodes without a good cell: v_k - sum w_m v_m = 0 for each direction that no wall holds at
+/// the node itself, grains and water alike.
+template <class Sums>
+void add_followers(const Problem& problem, const NodeConditions& conditions, const std::vector<Sums>& sums,
+                   WallRows& walls)
+{
+    walls.rows.begin_followers();
+    std::vector<FollowedNode> followed;
+    for (const std::size_t k : walls.roots.followers) {
+        if (!sums[k].active()) continue;
+        follow(problem.grid, walls.roots, k, followed);
+        if (followed.empty() ||
+            mass_of(sums[k]) < least_mass * mass_of(sums[conditions.master[followed[0].node]]))
+            continue;
+        bool water = has_water(sums[k]);
+        for (const FollowedNode& other : followed)
+            water = water && has_water(sums[conditions.master[other.node]]);
+        for (int direction = 0; direction < (water ? 4 : 2); ++direction) {
+            const int axis = direction % 2;
+            if (conditions.of_node[k] & (direction < 2 ? solid_fixed[axis] : fluid_fixed[axis])) continue;
+            const NodeVelocities unit = NodeVelocities::Unit(direction);
+            walls.rows.begin_row(0.0);
+            walls.rows.add(k, unit);
+            for (const FollowedNode& other : followed)
+                walls.rows.add(conditions.master[other.node], -other.weight * unit);
+        }
+    }
+}
+
+template <class Sums>
+NodeInverse inverse_of(const Sums& node, std::uint8_t held, double dt)
+{
+    NodeInverse inverse = NodeInverse::Zero();
+    for (int axis = 0; axis < 2; ++axis) {
+        const NodeResponse r = response(node, dt, held, axis);
+        inverse(axis, axis) = r.solid;
+        inverse(axis, axis + 2) = inverse(axis + 2, axis) = r.exchange;
+        inverse(axis + 2, axis + 2) = r.fluid;
+    }
+    return inverse;
+}
+
+/// What a dashpot takes off a node's response: R - R E H (1 + E^T R E H)^-1 E^T R, E the grains, H = dt C
+/// / 2.
+void brake(const Dashpot& dashpot, double dt, NodeInverse& inverse)
+{
+    Eigen::Matrix2d half;
+    half << dashpot.xx, dashpot.xy, dashpot.xy, dashpot.yy;
+    half *= 0.5 * dt;
+    const Eigen::Matrix2d solid = inverse.topLeftCorner<2, 2>();
+    const Eigen::Matrix2d kernel = half * (Eigen::Matrix2d::Identity() + solid * half).inverse();
+    const Eigen::Matrix<double, 4, 2> columns = inverse.leftCols<2>();
+    inverse -= columns * kernel * columns.transpose();
+}
+
+template <class Sums>
+void factorise(const NodeConditions& conditions, double dt, const std::vector<Dashpot>& dashpots,
+               const std::vector<Sums>& sums, VelocityRows& rows)
+{
+    std::vector<NodeInverse> inverses;
+    inverses.reserve(rows.nodes().size());
+    for (const std::size_t i : rows.nodes()) {
+        inverses.push_back(inverse_of(sums[i], conditions.of_node[i], dt));
+        const auto dashpot =
+            std::lower_bound(dashpots.begin(), dashpots.end(), i,
+                             [](const Dashpot& d, std::size_t node) { return d.node < node; });
+        if (dashpot != dashpots.end() && dashpot->node == i) brake(*dashpot, dt, inverses.back());
+    }
+    rows.factorise(std::move(inverses));
+}
+
+/// Which nodes in contact with walls have soil; nothing of the others.
+template <class Sums>
+void find_active(const std::vector<Sums>& sums, WallRows& walls)
+{
+    walls.active_nodes.resize(sums.size());
+    for (const WallContact& contact : walls.contacts.walls)
+        walls.active_nodes[contact.node] = sums[contact.node].active() ? 1 : 0;
+}
+
+NodeVelocities velocities_of(const TwoPhaseMotion& motion)
+{
+    return {motion.solid_x, motion.solid_y, motion.fluid_x, motion.fluid_y};
+}
+
+NodeVelocities velocities_of(const SinglePhaseMotion& motion)
+{
+    return {motion.x, motion.y, 0.0, 0.0};
+}
+
+/// Multipliers of the rows that keep the forces on the nodes from accelerating them [N].
+Scalars force_multipliers(const Problem& problem, double acceleration, const VelocityRows& rows,
+                          const std::vector<SinglePhaseSums>& sums)
+{
+    std::vector<NodeVelocities> gained; // in a unit of time
+    for (std::size_t k = 0; k < rows.nodes().size(); ++k) {
+        const SinglePhaseSums& node = sums[rows.nodes()[k]];
+        const NodeVelocities force(node.stress_force_x - node.mass * acceleration,
+                                   node.stress_force_y - node.weight * problem.gravity, 0.0, 0.0);
+        gained.push_back(rows.inverse(k) * force);
+    }
+    return rows.multipliers_to_zero(gained);
+}
+
+template <class Motion>
+void hold(const VelocityRows& rows, std::vector<Motion>& motion)
+{
+    std::vector<NodeVelocities> velocities;
+    velocities.reserve(rows.nodes().size());
+    for (const std::size_t i : rows.nodes()) velocities.push_back(velocities_of(motion[i]));
+    rows.hold(velocities);
+    for (std::size_t k = 0; k < velocities.size(); ++k) {
+        Motion& node = motion[rows.nodes()[k]];
+        const NodeVelocities change = velocities[k] - velocities_of(node);
+        add_velocity(node, change.head<2>(), change.tail<2>());
+    }
+}
+
+} // namespace
+
+void assemble_wall_rows(const Problem& problem, const NodeConditions& conditions, double dt,
+                        const std::vector<Dashpot>& dashpots, const std::vector<TwoPhaseSums>& sums,
+                        WallRows& walls)
+{
+    if (!walls.any) return;
+    walls.rows.clear(sums.size());
+    find_active(sums, walls);
+    add_grain_rows(problem, walls);
+    add_water_rows(problem, walls);
+    add_followers(problem, conditions, sums, walls);
+    factorise(conditions, dt, dashpots, sums, walls.rows);
+}
+
+void assemble_wall_rows(const Problem& problem, const NodeConditions& conditions, double dt,
+                        const std::vector<Dashpot>& dashpots, const std::vector<SinglePhaseSums>& sums,
+                        WallRows& walls)
+{
+    if (!walls.any) return;
+    walls.rows.clear(sums.size());
+    find_active(sums, walls);
+    add_grain_rows(problem, walls);
+    add_followers(problem, conditions, sums, walls);
+    factorise(conditions, dt, dashpots, sums, walls.rows);
+}
+
+void hold_at_walls(const Problem& problem, const std::vector<TwoPhaseSums>& sums, const WallRows& walls,
+                   std::vector<TwoPhaseMotion>& motion)
+{
+    if (walls.rows.empty()) return;
+    hold(walls.rows, motion);
+    for (const std::size_t i : walls.rows.nodes()) set_flux(problem, sums[i], motion[i]);
+}
+
+void hold_at_walls(const WallRows& walls, std::vector<SinglePhaseMotion>& motion)
+{
+    if (!walls.rows.empty()) hold(walls.rows, motion);
+}
+
+void leave_unbalanced_forces(const Problem& problem, double acceleration, const WallRows& walls,
+                             std::vector<SinglePhaseSums>& sums)
+{
+    const VelocityRows& rows = walls.rows;
+    if (rows.empty()) return;
+    const std::vector<NodeVelocities> impulses =
+        rows.impulses(force_multipliers(problem, acceleration, rows, sums));
+    for (std::size_t k = 0; k < rows.nodes().size(); ++k) {
+        sums[rows.nodes()[k]].stress_force_x += impulses[k].x();
+        sums[rows.nodes()[k]].stress_force_y += impulses[k].y();
+    }
+}
+
+std::vector<Vector2> resting_reactions(const Problem& problem, const WallRows& walls,
+                                       const std::vector<SinglePhaseSums>& sums,
+                                       const std::function<bool(const WallChain&)>& chosen)
+{
+    if (walls.rows.empty()) return {};
+    Scalars multipliers = force_multipliers(problem, 0.0, walls.rows, sums);
+    for (std::size_t r = 0; r < multipliers.size(); ++r) {
+        const bool of_chain = r < walls.chain_of_row.size();
+        if (!of_chain || !chosen(walls.edges.chains[walls.chain_of_row[r]])) multipliers[r] = 0.0;
+    }
+    std::vector<Vector2> reactions;
+    for (const NodeVelocities& impulse : walls.rows.impulses(multipliers))
+        reactions.push_back(impulse.head<2>());
+    return reactions;
+}
+
+} // namespace quicksand

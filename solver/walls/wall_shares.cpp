@@ -1,0 +1,102 @@
+#include "solver/walls/wall_shares.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+/// A curve at a node.
+struct Curve {
+    double length;  // under the node's function [m]
+    Vector2 normal; // [-]
+};
+
+bool are_parallel(const std::vector<Curve>& curves)
+{
+    constexpr double one_direction = 1e-3; // sine [-]
+    const Vector2& first = curves.front().normal;
+    return std::all_of(curves.begin(), curves.end(), [&](const Curve& curve) {
+        return std::abs(first.x() * curve.normal.y() - first.y() * curve.normal.x()) < one_direction &&
+               first.dot(curve.normal) > 0.0;
+    });
+}
+
+/// What each curve's length is multiplied with so that the curves' normals add up to `normal`, as near as
+/// curves that are almost parallel tell.
+void correct_lengths(const Vector2& normal, std::vector<Curve>& curves)
+{
+    double total = 0.0;
+    for (const Curve& curve : curves) total += curve.length;
+    if (are_parallel(curves)) {
+        const double factor = std::max(0.0, normal.dot(curves.front().normal)) / total;
+        for (Curve& curve : curves) curve.length *= factor;
+        return;
+    }
+    Eigen::Matrix2d metric = Eigen::Matrix2d::Zero();
+    Vector2 missing = normal;
+    for (const Curve& curve : curves) {
+        metric += curve.length * curve.normal * curve.normal.transpose();
+        missing -= curve.length * curve.normal;
+    }
+    // curves that are almost parallel tell little across themselves: there their lengths stay nearly as they
+    // are
+    constexpr double telling = 1e-3, weak = 1e-5;
+    const bool tells = metric.determinant() > telling * total * total;
+    if (!tells) metric += weak * total * Eigen::Matrix2d::Identity();
+    const Vector2 change = metric.inverse() * missing;
+    double sum = 0.0;
+    for (Curve& curve : curves) {
+        curve.length *= std::max(0.0, 1.0 + curve.normal.dot(change));
+        sum += curve.length;
+    }
+    // a node that next to no soil touches has next to no share, however long the curves beside it
+    constexpr double most = 20.0; // of the normal's length, in a tip of some three degrees
+    if (!tells && sum > most * normal.norm())
+        for (Curve& curve : curves) curve.length *= most * normal.norm() / sum;
+}
+
+/// Direction of a bent wall at a node that no other curve touches.
+Vector2 bent_direction(const WallContact& contact, const Vector2& normal)
+{
+    constexpr double least_cosine = 0.7;
+    const double length = normal.norm();
+    return normal.dot(contact.normal) > least_cosine * length && length > 0.0 ? Vector2(normal / length)
+                                                                              : contact.normal;
+}
+
+} // namespace
+
+std::vector<WallShare> share_normals(const SoilEdges& edges, const WallContacts& contacts,
+                                     const std::vector<std::uint8_t>& active, const Vectors& normal)
+{
+    std::vector<WallShare> shares;
+    std::vector<Curve> curves;
+    auto other = contacts.others.begin();
+    for (auto first = contacts.walls.begin(); first != contacts.walls.end();) {
+        const std::size_t node = first->node;
+        const auto last = std::find_if(first, contacts.walls.end(),
+                                       [&](const WallContact& contact) { return contact.node != node; });
+        other = std::find_if(other, contacts.others.end(),
+                             [&](const EdgeContact& contact) { return contact.node >= node; });
+        if (active[node] == 0) {
+            first = last;
+            continue;
+        }
+        curves.clear();
+        for (auto contact = first; contact != last; ++contact)
+            curves.push_back({contact->length, contact->normal});
+        for (auto edge = other; edge != contacts.others.end() && edge->node == node; ++edge)
+            curves.push_back({edge->length, edge->normal});
+        if (curves.size() == 1 && !edges.chains[first->chain].straight)
+            curves.front().normal = bent_direction(*first, normal[node]);
+        correct_lengths(normal[node], curves);
+        for (std::size_t k = 0; first != last; ++first, ++k)
+            if (curves[k].length > 0.0) shares.push_back({&*first, curves[k].length, curves[k].normal});
+    }
+    return shares;
+}
+
+} // namespace quicksand

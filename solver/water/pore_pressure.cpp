@@ -1,0 +1,270 @@
+#include "solver/water/pore_pressure.hpp"
+
+#include "solver/base/slope_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace quicksand {
+
+namespace {
+
+/// Call work(slot, first, last) for the cells of a tile that hold soil, with their entries of the lists.
+template <class Work>
+void for_each_filled_cell(const CellLists& lists, const Tile& tile, Work&& work)
+{
+    if (lists.first_entry(tile) == lists.last_entry(tile)) return;
+    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
+        const auto slot = static_cast<std::size_t>(c);
+        const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
+        const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
+        if (first != last) work(slot, first, last);
+    }
+}
+
+/// gamma_w, where moving up or down changes the static pressure [N/m3].
+double static_gradient(const Problem& problem)
+{
+    return problem.strain == StrainForm::large ? problem.water->density * problem.gravity : 0.0;
+}
+
+/// Sums over the particles of one cell.
+struct CellSums {
+    double volume = 0.0;              // [m3/m]
+    double pressure = 0.0;            // [Pa m3/m]
+    double rise = 0.0;                // volume times v_y [m4/s per metre]
+    Vector2 moment = Vector2::Zero(); // volume times position [m4/m]
+};
+
+CellSums sum_cell(const CellLists& lists, std::size_t first, std::size_t last, const Particles& particles,
+                  const Vectors& place)
+{
+    CellSums sums;
+    for (std::size_t k = first; k < last; ++k) {
+        const auto p = static_cast<std::size_t>(lists.order[k]);
+        const double V = particles.volume[p];
+        sums.volume += V;
+        sums.pressure += V * particles.pore_pressure[p];
+        if (!particles.tension_deficit.empty()) sums.pressure += V * particles.tension_deficit[p];
+        sums.rise += V * particles.velocity_solid.y[p];
+        sums.moment += V * place[p];
+    }
+    return sums;
+}
+
+/// The soil of a cell beside another one, with the place where it is seen from there.
+struct Neighbour {
+    std::size_t slot = 0;
+    double shift = 0.0; // of its centre along x [m]
+};
+
+/// The image of an empty cell on the other side of a laminar box; none: no soil there either.
+std::optional<Neighbour> find_image(const Problem& problem, const CellLists& lists, const CellMeans& means,
+                                    std::int32_t cell)
+{
+    const auto slot_of = [&](std::int32_t c) {
+        return static_cast<std::size_t>(lists.slot_of_cell[static_cast<std::size_t>(c)]);
+    };
+    const double width = problem.tied_sides->x_right - problem.tied_sides->x_left;
+    const auto cells = static_cast<std::int32_t>(std::lround(width / problem.grid.cell_size));
+    const std::int32_t columns = problem.grid.all_cells_x(), column = cell % columns;
+    if (column + cells < columns && means.volume[slot_of(cell + cells)] > 0.0)
+        return Neighbour{slot_of(cell + cells), -width};
+    if (column - cells >= 0 && means.volume[slot_of(cell - cells)] > 0.0)
+        return Neighbour{slot_of(cell - cells), width};
+    return std::nullopt;
+}
+
+Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const CellMeans& means,
+                       std::size_t slot)
+{
+    const std::int32_t cell = lists.cell_of_slot[slot], columns = problem.grid.all_cells_x();
+    const Vector2 centre = means.centre[slot];
+    SlopeFit fit;
+    for (std::int32_t b = -1; b <= 1; ++b) {
+        for (std::int32_t a = -1; a <= 1; ++a) {
+            // centres never lie in the outermost cells of the rim, so that the neighbours exist
+            const std::int32_t beside = cell + b * columns + a;
+            const auto other = static_cast<std::size_t>(lists.slot_of_cell[static_cast<std::size_t>(beside)]);
+            if (other == slot) continue;
+            if (means.volume[other] > 0.0) {
+                fit.add(means.centre[other] - centre, means.pore_pressure[other] - means.pore_pressure[slot]);
+            } else if (problem.tied_sides) {
+                const auto image = find_image(problem, lists, means, beside);
+                if (!image) continue;
+                fit.add(means.centre[image->slot] + Vector2(image->shift, 0.0) - centre,
+                        means.pore_pressure[image->slot] - means.pore_pressure[slot]);
+            }
+        }
+    }
+    return fit.slope(problem.grid.cell_size);
+}
+
+/// dp of a tile's cells from divergence(p) of the flux [1/s].
+template <class Divergence>
+void increments_of(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                   const Particles& particles, Divergence&& divergence, Scalars& increment)
+{
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        double pores = 0.0, outflow = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            pores += particles.volume[p] * particles.porosity[p];
+            outflow += particles.volume[p] * divergence(p);
+        }
+        increment[slot] = -dt * problem.water->bulk_modulus * outflow / pores;
+    });
+}
+
+/// Least excess pressure that water at height y bears without cavities [Pa].
+double lowest_excess(const Problem& problem, double y)
+{
+    return *problem.water->cavitation_pressure - atmospheric_pressure - static_water_pressure(problem, y);
+}
+
+/// Keep the excess pressure at or above `lowest` and what is beyond as a deficit besides the cell's [Pa].
+void cavitate(double lowest, double deficit_of_cell, std::size_t p, Particles& particles)
+{
+    const double wanted = particles.pore_pressure[p];
+    particles.pore_pressure[p] = std::max(wanted, lowest);
+    particles.tension_deficit[p] = deficit_of_cell + wanted - particles.pore_pressure[p];
+}
+
+} // namespace
+
+void select_saturated(const Problem& problem, const Particles& particles, const CellLists& all,
+                      CellLists& wet)
+{
+    if (wet.changes == all.changes) return;
+    wet.changes = all.changes;
+    wet.order.clear();
+    const std::size_t slots = all.cell_start.size() - 1;
+    wet.cell_start.assign(all.cell_start.size(), 0);
+    for (std::size_t slot = 0; slot < slots; ++slot) {
+        for (std::int32_t k = all.cell_start[slot]; k < all.cell_start[slot + 1]; ++k) {
+            const std::int32_t p = all.order[static_cast<std::size_t>(k)];
+            const auto material = static_cast<std::size_t>(particles.material[static_cast<std::size_t>(p)]);
+            if (problem.materials[material].saturated) wet.order.push_back(p);
+        }
+        wet.cell_start[slot + 1] = static_cast<std::int32_t>(wet.order.size());
+    }
+}
+
+void set_saturated_volumes(const Problem& problem, const Particles& particles, Scalars& volumes)
+{
+    volumes = particles.volume;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) volumes[p] = 0.0;
+    }
+}
+
+void carry_moisture(const Problem& problem, Particles& particles)
+{
+    const Gradients& Cs = particles.velocity_slope_solid;
+    Gradients& Cw = particles.velocity_slope_fluid;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+        particles.velocity_fluid.set(p, particles.velocity_solid[p]);
+        Cw.xx[p] = Cs.xx[p], Cw.xy[p] = Cs.xy[p];
+        Cw.yx[p] = Cs.yx[p], Cw.yy[p] = Cs.yy[p];
+    }
+}
+
+CellMeans make_cell_means(const Problem& problem)
+{
+    const Scalars zeros(problem.grid.cell_count(), 0.0);
+    return {zeros, zeros, {zeros, zeros}, problem.water->cavitation_pressure ? zeros : Scalars()};
+}
+
+void explicit_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                         const Particles& particles, const Scalars& flux_divergence, Scalars& increment)
+{
+    increments_of(
+        problem, dt, lists, tile, particles, [&](std::size_t p) { return flux_divergence[p]; }, increment);
+}
+
+void undrained_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                          const Particles& particles, Scalars& increment)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    increments_of(
+        problem, dt, lists, tile, particles, [&](std::size_t p) { return L.xx[p] + L.yy[p]; }, increment);
+}
+
+void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                        const Particles& particles, Scalars& storage, Scalars& increment)
+{
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        double pores = 0.0, volume = 0.0, rate = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            const double V = particles.volume[p];
+            volume += V;
+            pores += V * particles.porosity[p];
+            rate += V * particles.pore_pressure_rate[p];
+        }
+        storage[slot] = pores / problem.water->bulk_modulus;
+        increment[slot] = dt * rate / volume;
+    });
+}
+
+void prepare_cavities(const Problem& problem, const CellLists& lists, const Tile& tile,
+                      const Particles& particles, Scalars& deficit, Scalars& lowest_increment)
+{
+    const Scalars& height = place_in_equations(problem, particles).y;
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        double volume = 0.0, missing = 0.0, above = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            const double V = particles.volume[p];
+            volume += V;
+            missing += V * particles.tension_deficit[p];
+            above += V * (particles.pore_pressure[p] - lowest_excess(problem, height[p]));
+        }
+        deficit[slot] = missing / volume;
+        lowest_increment[slot] = -above / volume;
+    });
+}
+
+void apply_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                      const Scalars& increment, Particles& particles, CellMeans& means)
+{
+    const Vectors& place = place_in_equations(problem, particles);
+    const double weight_density = static_gradient(problem);
+    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c)
+        means.volume[static_cast<std::size_t>(c)] = 0.0;
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        const CellSums sums = sum_cell(lists, first, last, particles, place);
+        means.volume[slot] = sums.volume;
+        means.centre.set(slot, sums.moment / sums.volume);
+        const double slope = means.centre.y[slot] < problem.water->level ? weight_density : 0.0;
+        means.pore_pressure[slot] = (sums.pressure + dt * slope * sums.rise) / sums.volume + increment[slot];
+        if (problem.water->cavitation_pressure) {
+            const double wanted = means.pore_pressure[slot];
+            means.pore_pressure[slot] = std::max(wanted, lowest_excess(problem, means.centre.y[slot]));
+            means.tension_deficit[slot] = wanted - means.pore_pressure[slot];
+        }
+        if (particles.pore_pressure_rate.empty()) return;
+        for (std::size_t k = first; k < last; ++k)
+            particles.pore_pressure_rate[static_cast<std::size_t>(lists.order[k])] = increment[slot] / dt;
+    });
+}
+
+void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
+                               const CellMeans& means, Particles& particles)
+{
+    const Vectors& place = place_in_equations(problem, particles);
+    const bool cavitates = problem.water->cavitation_pressure.has_value();
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        const Vector2 slope = pressure_slope(problem, lists, means, slot), centre = means.centre[slot];
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre);
+            if (cavitates)
+                cavitate(lowest_excess(problem, place.y[p]), means.tension_deficit[slot], p, particles);
+        }
+    });
+}
+
+} // namespace quicksand

@@ -1,0 +1,85 @@
+// The mass balance of the water, cell by cell.
+//
+// The pressure is as rich as the cells, not as the particles: that is the cure for volumetric locking and its
+// noise. A cell's mean grows by
+//   dp = - dt K_w  sum V_p div[(1-n) v_s + n v_w] / sum n_p V_p
+// and, since the excess is counted from a static pressure that falls with height below the water level, by
+// dt rho_w g v_y there (not in small strain, where nothing leaves its height). Within the cell the pressure
+// is the plane through the mean with the slope of the neighbours' means: second order at the particles where
+// the mean alone would be first, and without force on a filled cell's own volume mode, so that the means keep
+// the balance of energy with the velocities.
+//
+// Cavitation, where the scene asks for it: the absolute pressure (atmosphere, static and excess together)
+// does not fall below a limit. What the balance asks for beyond it is kept as a deficit, that is as the
+// volume of cavities: it must close before the pressure rises again, so that the water's volume is conserved.
+#pragma once
+
+#include "solver/particles/background_grid.hpp"
+#include "solver/particles/cell_lists.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+
+namespace quicksand {
+
+/// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
+struct CellMeans {
+    Scalars volume;          // of soil [m3/m]
+    Scalars pore_pressure;   // [Pa]
+    Vectors centre;          // of the soil in the cell [m]
+    Scalars tension_deficit; // of the cell's water, none without a cavitation limit [Pa]
+};
+
+/// The lists of the saturated particles alone: only these have a pore pressure.
+void select_saturated(const Problem& problem, const Particles& particles, const CellLists& all,
+                      CellLists& wet);
+
+/// Volumes of the saturated particles, 0 for the others [m3/m].
+void set_saturated_volumes(const Problem& problem, const Particles& particles, Scalars& volumes);
+
+/// What little water unsaturated soil holds moves with its grains.
+void carry_moisture(const Problem& problem, Particles& particles);
+
+CellMeans make_cell_means(const Problem& problem);
+
+/// dp of a tile's cells in an explicit step, from the divergence of the flux at the particles.
+void explicit_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                         const Particles& particles, const Scalars& flux_divergence, Scalars& increment);
+
+/// The same where grains and water move together: the flux is their velocity.
+void undrained_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                          const Particles& particles, Scalars& increment);
+
+/// For the semi-implicit step: storage n V / K_w of a tile's cells, and as guess of their increments what the
+/// last step's rate gives.
+void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                        const Particles& particles, Scalars& storage, Scalars& increment);
+
+/// For the semi-implicit step with a limit of tension: the deficit of a tile's cells, and the limit less
+/// their pressure [Pa].
+void prepare_cavities(const Problem& problem, const CellLists& lists, const Tile& tile,
+                      const Particles& particles, Scalars& deficit, Scalars& lowest_increment);
+
+/// Advance the pressure of a tile's cells by the increments and by what their rise adds, and take the means.
+void apply_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                      const Scalars& increment, Particles& particles, CellMeans& means);
+
+/// Give the particles of a tile the plane through their cell's mean, by least squares to the up to eight
+/// neighbours that hold soil.
+void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
+                               const CellMeans& means, Particles& particles);
+
+/// Advance the pressure of all cells; set_increments(tile) sets the increments of a tile.
+template <class SetIncrements>
+void advance_pore_pressure(const Problem& problem, double dt, const CellLists& lists,
+                           const Scalars& increment, Particles& particles, CellMeans& means,
+                           SetIncrements&& set_increments)
+{
+    for_each_tile(lists, [&](const Tile& tile) {
+        set_increments(tile);
+        apply_increments(problem, dt, lists, tile, increment, particles, means);
+    });
+    for_each_tile(
+        lists, [&](const Tile& tile) { reconstruct_pore_pressure(problem, lists, tile, means, particles); });
+}
+
+} // namespace quicksand

@@ -1,0 +1,384 @@
+#include "solver/water/pressure_solve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+/// Call work(divergence, stencil, slot) for the cells of a tile that hold soil.
+template <class Work>
+void for_each_stencil(const PressureSolve& solve, const Tile& tile, Work&& work)
+{
+    const TileDivergence& divergence = solve.divergence[static_cast<std::size_t>(tile.number)];
+    for (const CellStencil& stencil : divergence.stencils)
+        work(divergence, stencil, static_cast<std::size_t>(stencil.cell));
+}
+
+/// Whether the pressure of a cell is that of the limit of tension.
+bool is_held(const PressureSolve& solve, std::size_t c)
+{
+    return !solve.cavity.cavities.empty() && solve.cavity.cavities[c] != 0;
+}
+
+/// Sum of work(tile) over the tiles, the same bits for any number of threads.
+template <class Work>
+double sum_over_tiles(const CellLists& lists, PressureSolve& solve, Work&& work)
+{
+    for_each_tile(
+        lists, [&](const Tile& tile) { solve.partial[static_cast<std::size_t>(tile.number)] = work(tile); });
+    double sum = 0.0;
+    for (const double part : solve.partial) sum += part;
+    return sum;
+}
+
+void gather_tied_forces(const NodeConditions& conditions, PressureSolve& solve)
+{
+    for (const TiedNodes& tie : conditions.tied) {
+        solve.force_x[tie.master] += solve.force_x[tie.node];
+        solve.force_y[tie.master] += solve.force_y[tie.node];
+    }
+}
+
+/// The fluxes of the nodes of the rows, from the forces on them.
+void respond_by_rows(PressureSolve& solve)
+{
+    const std::vector<std::size_t>& nodes = solve.rows->nodes();
+    solve.row_fluxes.resize(nodes.size());
+    solve.rows->respond_to_pressure(solve.row_forces, solve.row_fluxes);
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        solve.flux_x[nodes[k]] = solve.row_fluxes[k].x();
+        solve.flux_y[nodes[k]] = solve.row_fluxes[k].y();
+    }
+}
+
+void note_row_forces(PressureSolve& solve)
+{
+    solve.row_forces.clear();
+    for (const std::size_t i : solve.rows->nodes())
+        solve.row_forces.emplace_back(solve.force_x[i], solve.force_y[i]);
+}
+
+/// Badly filled cells get what their roots have.
+void spread_to_shared(const PressureSolve& solve, Scalars& values)
+{
+    for (const SharedCell& cell : solve.shared)
+        values[static_cast<std::size_t>(cell.slot)] = values[static_cast<std::size_t>(cell.root)];
+}
+
+/// Roots get what their badly filled cells have besides.
+void fold_shared(const PressureSolve& solve, Scalars& values)
+{
+    for (const SharedCell& cell : solve.shared) {
+        values[static_cast<std::size_t>(cell.root)] += values[static_cast<std::size_t>(cell.slot)];
+        values[static_cast<std::size_t>(cell.slot)] = 0.0;
+    }
+}
+
+/// flux = W force at the nodes, tied nodes with the flux of their masters; the forces are zero afterwards.
+void respond(const NodeConditions& conditions, PressureSolve& solve)
+{
+    gather_tied_forces(conditions, solve);
+    if (solve.rows != nullptr) note_row_forces(solve);
+    const NodeCompliances& W = solve.compliance;
+    for_each_index(solve.force_x.size(), [&](std::size_t i) {
+        const double x = solve.force_x[i], y = solve.force_y[i];
+        solve.flux_x[i] = W.xx[i] * x + W.xy[i] * y;
+        solve.flux_y[i] = W.xy[i] * x + W.yy[i] * y;
+        solve.force_x[i] = 0.0;
+        solve.force_y[i] = 0.0;
+    });
+    if (solve.rows != nullptr) respond_by_rows(solve);
+    for (const TiedNodes& tie : conditions.tied) {
+        solve.flux_x[tie.node] = solve.flux_x[tie.master];
+        solve.flux_y[tie.node] = solve.flux_y[tie.master];
+    }
+}
+
+/// force += D^T pressure. The forces must be zero before.
+void scatter_pressure(const BackgroundGrid& grid, const CellLists& lists, const Scalars& pressure,
+                      PressureSolve& solve)
+{
+    for_each_tile_by_colour(lists, [&](const Tile& tile) {
+        add_pressure_forces(solve.divergence[static_cast<std::size_t>(tile.number)], grid.nodes_x(), pressure,
+                            solve.force_x, solve.force_y);
+    });
+}
+
+/// product = L pressure; returns pressure . product. Badly filled cells get the pressure of their roots.
+double multiply(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
+                double dt, Scalars& pressure, PressureSolve& solve)
+{
+    spread_to_shared(solve, pressure);
+    scatter_pressure(grid, lists, pressure, solve);
+    respond(conditions, solve);
+    const double square = sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        const TileDivergence& divergence = solve.divergence[static_cast<std::size_t>(tile.number)];
+        outflows(divergence, grid.nodes_x(), solve.flux_x, solve.flux_y, solve.product);
+        double sum = 0.0;
+        for (const CellStencil& stencil : divergence.stencils) {
+            const auto c = static_cast<std::size_t>(stencil.cell);
+            solve.product[c] = solve.storage[c] * pressure[c] + dt * dt * solve.product[c];
+            sum += pressure[c] * solve.product[c];
+        }
+        return sum;
+    });
+    fold_shared(solve, solve.product);
+    return square;
+}
+
+/// Diagonal of L; where nodes are tied to others that the same cell touches it is a little off, which costs
+/// the preconditioner nothing.
+void set_diagonal(const BackgroundGrid& grid, const CellLists& lists, double dt, PressureSolve& solve)
+{
+    const NodeCompliances& W = solve.compliance;
+    const auto nodes_x = static_cast<std::size_t>(grid.nodes_x());
+    for_each_tile(lists, [&](const Tile& tile) {
+        for_each_stencil(solve, tile, [&](const TileDivergence& D, const CellStencil& cell, std::size_t c) {
+            double sum = 0.0;
+            auto k = static_cast<std::size_t>(cell.first);
+            for (std::size_t b = 0; b < static_cast<std::size_t>(cell.height); ++b) {
+                std::size_t i = static_cast<std::size_t>(cell.base) + b * nodes_x;
+                for (std::int16_t a = 0; a < cell.width; ++a, ++k, ++i) {
+                    sum += D.x[k] * (W.xx[i] * D.x[k] + 2.0 * W.xy[i] * D.y[k]) + D.y[k] * W.yy[i] * D.y[k];
+                }
+            }
+            solve.diagonal[c] = solve.storage[c] + dt * dt * sum;
+        });
+    });
+    fold_shared(solve, solve.diagonal);
+    spread_to_shared(solve, solve.diagonal); // nothing is divided by zero
+}
+
+/// Sum of residual^2 / diagonal after residual(cell) has been set: the measure of convergence.
+template <class Set>
+double set_residual(const CellLists& lists, PressureSolve& solve, Set&& set)
+{
+    return sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        double sum = 0.0;
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            set(c);
+            sum += solve.residual[c] * (solve.residual[c] / solve.diagonal[c]);
+        });
+        return sum;
+    });
+}
+
+/// answer = M^-1 residual; returns residual . answer. Cells that have got soil since the blocks were set up
+/// are divided by their diagonal.
+double answer_residual(const CellLists& lists, PressureSolve& solve)
+{
+    precondition(solve.residual, solve.blocks, solve.answer);
+    return sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        double sum = 0.0;
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            if (solve.blocks.blocks_of_slot[c] == 0) solve.answer[c] = solve.residual[c] / solve.diagonal[c];
+            if (is_held(solve, c)) solve.answer[c] = 0.0;
+            sum += solve.residual[c] * solve.answer[c];
+        });
+        return sum;
+    });
+}
+
+void turn_direction(const CellLists& lists, double beta, PressureSolve& solve)
+{
+    for_each_tile(lists, [&](const Tile& tile) {
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            solve.direction[c] = solve.answer[c] + beta * solve.direction[c];
+        });
+    });
+}
+
+/// - dt D flux*; returns its square, weighted by the diagonal.
+double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, double dt,
+                           PressureSolve& solve)
+{
+    return sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        const TileDivergence& divergence = solve.divergence[static_cast<std::size_t>(tile.number)];
+        std::fill(solve.residual.begin() + tile.first_cell, solve.residual.begin() + tile.last_cell, 0.0);
+        outflows(divergence, grid.nodes_x(), solve.flux_x, solve.flux_y, solve.right_hand_side);
+        double sum = 0.0;
+        for (const CellStencil& stencil : divergence.stencils) {
+            const auto c = static_cast<std::size_t>(stencil.cell);
+            solve.right_hand_side[c] *= -dt;
+            sum += solve.right_hand_side[c] * (solve.right_hand_side[c] / solve.diagonal[c]);
+        }
+        return sum;
+    });
+}
+
+/// Conjugate gradients from the present increments; those of cells with cavities stay.
+bool iterate(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions, double dt,
+             double target, const PressureSolveControls& controls, PressureSolve& solve)
+{
+    multiply(grid, lists, conditions, dt, solve.increment, solve);
+    double error = set_residual(lists, solve, [&](std::size_t c) {
+        const double lacking = solve.right_hand_side[c] - solve.product[c];
+        solve.residual[c] = is_held(solve, c) ? 0.0 : lacking;
+        if (is_held(solve, c)) solve.cavity.lacking[c] = lacking;
+    });
+    double weight = 0.0; // residual . M^-1 residual
+    for (bool first = true; error > target; first = false, ++solve.iterations) {
+        if (solve.iterations == controls.max_iterations) return false;
+        const double last = std::exchange(weight, answer_residual(lists, solve));
+        turn_direction(lists, first ? 0.0 : weight / last, solve);
+        const double alpha = weight / multiply(grid, lists, conditions, dt, solve.direction, solve);
+        error = set_residual(lists, solve, [&](std::size_t c) {
+            if (is_held(solve, c)) {
+                solve.cavity.lacking[c] -= alpha * solve.product[c];
+                return;
+            }
+            solve.increment[c] += alpha * solve.direction[c];
+            solve.residual[c] -= alpha * solve.product[c];
+        });
+    }
+    return std::isfinite(error);
+}
+
+/// The cells that begin the step with cavities, at the pressure of the limit; in all others the water first
+/// fills what is missing to it.
+void begin_cavities(const CellLists& lists, PressureSolve& solve)
+{
+    CavitySolve& cavity = solve.cavity;
+    for_each_tile(lists, [&](const Tile& tile) {
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            solve.right_hand_side[c] += solve.storage[c] * cavity.deficit[c];
+            cavity.cavities[c] = cavity.deficit[c] < cavity.lowest_increment[c] ? 1 : 0;
+            if (cavity.cavities[c] != 0) solve.increment[c] = cavity.lowest_increment[c];
+        });
+    });
+}
+
+/// What the water's volume asks for, and the cells with cavities that follow from it; returns whether they
+/// are others than before.
+bool revise_cavities(const CellLists& lists, PressureSolve& solve)
+{
+    CavitySolve& cavity = solve.cavity;
+    const double changes = sum_over_tiles(lists, solve, [&](const Tile& tile) {
+        double changed = 0.0;
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            const double beyond = is_held(solve, c) ? cavity.lacking[c] / solve.storage[c] : 0.0;
+            cavity.water_increment[c] = solve.increment[c] + beyond - cavity.deficit[c];
+            const bool held = solve.increment[c] + beyond < cavity.lowest_increment[c];
+            if (held == is_held(solve, c)) return;
+            cavity.cavities[c] = held ? 1 : 0;
+            if (held) solve.increment[c] = cavity.lowest_increment[c];
+            changed += 1.0;
+        });
+        return changed;
+    });
+    return changes > 0.0;
+}
+
+/// Iterate until the cells with cavities are found as well.
+bool converge(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions, double dt,
+              double target, const PressureSolveControls& controls, PressureSolve& solve)
+{
+    const auto settle = [&] { return iterate(grid, lists, conditions, dt, target, controls, solve); };
+    if (solve.cavity.cavities.empty()) return settle();
+    constexpr int most_sets = 30; // then the last is taken: a cell at the limit may belong to either
+    begin_cavities(lists, solve);
+    for (int k = 0; k < most_sets; ++k) {
+        if (!settle()) return false;
+        if (!revise_cavities(lists, solve)) break;
+    }
+    return true;
+}
+
+} // namespace
+
+PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::size_t nodes)
+{
+    PressureSolve solve;
+    solve.divergence.resize(tiles);
+    solve.partial.assign(tiles, 0.0);
+    for (Scalars* by_cell : {&solve.storage, &solve.increment, &solve.right_hand_side, &solve.diagonal,
+                             &solve.residual, &solve.answer, &solve.direction, &solve.product})
+        by_cell->assign(cells, 0.0);
+    for (Scalars* by_node : {&solve.force_x, &solve.force_y, &solve.flux_x, &solve.flux_y})
+        by_node->assign(nodes, 0.0);
+    return solve;
+}
+
+void add_cavities(PressureSolve& solve)
+{
+    CavitySolve& cavity = solve.cavity;
+    for (Scalars* by_cell :
+         {&cavity.deficit, &cavity.lowest_increment, &cavity.water_increment, &cavity.lacking})
+        by_cell->assign(solve.storage.size(), 0.0);
+    cavity.cavities.assign(solve.storage.size(), 0);
+}
+
+void choose_blocks(double dt, PressureSolve& solve)
+{
+    constexpr double alike = 0.05;              // of dt
+    constexpr std::int32_t worth_a_set_up = 16; // iterations: their instructions are those of new blocks
+    if (std::abs(dt - solve.dt_of_blocks) > alike * dt || solve.iterations_lost > worth_a_set_up)
+        solve.blocks_are_due = true;
+    if (solve.blocks_are_due) solve.dt_of_blocks = dt;
+}
+
+void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSolve& solve)
+{
+    solve.rows = rows.empty() ? nullptr : &rows;
+    if (solve.blocks_are_due) {
+        solve.following.clear();
+        solve.held.clear();
+    }
+    if (rows.empty()) return;
+    rows.set_porosities(porosities);
+    const std::vector<Eigen::Matrix2d> local = rows.local_compliances();
+    for (std::size_t k = 0; k < local.size(); ++k) {
+        const std::size_t i = rows.nodes()[k];
+        solve.compliance.xx[i] = local[k](0, 0);
+        solve.compliance.xy[i] = local[k](0, 1);
+        solve.compliance.yy[i] = local[k](1, 1);
+    }
+    if (!solve.blocks_are_due) return;
+    rows.for_each_followed([&](std::size_t follower, int axis, std::size_t node, double weight) {
+        std::vector<FollowingNode>& following = solve.following;
+        if (following.empty() || following.back().node != follower || following.back().axis != axis)
+            following.push_back({follower, axis, {}});
+        following.back().followed.push_back({node, weight});
+    });
+    solve.held = rows.held_rows();
+}
+
+void share_pressures(const std::vector<SharedCell>& shared, PressureSolve& solve)
+{
+    solve.shared = shared;
+    for (const SharedCell& cell : shared) solve.storage[static_cast<std::size_t>(cell.slot)] = 0.0;
+    spread_to_shared(solve, solve.increment);
+}
+
+bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
+                      double dt, const PressureSolveControls& controls, PressureSolve& solve)
+{
+    set_diagonal(grid, lists, dt, solve);
+    const bool new_blocks = std::exchange(solve.blocks_are_due, false);
+    if (new_blocks) set_up_blocks(grid, lists, conditions, dt, solve, solve.blocks);
+    scale_blocks(solve.diagonal, solve.blocks);
+    const double scale = set_right_hand_side(grid, lists, dt, solve);
+    fold_shared(solve, solve.right_hand_side);
+    solve.iterations = 0;
+    const bool converged = converge(grid, lists, conditions, dt,
+                                    controls.tolerance * controls.tolerance * scale, controls, solve);
+    if (new_blocks) {
+        solve.iterations_when_new = solve.iterations;
+        solve.iterations_lost = 0;
+    }
+    solve.iterations_lost += std::max(0, solve.iterations - solve.iterations_when_new);
+    return converged;
+}
+
+void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
+                          const NodeConditions& conditions, PressureSolve& solve)
+{
+    spread_to_shared(solve, solve.increment);
+    scatter_pressure(grid, lists, solve.increment, solve);
+    gather_tied_forces(conditions, solve);
+}
+
+} // namespace quicksand

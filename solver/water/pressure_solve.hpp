@@ -1,0 +1,95 @@
+// The implicit pressure of the semi-implicit step: one symmetric positive definite solve for the increments
+// of the cells' pressure.
+//
+//   sum_c' L_cc' dp_c' = - dt sum_i D_ci . flux*_i
+//   L_cc' = delta_cc' n_c V_c / K_w + dt^2 sum_i D_ci . W_i D_c'i
+//
+// flux* is the flux with the old pressure, and W_i = beta^T A_i^-1 beta, beta = (1-n_i, n_i), what a unit
+// force of the pressure on node i does to its flux in a unit of time, drag (and held velocities) included.
+// Backward Euler in pressure and relative velocity: sound of any speed is stable, and a wave of the pressure
+// is damped with a ratio of about omega dt / 2. Solved by conjugate gradients, preconditioned by blocks; the
+// guess is the last step's rate of pressure.
+//
+// With a limit of tension the pressure of a cell is the larger of the limit and of what its water's volume
+// asks for: an obstacle, found by the set of cells that have cavities (primal-dual active set: Hintermueller,
+// Ito and Kunisch 2002). A cell of the set has the pressure of the limit, and its cavities take the flux.
+#pragma once
+
+#include "solver/boundaries/boundary_conditions.hpp"
+#include "solver/boundaries/grid_momentum.hpp"
+#include "solver/particles/particles.hpp"
+#include "solver/walls/velocity_rows.hpp"
+#include "solver/water/cell_divergence.hpp"
+#include "solver/water/pressure_blocks.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// Cells with cavities, by slot of the cell lists; no entries without a limit of tension.
+struct CavitySolve {
+    Scalars deficit;                    // of the cells at the begin of the step, see pore_pressure.hpp [Pa]
+    Scalars lowest_increment;           // the limit less the pressure at the begin of the step [Pa]
+    std::vector<std::uint8_t> cavities; // whether the cell has some at the end of the step
+    Scalars water_increment;            // of pressure and deficit together: what the volume asks for [Pa]
+    Scalars lacking;                    // of a cell with cavities: what its water does not fill [m3/m]
+};
+
+/// Unknowns and work arrays, by slot of the cell lists (only cells with soil are touched) and by node.
+struct PressureSolve : PressureEquations {
+    PressureBlocks blocks;
+    bool blocks_are_due = true;                  // to be set up anew in the next solve
+    double dt_of_blocks = 0.0;                   // for which they were set up [s]
+    std::int32_t iterations_when_new = 0;        // of the first solve with the blocks [-]
+    std::int32_t iterations_lost = 0;            // of all since, beyond those [-]
+    const VelocityRows* rows = nullptr;          // of walls and followers, none without
+    std::vector<Vector2> row_forces, row_fluxes; // at the nodes of the rows
+    Scalars increment;                           // dp: the guess, then the solution [Pa]
+    Scalars flux_x, flux_y;                      // of the nodes, flux* at first [m/s]
+    Scalars force_x, force_y;   // of the increments on the nodes, zero before and after a solve [N/m]
+    Scalars right_hand_side;    // [m3/m]
+    Scalars residual;           // of the equations [m3/m]
+    Scalars answer;             // of the preconditioner to the residual [Pa]
+    Scalars direction, product; // of the conjugate gradients, and L direction [Pa, m3/m]
+    Scalars partial;            // sums of the tiles [of what is summed]
+    CavitySolve cavity;
+    std::int32_t iterations = 0; // of the last solve [-]
+};
+
+struct PressureSolveControls {
+    /// Residual / right-hand side, both weighted by the diagonal. The time step's own error is some omega dt,
+    /// a few per mille; 1e-3 changes pressures by 1e-5 of their range against 1e-6, at a third of the
+    /// iterations [-].
+    double tolerance = 1e-3;
+    std::int32_t max_iterations = 500; // then the solve has failed
+};
+
+PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::size_t nodes);
+
+/// Give the solve a limit of tension.
+void add_cavities(PressureSolve& solve);
+
+/// Ask for new blocks where those at hand are of another time step (dt^2 weighs the nodes' answer against
+/// storage), or no longer fit for other reasons: walls touch other nodes, soil has moved. The first in a
+/// step.
+void choose_blocks(double dt, PressureSolve& solve);
+
+/// Let the nodes of the rows answer the pressure as the rows have it. After the compliances of the nodes have
+/// been set.
+void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSolve& solve);
+
+/// Let badly filled cells have the pressure of their roots. After storage and increments of the roots have
+/// been set.
+void share_pressures(const std::vector<SharedCell>& shared, PressureSolve& solve);
+
+/// Solve for `increment`, from its present value as guess, with `flux_x, flux_y` = flux*; with a limit of
+/// tension for `cavity` as well. Returns whether it converged.
+bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
+                      double dt, const PressureSolveControls& controls, PressureSolve& solve);
+
+/// Set the forces to those of the increments; masters of tied nodes have theirs, too.
+void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
+                          const NodeConditions& conditions, PressureSolve& solve);
+
+} // namespace quicksand
