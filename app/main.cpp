@@ -1,7 +1,7 @@
 // The program quicksand: one command a call, failures sorted into exit codes.
-#include "app/command_line.hpp"
-#include "app/process_settings.hpp"
-#include "io/file_error.hpp"
+#include "app/commands/command_line.hpp"
+#include "app/run/process_settings.hpp"
+#include "io/files/file_error.hpp"
 #include "solver/base/failure.hpp"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 // Signs and frame as in element_test.hpp.
 #pragma once
 
-#include "solver/element/element_test_cyclic.hpp"
+#include "solver/element/cyclic_laboratory.hpp"
 
 #include <variant>
 #include <vector>

@@ -34,21 +34,6 @@ bool marks_restart(const std::vector<Observer*>& observers, const State& state)
 
 } // namespace
 
-double next_event(const std::vector<Observer*>& observers, double latest)
-{
-    double next = latest;
-    for (const Observer* observer : observers) next = std::min(next, observer->next_time());
-    return next;
-}
-
-void observe_due(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
-                 const StepReport& report)
-{
-    for (Observer* observer : observers) {
-        if (observer->next_time() <= state.time) observer->observe(problem, state, report);
-    }
-}
-
 void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
          const std::function<bool()>& stop_requested)
 {

@@ -11,7 +11,7 @@
 
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
-#include "solver/run/simulation.hpp"
+#include "solver/run/observer.hpp"
 
 #include <cstdint>
 #include <optional>

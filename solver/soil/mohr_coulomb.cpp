@@ -43,37 +43,6 @@ void return_particle(const MohrCoulombSurface& surface, std::size_t p, Symmetric
 
 } // namespace
 
-double surface_tip(const MohrCoulomb& law)
-{
-    const double tangent = std::tan(law.friction_angle);
-    return tangent > 0.0 ? law.cohesion / tangent : std::numeric_limits<double>::infinity();
-}
-
-MohrCoulomb reduced(const MohrCoulomb& law, double factor)
-{
-    MohrCoulomb weaker = law;
-    weaker.cohesion = law.cohesion / factor;
-    weaker.tension_strength = law.tension_strength / factor;
-    weaker.friction_angle = std::atan(std::tan(law.friction_angle) / factor);
-    weaker.dilation_angle = std::min(law.dilation_angle, weaker.friction_angle);
-    return weaker;
-}
-
-double lame_modulus(const MohrCoulomb& law)
-{
-    return lame_modulus(elastic_part(law));
-}
-
-double constrained_modulus(const MohrCoulomb& law)
-{
-    return constrained_modulus(elastic_part(law));
-}
-
-double shear_modulus(const MohrCoulomb& law)
-{
-    return law.shear_modulus;
-}
-
 ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t, std::size_t, const Particles&)
 {
     return {constrained_modulus(law), constrained_modulus(law)};

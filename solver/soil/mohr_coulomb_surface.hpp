@@ -2,8 +2,9 @@
 // return to them.
 #pragma once
 
-#include "solver/soil/mohr_coulomb.hpp"
+#include "solver/soil/mohr_coulomb_parameters.hpp"
 
+#include <Eigen/Core>
 #include <array>
 #include <span>
 

@@ -4,8 +4,8 @@
 //            Both turn by twice the angle of the body.
 #pragma once
 
-#include "solver/soil/ubcsand.hpp"
 #include "solver/soil/ubcsand_choices.hpp"
+#include "solver/soil/ubcsand_point.hpp"
 
 namespace quicksand::ubcsand {
 

@@ -1,5 +1,5 @@
 // The example of the element laboratory: its files, its numbers, the page of its keys.
-#include "io/picture_table.hpp"
+#include "io/pictures/picture_table.hpp"
 #include "tests/examples/program.hpp"
 
 #include <gtest/gtest.h>

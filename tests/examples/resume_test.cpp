@@ -1,6 +1,6 @@
 // A run gives the same bits whatever the number of threads, and however often it was stopped.
-#include "io/checkpoint.hpp"
-#include "io/run_manifest.hpp"
+#include "io/results/checkpoint.hpp"
+#include "io/results/run_manifest.hpp"
 #include "tests/examples/program.hpp"
 
 #include <gtest/gtest.h>

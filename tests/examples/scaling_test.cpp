@@ -1,6 +1,6 @@
 // The shake table at the scale of its model and in full scale is the same problem: lengths and times 120
 // times as large, accelerations a 120th, velocities, stresses and pressures as they are.
-#include "io/picture_table.hpp"
+#include "io/pictures/picture_table.hpp"
 #include "tests/examples/program.hpp"
 
 #include <gtest/gtest.h>

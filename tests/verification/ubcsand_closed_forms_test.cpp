@@ -1,5 +1,5 @@
 // UBCSAND against its own equations integrated by hand: first loading and the first half cycles.
-#include "solver/element/element_test_cyclic.hpp"
+#include "solver/element/cyclic_laboratory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // UBCSAND in the engine: a box of a few cells, shaken at its base, follows the paths of the element
 // laboratory.
-#include "solver/element/element_test_cyclic.hpp"
+#include "solver/element/cyclic_laboratory.hpp"
 #include "tests/fixtures/sand_box.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // What must not change the answer: the frame, the size of the substeps, the size of the steps.
-#include "solver/element/element_test_cyclic.hpp"
+#include "solver/element/cyclic_laboratory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Ripples on the strain path of UBCSAND, as the waves of a grid make them: they must neither be counted as
 // half cycles nor keep the sand from liquefying.
-#include "solver/element/element_test_cyclic.hpp"
+#include "solver/element/cyclic_laboratory.hpp"
 
 #include <gtest/gtest.h>
 

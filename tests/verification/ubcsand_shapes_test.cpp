@@ -1,6 +1,6 @@
 // Monotonic simple shear of UBCSAND against reference numbers: phase transformation, peaks and strain
 // hardening.
-#include "solver/element/element_test.hpp"
+#include "solver/element/element_laboratory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // The cyclic strength of UBCSAND: against reference cycles to liquefaction, and against the triggering curve
 // to which the factor of secondary loading was calibrated. Constant-volume simple shear at K_0 = 0.5.
-#include "solver/element/element_test_cyclic.hpp"
+#include "solver/element/cyclic_laboratory.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // What a user reads when a .geo or .msh file is wrong.
 #include "solver/base/failure.hpp"
-#include "tests/unit/geometry/scratch_files.hpp"
+#include "tests/fixtures/scratch_files.hpp"
 
 #include <sys/resource.h>
 

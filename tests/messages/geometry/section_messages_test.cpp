@@ -1,8 +1,8 @@
 // What a user reads when a section can be read but not be sampled.
-#include "geometry/particle_sampler.hpp"
-#include "geometry/section_check.hpp"
+#include "geometry/sampling/particle_sampler.hpp"
+#include "geometry/section/section_check.hpp"
 #include "solver/base/failure.hpp"
-#include "tests/unit/geometry/scratch_files.hpp"
+#include "tests/fixtures/scratch_files.hpp"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,6 @@
 // Mistakes in a file of element tests: the place, what is allowed and the cure.
-#include "tests/messages/io/scene_mistake.hpp"
-#include "tests/unit/io/element_example.hpp"
+#include "tests/fixtures/element_example.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

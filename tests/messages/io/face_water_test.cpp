@@ -1,5 +1,5 @@
 // Heads, curves and phreatic lines that contradict each other.
-#include "tests/unit/io/slope_example.hpp"
+#include "tests/fixtures/slope_example.hpp"
 
 #include <gtest/gtest.h>
 

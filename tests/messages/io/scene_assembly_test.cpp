@@ -1,5 +1,5 @@
 // Scenes that do not fit their drawings.
-#include "tests/unit/io/scene_example.hpp"
+#include "tests/fixtures/scene_example.hpp"
 
 #include <gtest/gtest.h>
 

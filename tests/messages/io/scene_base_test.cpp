@@ -1,5 +1,5 @@
 // Scenes that name a base: what they make together, and what is said of mistakes in either.
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

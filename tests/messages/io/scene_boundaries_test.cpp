@@ -1,5 +1,5 @@
 // Boundary conditions and loads that contradict each other, and histories that cannot be read.
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

@@ -1,5 +1,5 @@
 // Files that are not there or hold no text, long batches, and values of the command line.
-#include "tests/unit/io/scene_example.hpp"
+#include "tests/fixtures/scene_example.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Figures that a scene asks for and its run could not give.
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

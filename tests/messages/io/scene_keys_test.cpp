@@ -1,5 +1,5 @@
 // Keys and tables that are misspelt, missing or out of place.
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

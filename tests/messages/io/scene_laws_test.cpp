@@ -1,5 +1,5 @@
 // Strength parameters that say something against each other.
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 #include <cmath>
 

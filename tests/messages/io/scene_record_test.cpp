@@ -1,5 +1,5 @@
 // Records of base motions with mistakes in the file itself, or at odds with the scene.
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

@@ -1,5 +1,5 @@
 // Names that refer to nothing, sides that are not tied to each other, files that are not there.
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

@@ -1,5 +1,5 @@
 // Materials of UBCSAND: densities that are missing or told twice, stresses beyond what the sand can bear.
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

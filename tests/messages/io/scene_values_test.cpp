@@ -1,5 +1,5 @@
 // Values of the wrong kind, unit or size.
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

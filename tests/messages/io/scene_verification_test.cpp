@@ -1,5 +1,5 @@
 // Mistakes in [verification].
-#include "tests/messages/io/scene_mistake.hpp"
+#include "tests/fixtures/scene_mistake.hpp"
 
 namespace quicksand {
 namespace {

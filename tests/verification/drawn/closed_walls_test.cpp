@@ -2,7 +2,7 @@
 // lines.
 #include "solver/step/stepper.hpp"
 #include "solver/step/time_step_control.hpp"
-#include "tests/verification/drawn/drawn_section.hpp"
+#include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
 

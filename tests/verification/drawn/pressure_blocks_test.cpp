@@ -2,7 +2,7 @@
 // more iterations than those along it.
 #include "solver/step/time_step_control.hpp"
 #include "solver/step/two_phase_step.hpp"
-#include "tests/verification/drawn/drawn_section.hpp"
+#include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
 

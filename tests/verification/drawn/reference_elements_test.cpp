@@ -1,7 +1,7 @@
 // Sections that have no closed form, against finite elements (six-node triangles, refined until they change
 // by less than 0.1 %): a dike shaken on a slanted base, and a slope that consolidates under a face sealed by
 // clay.
-#include "tests/verification/drawn/drawn_section.hpp"
+#include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
 

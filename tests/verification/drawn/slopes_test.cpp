@@ -1,6 +1,6 @@
 // Soil on slanted bases: at rest, settling and sliding.
 #include "solver/measure/monitors.hpp"
-#include "tests/verification/drawn/drawn_section.hpp"
+#include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
 

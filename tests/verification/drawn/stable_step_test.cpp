@@ -1,7 +1,7 @@
 // The step that the program chooses bears random motion in bodies that the grid cuts anywhere.
 #include "solver/step/stepper.hpp"
 #include "solver/step/time_step_control.hpp"
-#include "tests/verification/drawn/drawn_section.hpp"
+#include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Consolidation in columns at any angle and offset to the grid (Terzaghi 1923).
 #include "solver/verification/bodies/layer.hpp"
 #include "solver/verification/solutions/terzaghi.hpp"
-#include "tests/verification/drawn/drawn_section.hpp"
+#include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
 

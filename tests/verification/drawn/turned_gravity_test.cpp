@@ -1,5 +1,5 @@
 // Drawings that are turned together with their gravity settle as they do along the grid.
-#include "tests/verification/drawn/drawn_section.hpp"
+#include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
 

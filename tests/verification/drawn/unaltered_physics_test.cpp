@@ -2,7 +2,7 @@
 // momentum.
 #include "solver/measure/ledger.hpp"
 #include "solver/measure/monitors.hpp"
-#include "tests/verification/drawn/drawn_section.hpp"
+#include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,61 @@
+#include "app/commands/commands.hpp"
+#include "app/run/journal.hpp"
+#include "app/run/plan.hpp"
+#include "app/run/scene_setup.hpp"
+#include "app/run/trial.hpp"
+#include "io/results/output_observers.hpp"
+#include "io/results/results_folder.hpp"
+#include "solver/run/simulation.hpp"
+
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+constexpr const char* plan_file = "check.txt";
+
+/// fields.pvd and grid.pvd with one frame of the state before any settling.
+void write_initial_frame(const AssembledCase& assembled, const ResultsFolder& folder)
+{
+    Scene scene = assembled.scene;
+    scene.output.probe_interval = scene.output.history_interval = scene.output.checkpoint_interval = 0.0;
+    State state = assembled.state;
+    begin_shaking(assembled.problem, state);
+    for (const auto& writer :
+         make_output_observers(scene, assembled.problem, state, {folder.directory, "", false})) {
+        writer->observe(assembled.problem, state, {0, 0.0, {}, 0});
+        writer->finish();
+    }
+}
+
+} // namespace
+
+ExitCode check_scene(const CheckChoice& choice)
+{
+    Journal journal;
+    const SceneSetup setup = set_up_scene(choice.scene, journal);
+    const AssembledCase& assembled = setup.assembled;
+    const std::vector<PatchTest> patch_tests = test_patches(assembled.problem, assembled.state);
+    refuse_failed_patches(assembled, patch_tests);
+    const ResultsFolder folder = prepare_report_folder(
+        report_folder(choice.directory, assembled.scene.file, "check"), plan_file, assembled.scene);
+    journal.keep(folder.directory / plan_file);
+    journal.say(describe_scene_keys(setup));
+    journal.say(describe_soil(assembled));
+    journal.say(describe_boundaries(assembled, patch_tests));
+    if (const std::string sands = describe_sands(assembled); !sands.empty()) journal.say(sands);
+    journal.say(describe_initial_state(assembled));
+    if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
+    journal.say(describe_time_step(assembled));
+    const Forecast forecast = forecast_run(assembled, folder.directory);
+    journal.say(describe_cost(forecast));
+    journal.say(describe_left_out(assembled));
+    write_initial_frame(assembled, folder);
+    journal.say("The initial state is in " + folder.particle_series().string() + " and " +
+                folder.grid_series().string() + "; this plan is in " +
+                (folder.directory / plan_file).string());
+    return ExitCode::good;
+}
+
+} // namespace quicksand

@@ -1,0 +1,222 @@
+#include "app/run/number_format.hpp"
+#include "app/run/plan.hpp"
+#include "io/assembly/face_water.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/boundaries/surface_loads.hpp"
+#include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/run/patch_test.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <map>
+
+namespace quicksand {
+
+namespace {
+
+const char* name_of(SoilCondition soil)
+{
+    switch (soil) {
+    case SoilCondition::free:
+        return "free";
+    case SoilCondition::fixed:
+        return "fixed";
+    case SoilCondition::roller:
+        return "roller";
+    case SoilCondition::tied:
+        return "tied";
+    case SoilCondition::moving:
+        return "moving";
+    case SoilCondition::viscous:
+        return "viscous";
+    }
+    return "";
+}
+
+const char* name_of(WaterCondition water)
+{
+    switch (water) {
+    case WaterCondition::drained:
+        return "drained";
+    case WaterCondition::impervious:
+        return "impervious";
+    case WaterCondition::prescribed:
+        return "with a prescribed pressure";
+    }
+    return "";
+}
+
+double length_of(const Boundary& boundary)
+{
+    double length = 0.0;
+    for (const Segment& segment : boundary.segments) length += (segment.end - segment.start).norm();
+    return length;
+}
+
+std::string describe_history(const History& history)
+{
+    std::string text;
+    if (history.ramp_time > 0.0) text += fmt::format(", rising over {} s", short_number(history.ramp_time));
+    if (const auto* sine = std::get_if<SineHistory>(&history.shape))
+        text += fmt::format(", a sine wave of {} Hz", short_number(sine->frequency));
+    if (const auto* table = std::get_if<SampledHistory>(&history.shape))
+        text += fmt::format(", times a table of {} factors, up to {}", table->times.size(),
+                            short_number(peak_value(history)));
+    return text;
+}
+
+std::string describe_load(const AssembledCase& assembled, const Boundary& boundary)
+{
+    const Vector2 force = full_load(assembled.problem, assembled.state, boundary);
+    return fmt::format("load ({}, {}) N per metre of thickness in all{}", short_number(force.x(), 6),
+                       short_number(force.y(), 6), describe_history(boundary.load->history));
+}
+
+std::string describe_motion(const WallMotion& motion)
+{
+    const bool velocity = motion.quantity == MotionQuantity::velocity;
+    const char* unit = velocity ? "m/s" : "m";
+    const std::string value =
+        motion.grip == WallGrip::rough
+            ? fmt::format("({}, {}) {}", short_number(motion.value.x(), 6), short_number(motion.value.y(), 6),
+                          unit)
+            : fmt::format("{} {} into the soil, free along the curve", short_number(motion.inward, 6), unit);
+    return fmt::format("{} {}{}", velocity ? "velocity" : "displacement", value,
+                       describe_history(motion.history));
+}
+
+struct Range {
+    double least = std::numeric_limits<double>::infinity(), most = -std::numeric_limits<double>::infinity();
+
+    void include(double value)
+    {
+        least = std::min(least, value);
+        most = std::max(most, value);
+    }
+    /// One number where both ends look the same.
+    std::string text() const
+    {
+        const std::string lower = short_number(least), upper = short_number(most);
+        return lower == upper ? lower : lower + " to " + upper;
+    }
+};
+
+/// Impedances along a curve, beside soil of one material [Pa s/m].
+struct ImpedanceRange {
+    Range normal, shear;
+
+    std::string text() const
+    {
+        return fmt::format("rho Vp {}, rho Vs {} Pa s/m", normal.text(), shear.text());
+    }
+};
+
+/// The rock's impedances, or those of every soil beside the curve in its initial state.
+std::string describe_impedance(const AssembledCase& assembled, const Boundary& boundary)
+{
+    const Problem& problem = assembled.problem;
+    const Particles& particles = assembled.state.particles;
+    std::map<std::int32_t, ImpedanceRange> of_material;
+    ParticlePlaces places;
+    for (const BoundaryPiece& piece : boundary.pieces) {
+        const std::size_t p = places.find(particles, piece.identifier);
+        const Impedance beyond = impedance(problem, boundary, particles, p);
+        ImpedanceRange& range = of_material[particles.material[p]];
+        range.normal.include(beyond.normal);
+        range.shear.include(beyond.shear);
+    }
+    std::string text;
+    for (const auto& [material, range] : of_material) {
+        if (boundary.half_space) return "rock beyond: " + range.text();
+        text += fmt::format("{}as {} goes on beyond: {}", text.empty() ? "" : "; ",
+                            problem.materials[static_cast<std::size_t>(material)].name, range.text());
+    }
+    return text;
+}
+
+std::string describe_outer_water(const Problem& problem, const Boundary& boundary)
+{
+    const OuterWater& outer = *boundary.outer_water;
+    Range excess; // [Pa]
+    for (const Segment& segment : boundary.segments) {
+        for (const Vector2& point : {segment.start, segment.end})
+            excess.include(outer_excess_pressure(problem, outer, point));
+    }
+    return fmt::format("excess pore pressure {} to {} Pa{}", short_number(excess.least, 6),
+                       short_number(excess.most, 6), describe_history(outer.history));
+}
+
+std::string describe_heads(const std::pair<double, double>& heads)
+{
+    Range range;
+    range.include(heads.first);
+    range.include(heads.second);
+    return fmt::format("below the phreatic line, so with its head, {} m", range.text());
+}
+
+/// What the curve leaves unbalanced of pressures that it should bear.
+std::string describe_patch_test(const PatchTest& test)
+{
+    const auto percent = [](double share) {
+        return share < 1e-8 ? std::string("0") : short_number(100.0 * share, 2);
+    };
+    return fmt::format("patch tests: {} % of a constant pressure left unbalanced, {} % of a geostatic one",
+                       percent(test.constant_pressure), percent(test.geostatic));
+}
+
+} // namespace
+
+void refuse_failed_patches(const AssembledCase& assembled, const std::vector<PatchTest>& tests)
+{
+    constexpr double most = 0.02;
+    const Problem& problem = assembled.problem;
+    Diagnostics findings;
+    for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
+        const Boundary& boundary = problem.boundaries[b];
+        const bool acts = boundary.soil != SoilCondition::free || boundary.load || boundary.outer_water;
+        const double worst = std::max(tests[b].constant_pressure, tests[b].geostatic);
+        if (!acts || worst <= most) continue;
+        const auto written =
+            std::find_if(assembled.scene.boundaries.begin(), assembled.scene.boundaries.end(),
+                         [&](const SceneBoundary& s) { return s.name == boundary.name; });
+        if (written == assembled.scene.boundaries.end()) continue;
+        findings.add(
+            error_at(written->place, "patch-test",
+                     fmt::format("the curve \"{}\" leaves {} % of a pressure unbalanced that it should bear",
+                                 boundary.name, short_number(100.0 * worst, 2)),
+                     "at most 2 %", "use interpolation = \"cpdi\", or smaller cells"));
+    }
+    if (findings.has_errors()) throw_findings(findings, assembled.scene.text);
+}
+
+std::string describe_boundaries(const AssembledCase& assembled, const std::vector<PatchTest>& tests)
+{
+    const Problem& problem = assembled.problem;
+    std::string text = "Boundaries\n";
+    const auto add = [&](const std::string& line) { text += fmt::format("  {:<16}{}\n", "", line); };
+    for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
+        const Boundary& boundary = problem.boundaries[b];
+        text += fmt::format("  {:<16}{:.4g} m, {}{}{}\n", boundary.name, length_of(boundary),
+                            name_of(boundary.soil), problem.water ? ", water " : "",
+                            problem.water ? name_of(boundary.water) : "");
+        if (boundary.load) add(describe_load(assembled, boundary));
+        if (boundary.motion) add(describe_motion(*boundary.motion));
+        if (boundary.soil == SoilCondition::viscous) add(describe_impedance(assembled, boundary));
+        if (const auto heads = heads_of_line(assembled.scene, problem.grid, boundary)) {
+            add(describe_heads(*heads));
+        } else if (boundary.outer_water) {
+            add(describe_outer_water(problem, boundary));
+        }
+        add(describe_patch_test(tests[b]));
+    }
+    if (tests.size() > problem.boundaries.size()) {
+        text += "  edges without a name\n";
+        add(describe_patch_test(tests.back()));
+    }
+    return text;
+}
+
+} // namespace quicksand

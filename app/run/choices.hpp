@@ -1,0 +1,112 @@
+// What a call of the program asks for, and how it may end.
+#pragma once
+
+#include "solver/base/conventions.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// Exit codes, fixed for scripts.
+enum class ExitCode {
+    good = 0,
+    input = 2,      // the user's input cannot be run
+    numerical = 3,  // the run went bad
+    files = 4,      // files, disk or memory
+    bug = 5,        // our own
+    inaccurate = 6, // verify: an error or an order misses its limit
+};
+
+/// A scene and what the command line changes of it.
+struct SceneChoice {
+    std::filesystem::path scene;        // a file, or a folder with scene.toml
+    std::vector<std::string> overrides; // --set key=value
+    std::optional<double> until;        // end of the run in place of the scene's [s]
+    int threads = 0;                    // 0: all of the machine's [-]
+};
+
+struct RunChoice {
+    SceneChoice scene;
+    std::filesystem::path directory; // empty: results/<name of the scene>
+    bool overwrite = false;
+    bool resume = false;
+};
+
+struct CheckChoice {
+    SceneChoice scene;
+    std::filesystem::path directory; // empty: results/<name of the scene>-check
+};
+
+struct StabilityChoice {
+    SceneChoice scene;
+    std::filesystem::path directory;  // empty: results/<name of the scene>-stability
+    double tolerance = 0.005;         // width of the bracket over the factor of safety [-]
+    double seismic_coefficient = 0.0; // k_h, horizontal force towards +x over weight [-]
+};
+
+struct KeysChoice {
+    std::string pattern; // part of a key, empty: all
+    bool markdown = false;
+    bool of_element_tests = false; // instead of a scene's
+};
+
+struct ElementChoice {
+    std::filesystem::path file;         // of tests, or a folder with test.toml
+    std::vector<std::string> overrides; // --set key=value
+    std::filesystem::path directory;    // empty: results/<name of the file>
+};
+
+struct NewChoice {
+    std::string example; // "dike" or "column"
+    std::filesystem::path folder;
+};
+
+struct ProbeChoice {
+    std::filesystem::path results;
+    Vector2 at = Vector2::Zero(); // [m]
+    std::vector<std::string> fields;
+    bool rides_with_soil = false;
+    std::filesystem::path file;
+};
+
+struct PictureChoice {
+    std::filesystem::path results;
+    std::filesystem::path output; // .png file or folder, empty: RESULTS/pictures
+    std::string field;            // empty: the usual set
+    std::optional<double> time;   // none: the last frame [s]
+    std::string range;            // of the colours as LOW:HIGH, empty: automatic
+    double exaggeration = 1.0;    // of the displacements [-]
+};
+
+struct FiguresChoice {
+    std::filesystem::path source;  // results folder, or a scene whose results lie in the usual place
+    std::filesystem::path results; // of the scene, empty: results/<name of the scene>
+    std::filesystem::path output;  // folder, empty: RESULTS/figures
+};
+
+struct DemoChoice {
+    std::filesystem::path directory = "results/demo";
+    int threads = 0;
+};
+
+struct VerifyChoice {
+    std::vector<std::string> problems;  // names in examples/verification, scene files or folders; empty: all
+    std::vector<std::string> overrides; // --set key=value
+    bool shortened = false;
+    std::filesystem::path directory = "results/verification";
+    int threads = 0; // runs at the same time, 0: as many as the machine has threads [-]
+};
+
+struct BenchChoice {
+    std::vector<std::string> words;     // scenes, or problems of verify; empty: what comes with the program
+    std::vector<std::string> overrides; // --set key=value
+    std::filesystem::path directory = "results/bench";
+    std::optional<double> until; // end of the runs of scenes in place of theirs [s]
+    int threads = 0;             // 0: as the benchmark is usually taken [-]
+    double largest = 3e6;        // of `scale` [particles]
+};
+
+} // namespace quicksand

@@ -1,0 +1,278 @@
+#include "app/run/plan.hpp"
+
+#include "app/run/number_format.hpp"
+#include "io/results/output_observers.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/element/cyclic_laboratory.hpp"
+#include "solver/measure/monitors.hpp"
+#include "solver/problem/motion_measures.hpp"
+#include "solver/run/simulation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <variant>
+
+namespace quicksand {
+
+namespace {
+
+constexpr double cells_per_wavelength = 10.0; // of a shear wave that the grid carries well [-]
+
+std::string describe_waves(const Material& material, const WaveSpeeds& waves, const Problem& problem)
+{
+    std::string text = fmt::format("  {:<16}", material.name);
+    if (problem.water && material.saturated) {
+        text += fmt::format("fast P {:.0f}, undrained P {:.0f}, slow P {:.0f}, ", waves.fast, waves.undrained,
+                            waves.slow);
+    }
+    return text + fmt::format("skeleton P {:.0f}, shear {:.0f} m/s; waves up to {:.0f} Hz are resolved\n",
+                              waves.skeleton, waves.shear,
+                              waves.shear / (cells_per_wavelength * problem.grid.cell_size));
+}
+
+bool has_neo_hookean_soil(const Problem& problem)
+{
+    return std::any_of(problem.materials.begin(), problem.materials.end(), [](const Material& material) {
+        return std::holds_alternative<NeoHookean>(material.law);
+    });
+}
+
+constexpr double small_residual = 0.02; // velocity at a record's end over its peak that passes for zero [-]
+
+std::string describe_record(const SampledMotion& record)
+{
+    const MotionMeasures measures = measure(record);
+    std::string text =
+        fmt::format("  PGA {} g at {} s, PGV {} m/s, PGD {} m; Arias intensity {} m/s\n"
+                    "  {} s in steps of {} s, frequencies up to {} Hz; significant duration D5-95 {} s\n",
+                    short_number(measures.peak_acceleration / standard_gravity),
+                    short_number(measures.peak_time), short_number(measures.peak_velocity),
+                    short_number(measures.peak_displacement), short_number(measures.arias_intensity),
+                    short_number(duration(record), 4), short_number(record.interval),
+                    short_number(0.5 / record.interval), short_number(measures.significant_duration));
+    text += fmt::format("  at its end the velocity is {} m/s, the displacement {} m\n",
+                        short_number(measures.residual_velocity, 2),
+                        short_number(measures.residual_displacement, 2));
+    if (std::abs(measures.residual_velocity) > small_residual * measures.peak_velocity)
+        text += "  That velocity should be zero: the record's baseline is off; see motion.baseline\n";
+    return text;
+}
+
+std::string describe_sine(const SineMotion& sine)
+{
+    return fmt::format("  PGA {} g, PGV {} m/s at {} Hz{}\n", short_number(sine.amplitude / standard_gravity),
+                       short_number(sine.amplitude / (2.0 * std::numbers::pi * sine.frequency)),
+                       short_number(sine.frequency, 4),
+                       std::isfinite(sine.cycles) ? fmt::format(", {} cycles", short_number(sine.cycles, 4))
+                                                  : "");
+}
+
+std::string describe_sand(const SceneMaterial& material, double k0)
+{
+    const auto& law = std::get<UbcSand>(material.material.law);
+    const double sine = law.eta_f, least_k0 = (1.0 - sine) / (1.0 + sine);
+    std::string text = fmt::format("  {:<16}shear modulus {} MPa, drained bulk modulus {} MPa at 100 kPa\n",
+                                   material.material.name, short_number(1e-6 * shear_modulus(law)),
+                                   short_number(1e-6 * law.B_atm));
+    text += fmt::format("  {:<16}bears K0 from {} to {}; settles to K0 = {} below level ground\n", "",
+                        short_number(least_k0), short_number(1.0 / least_k0),
+                        short_number(law.static_poisson / (1.0 - law.static_poisson)));
+    const auto csr = csr_to_ru_95(law, {atmospheric_pressure, k0, 0.0}, 15.0);
+    const std::string strength =
+        csr ? "in 15 cycles of simple shear at a stress ratio of " + short_number(*csr)
+            : std::string("at no stress ratio from 0.01 to 2 in 15 cycles of simple shear");
+    return text + fmt::format("  {:<16}liquefies (ru = 0.95) {}, at 100 kPa and K0 = {}\n", "", strength,
+                              short_number(k0));
+}
+
+} // namespace
+
+std::string describe_sands(const AssembledCase& assembled)
+{
+    std::string text;
+    for (const SceneMaterial& material : assembled.scene.materials) {
+        if (material.ubcsand) text += describe_sand(material, assembled.scene.k0);
+    }
+    return text.empty() ? text : "Sand that liquefies (its parameters are listed above)\n" + text;
+}
+
+std::string describe_motion(const AssembledCase& assembled)
+{
+    const BaseMotion& motion = assembled.scene.base_motion;
+    if (const auto* record = std::get_if<SampledMotion>(&motion))
+        return "Shaking\n" + describe_record(*record);
+    if (const auto* sine = std::get_if<SineMotion>(&motion)) return "Shaking\n" + describe_sine(*sine);
+    return "";
+}
+
+std::string describe_scene_keys(const SceneSetup& setup)
+{
+    std::size_t path_width = 0, value_width = 0;
+    for (const ResolvedKey& key : setup.keys) {
+        path_width = std::max(path_width, key.path.size());
+        value_width =
+            std::max(value_width, std::min<std::size_t>(key.value.size() + key.unit.size() + 1, 28));
+    }
+    std::string text = "Scene " + setup.assembled.scene.file.string() + ", in SI units\n";
+    for (const ResolvedKey& key : setup.keys) {
+        text += fmt::format("  {:<{}}  {:<{}}  {}\n", key.path, path_width,
+                            key.value + (key.unit.empty() ? "" : " ") + key.unit, value_width,
+                            key.given ? "given" : "default");
+    }
+    return text;
+}
+
+std::string describe_soil(const AssembledCase& assembled)
+{
+    const Problem& problem = assembled.problem;
+    std::string text = fmt::format("Soil\n  {:<16}{:>12}{:>14}{:>12}{:>20}\n", "region", "area m2",
+                                   "area error", "particles", "cut at the outline");
+    std::size_t cut = 0;
+    for (std::size_t r = 0; r < assembled.sampling.regions.size(); ++r) {
+        const RegionSampling& region = assembled.sampling.regions[r];
+        text += fmt::format("  {:<16}{:>12.6g}{:>14.2e}{:>12}{:>20}\n", problem.region_names[r], region.area,
+                            region.area_error, grouped(static_cast<long long>(region.particles)),
+                            grouped(static_cast<long long>(region.cut)));
+        cut += region.cut;
+    }
+    const Monitors sums = monitor(problem, assembled.state, {});
+    const BackgroundGrid& grid = problem.grid;
+    const std::string of_them =
+        cut > 0 ? fmt::format(", of them {} cut at the outline,", grouped(static_cast<long long>(cut))) : "";
+    text +=
+        fmt::format("  {} particles{} in {} x {} = {} cells of {} m; {:.2f} per occupied cell ({} cells)\n",
+                    grouped(static_cast<long long>(assembled.state.particles.size())), of_them, grid.cells_x,
+                    grid.cells_y, grouped(static_cast<long long>(grid.cells_x) * grid.cells_y),
+                    short_number(grid.cell_size), assembled.sampling.particles_per_cell,
+                    grouped(static_cast<long long>(assembled.sampling.occupied_cells)));
+    for (const std::string& reason : assembled.grid_reasons)
+        text +=
+            fmt::format("  {:<16}{}\n", &reason == &assembled.grid_reasons.front() ? "the grid" : "", reason);
+    text += fmt::format("  mass of the grains {} kg/m, of the water {} kg/m\n",
+                        short_number(sums.mass_solid, 6), short_number(sums.mass_fluid, 6));
+    return text;
+}
+
+std::string describe_initial_state(const AssembledCase& assembled)
+{
+    const double residual = out_of_balance(assembled.problem, assembled.state);
+    std::string text = "Initial state\n";
+    const auto& materials = assembled.problem.materials;
+    std::size_t above = 0;
+    for (const std::int32_t m : assembled.state.particles.material)
+        above += materials[static_cast<std::size_t>(m)].saturated ? 0 : 1;
+    if (above > 0) {
+        text += fmt::format("  {} particles lie above the phreatic line and carry no pore water\n",
+                            grouped(static_cast<long long>(above)));
+    }
+    text += fmt::format("  out-of-balance force {} of the {}: ", short_number(residual, 2),
+                        assembled.problem.gravity > 0.0 ? "weight" : "internal forces");
+    const auto& controls = assembled.scene.relaxation;
+    const double tolerance = controls.value_or(RelaxationControls{}).tolerance;
+    if (residual <= tolerance) return text + "the run starts in equilibrium\n";
+    if (controls) return text + "the soil settles before the run\n";
+    text += "the run does not start in equilibrium; ";
+    return text + (has_neo_hookean_soil(assembled.problem)
+                       ? "soil of neo_hookean is free of stress as drawn, and its weight acts at once\n"
+                       : "a table [relaxation] lets the soil settle\n");
+}
+
+std::string describe_time_step(const AssembledCase& assembled)
+{
+    const Problem& problem = assembled.problem;
+    std::string text = "Waves, where the soil is stiffest\n";
+    if (problem.water && problem.water->flow != WaterFlow::drained)
+        text += fmt::format("  the water's bulk modulus, with its air, is {} Pa\n",
+                            short_number(problem.water->bulk_modulus));
+    const std::vector<WaveSpeeds> waves = fastest_waves(problem, assembled.state.particles);
+    for (std::size_t m = 0; m < waves.size(); ++m) {
+        text += describe_waves(problem.materials[m], waves[m], problem);
+    }
+    const TimeStep step = stable_time_step(problem, assembled.state.particles);
+    text += fmt::format("Time step\n  {} s, limited by the {}{}\n", short_number(step.dt),
+                        name_of(step.limiter), step.material.empty() ? "" : " in " + step.material);
+    if (assembled.scene.relaxation) {
+        const TimeStep settling =
+            stable_relaxation_step(settling_problem(problem), assembled.state.particles);
+        text += fmt::format("  {} s while settling\n", short_number(settling.dt));
+    }
+    return text;
+}
+
+std::string describe_cost(const Forecast& forecast)
+{
+    std::string text = "Cost\n";
+    const RelaxationForecast& relaxation = forecast.relaxation;
+    if (relaxation.needed) {
+        text += fmt::format(
+            "  settling   about {} steps of {} ms{}\n", grouped(relaxation.steps),
+            short_number(1e3 * relaxation.step_seconds),
+            relaxation.reliable ? "" : "; the trial did not see it settle, so this is the limit max_steps");
+    }
+    text += fmt::format("  shaking    {} steps of {} ms, measured with {} threads\n", grouped(forecast.steps),
+                        short_number(1e3 * forecast.step_seconds), thread_count());
+    text += fmt::format("  run time   about {}: {}shaking {}, output {}\n", duration_text(forecast.seconds()),
+                        relaxation.needed ? "settling " + duration_text(forecast.relaxation_seconds()) + ", "
+                                          : "",
+                        duration_text(forecast.shaking_seconds()), duration_text(forecast.output.seconds));
+    if (forecast.output.background_seconds > 0.0)
+        text += fmt::format("             frames are written in the background, in {}{}\n",
+                            duration_text(forecast.output.background_seconds),
+                            forecast.output.has_own_core ? "" : ", which counts: all cores run the steps");
+    text += fmt::format("  memory     {}\n", bytes_text(forecast.memory));
+    text += fmt::format("  disk       {} for {} frames, probes and one checkpoint\n",
+                        bytes_text(forecast.output.bytes), grouped(forecast.output.frames));
+    return text;
+}
+
+std::string describe_column(const SoilColumn& column)
+{
+    return fmt::format(
+        "One column of {} is computed: the soil repeats from cell to cell between tied sides, and "
+        "{} particles stand for {}",
+        column.columns, grouped(static_cast<long long>(column.state.particles.size())),
+        grouped(static_cast<long long>(column.source.size())));
+}
+
+std::string describe_left_out(const AssembledCase& assembled)
+{
+    const Scene& scene = assembled.scene;
+    std::string text;
+    const auto leave_out = [&](bool condition, const char* line) {
+        if (condition) text += std::string("  ") + line + '\n';
+    };
+    leave_out(!scene.water,
+              "pore water: dry soil moves as one phase and its particles carry no arrays for water");
+    leave_out(
+        scene.water && scene.water->flow == WaterFlow::undrained,
+        "relative flow: undrained, grains and water share one velocity and the pressure follows from it");
+    leave_out(scene.water && scene.water->flow == WaterFlow::drained,
+              "excess pore pressure: drained, the water weighs and moves along and resists nothing");
+    leave_out(scene.strain == StrainForm::small,
+              "the update of domains, volumes and weights: small strain, on the drawn shape");
+    leave_out(scene.scheme == TimeScheme::semi_implicit,
+              "steps as short as the water's sound asks for: its pressure is implicit");
+    leave_out(!scene.relaxation, "settling: the run starts from the K0 state as it is");
+    leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is still");
+    leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),
+              "meshing: the particles lie on a lattice");
+    leave_out(scene.probes.empty(), "probes: none are named");
+    std::string obstacle;
+    if (scene.columns == ColumnsComputed::one) {
+        const ColumnSearch search = find_soil_column(assembled.problem, assembled.state);
+        if (search.column)
+            text +=
+                fmt::format("  {} of {} columns of cells: the soil repeats from cell to cell between tied "
+                            "sides, and one stands for all\n",
+                            search.column->columns - 1, search.column->columns);
+        if (!search.obstacle.empty())
+            obstacle = "All columns of cells between the tied sides are computed: " + search.obstacle + '\n';
+    }
+    return (text.empty() ? text : "Not needed, so left out\n" + text) + obstacle;
+}
+
+} // namespace quicksand

@@ -1,0 +1,48 @@
+// The text of `check`: what a run of the scene will be.
+#pragma once
+
+#include "app/run/scene_setup.hpp"
+#include "app/run/trial.hpp"
+#include "solver/run/patch_test.hpp"
+#include "solver/run/soil_column.hpp"
+
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// Every key with its value in SI and where it comes from.
+std::string describe_scene_keys(const SceneSetup& setup);
+
+/// Regions, particles, grid and masses.
+std::string describe_soil(const AssembledCase& assembled);
+
+/// The conditions on every boundary curve, and the total force of every load.
+std::string describe_boundaries(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
+
+/// Throws InputError where a curve that holds or carries something leaves more than two per cent of a
+/// pressure unbalanced that it should bear (solver/run/patch_test.hpp).
+void refuse_failed_patches(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
+
+/// What the parameters of UBCSAND mean; nothing without such a material.
+std::string describe_sands(const AssembledCase& assembled);
+
+/// What the initial state leaves out of balance, and what becomes of it.
+std::string describe_initial_state(const AssembledCase& assembled);
+
+/// Peaks, intensity, duration and baseline of the shaking; nothing without any.
+std::string describe_motion(const AssembledCase& assembled);
+
+/// Wave speeds, the time step and what limits it.
+std::string describe_time_step(const AssembledCase& assembled);
+
+/// Steps, memory, disk and run time.
+std::string describe_cost(const Forecast& forecast);
+
+/// What the scene does not need and is left out.
+std::string describe_left_out(const AssembledCase& assembled);
+
+/// "One column of 9 is computed ...", for the journal of a run.
+std::string describe_column(const SoilColumn& column);
+
+} // namespace quicksand

@@ -1,0 +1,68 @@
+#include "app/run/scene_setup.hpp"
+
+#include "io/results/run_manifest.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/base/threads.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+namespace quicksand {
+
+namespace fs = std::filesystem;
+
+fs::path find_scene_file(const fs::path& scene)
+{
+    if (!fs::exists(scene)) {
+        throw InputError(
+            "there is no scene " + scene.string() +
+            "\nhint: name a scene file or its folder, for example examples/dike; quicksand new dike NAME "
+            "makes one");
+    }
+    if (!fs::is_directory(scene)) return scene;
+    if (fs::exists(scene / "scene.toml")) return scene / "scene.toml";
+    throw InputError("the folder " + scene.string() +
+                     " holds no scene.toml\nhint: name the scene file itself");
+}
+
+SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal)
+{
+    if (choice.threads > 0) set_thread_count(choice.threads);
+    SceneReading reading = read_scene_file(find_scene_file(choice.scene), choice.overrides);
+    if (choice.until) reading.scene.end_time = *choice.until;
+    SceneSetup setup;
+    setup.keys = reading.keys;
+    setup.hash = scene_hash(reading.scene.text, choice.overrides);
+    setup.assembled = assemble_case(std::move(reading));
+    const Diagnostics& warnings = setup.assembled.warnings;
+    if (!warnings.empty()) journal.complain(warnings.render(setup.assembled.scene.text));
+    return setup;
+}
+
+std::vector<std::string> on_cells_of(double cell_size, const BackgroundGrid& grid)
+{
+    const auto cells = [&](int count) {
+        return static_cast<int>(std::ceil(count * grid.cell_size / cell_size - 1e-9));
+    };
+    return {fmt::format("grid.cell_size={:.15g}", cell_size),
+            fmt::format("grid.cells=[{},{}]", cells(grid.cells_x), cells(grid.cells_y))};
+}
+
+fs::path default_results(const fs::path& scene_file)
+{
+    const fs::path file = fs::absolute(scene_file).lexically_normal();
+    const fs::path name = file.filename() == "scene.toml" ? file.parent_path().filename() : file.stem();
+    return fs::path("results") / name;
+}
+
+fs::path report_folder(const fs::path& chosen, const fs::path& scene_file, const std::string& command)
+{
+    if (!chosen.empty()) return chosen;
+    fs::path folder = default_results(scene_file);
+    folder += "-" + command;
+    return folder;
+}
+
+} // namespace quicksand

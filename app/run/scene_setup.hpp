@@ -1,0 +1,38 @@
+// From the command line's scene to what the solver runs.
+#pragma once
+
+#include "app/run/choices.hpp"
+#include "app/run/journal.hpp"
+#include "io/assembly/case_assembly.hpp"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+struct SceneSetup {
+    AssembledCase assembled;       // its state is the initial one, before any settling
+    std::vector<ResolvedKey> keys; // of the scene, as read
+    std::string hash;              // of the scene's text and the overrides
+};
+
+/// Set the number of threads, read the scene, draw and sample its section, and tell the warnings. Throws
+/// InputError.
+SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal);
+
+/// The scene file itself, or the scene.toml of a folder. Throws InputError where there is none.
+std::filesystem::path find_scene_file(const std::filesystem::path& scene);
+
+/// --set words for cells of another size over the section that a grid covers.
+std::vector<std::string> on_cells_of(double cell_size, const BackgroundGrid& grid);
+
+/// results/<folder of the scene>; of a scene that is not called scene.toml, results/<its name>.
+std::filesystem::path default_results(const std::filesystem::path& scene_file);
+
+/// The folder that was chosen for a command's report; when that is empty, default_results() and the command's
+/// name behind a hyphen.
+std::filesystem::path report_folder(const std::filesystem::path& chosen,
+                                    const std::filesystem::path& scene_file, const std::string& command);
+
+} // namespace quicksand

@@ -1,0 +1,317 @@
+#include "app/run/session.hpp"
+
+#include "app/run/number_format.hpp"
+#include "app/run/plan.hpp"
+#include "app/run/progress_line.hpp"
+#include "app/run/stop_signal.hpp"
+#include "io/files/file_error.hpp"
+#include "io/frames/vtk_series.hpp"
+#include "io/results/checkpoint.hpp"
+#include "io/results/output_observers.hpp"
+#include "io/results/run_manifest.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/base/threads.hpp"
+#include "solver/measure/ledger.hpp"
+#include "solver/run/soil_column.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace quicksand {
+
+namespace {
+
+/// The manifest on disk, kept true at every turn of the run.
+class ManifestKeeper {
+public:
+    ManifestKeeper(std::filesystem::path path, RunManifest manifest)
+        : path_(std::move(path)), manifest_(std::move(manifest)), began_(std::chrono::steady_clock::now())
+    {
+        write_run_manifest(path_, manifest_);
+    }
+    void reach(double time, std::int64_t steps)
+    {
+        manifest_.simulated_time = time;
+        manifest_.steps = steps;
+    }
+    void end(RunStatus status, const std::string& reason)
+    {
+        manifest_.status = status;
+        manifest_.exit_reason = reason.substr(0, reason.find('\n'));
+        manifest_.end_time = utc_now();
+        manifest_.wall_time =
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
+        write_run_manifest(path_, manifest_);
+    }
+    /// On the way out of another failure, which is the one to be told.
+    void end_quietly(const std::string& reason)
+    {
+        try {
+            end(RunStatus::failed, reason);
+        } catch (const FileError&) {
+        }
+    }
+
+private:
+    std::filesystem::path path_;
+    RunManifest manifest_;
+    std::chrono::steady_clock::time_point began_;
+};
+
+/// Everything the run needs at hand.
+struct Session {
+    const Scene& scene;
+    const Problem& body;      // as drawn
+    const SoilColumn* column; // that stands for it, if one does
+    const Problem& problem;   // that is computed, with its state
+    State& state;
+    const std::string& hash;
+    ResultsFolder folder;
+    bool resume = false;
+    Journal& journal;
+    ManifestKeeper& manifest;
+};
+
+std::string say_where_good(const ResultsFolder& folder)
+{
+    std::string text;
+    const std::vector<FrameEntry> frames = std::filesystem::exists(folder.particle_series())
+                                               ? read_series_index(folder.particle_series())
+                                               : std::vector<FrameEntry>();
+    if (!frames.empty()) {
+        text += fmt::format("\n  last good frame: {} (t = {} s)",
+                            (folder.directory / frames.back().file).string(),
+                            short_number(frames.back().time, 6));
+    }
+    if (std::filesystem::exists(folder.checkpoint())) {
+        text += "\n  last checkpoint: " + folder.checkpoint().string() + " (go on from it with --resume)";
+    }
+    return text;
+}
+
+void keep_state(const Session& session)
+{
+    std::filesystem::create_directories(session.folder.checkpoint().parent_path());
+    write_checkpoint(session.folder.checkpoint(), session.state, session.hash);
+}
+
+void settle(Session& session)
+{
+    if (!session.scene.relaxation) {
+        const std::size_t limited = begin_shaking(session.problem, session.state);
+        if (limited > 0) {
+            session.journal.say(fmt::format("The initial stress of {} particles was beyond what their sand "
+                                            "can carry, or below its stress "
+                                            "floor, and has been brought back to it.",
+                                            grouped(static_cast<long long>(limited))));
+        }
+        return;
+    }
+    const RelaxationControls& controls = *session.scene.relaxation;
+    ProgressLine progress(0.0, session.scene.end_time, session.state.particles.size(), session.journal);
+    using Clock = std::chrono::steady_clock;
+    const std::chrono::duration<double> interval(session.scene.output.checkpoint_interval);
+    auto last = Clock::now();
+    const RelaxationReport report =
+        relax(session.problem, controls, session.state, [&](std::int64_t steps, double out_of_balance) {
+            progress.show_relaxation(steps, out_of_balance, controls.tolerance);
+            const bool stop = StopSignal::received();
+            if (stop || Clock::now() - last > interval) {
+                keep_state(session);
+                last = Clock::now();
+            }
+            if (stop) throw StopRequest();
+        });
+    progress.clear();
+    session.journal.say(
+        fmt::format("Settled in {} steps, {}: out-of-balance force {} of the weight, displacement up to "
+                    "{} mm, which counts as zero from here",
+                    report.steps, duration_text(progress.elapsed()), short_number(report.out_of_balance, 2),
+                    short_number(1e3 * report.max_displacement, 2)));
+    if (report.at_failure > 0) {
+        session.journal.say(fmt::format("{} particles have settled at the failure limit of their sand",
+                                        grouped(static_cast<long long>(report.at_failure))));
+    }
+}
+
+/// The writers of the results and what shows the run to them: itself, or the body that its column stands for.
+struct Output {
+    std::vector<std::unique_ptr<Observer>> writers;
+    std::optional<ColumnObserver> of_body;
+    std::vector<Observer*> observers;
+
+    Output(const Session& session, bool resume)
+    {
+        const OutputSettings settings{session.folder.directory, session.hash, resume, &session.state};
+        State wide;
+        if (session.column) widen(*session.column, session.state, wide);
+        writers = make_output_observers(session.scene, session.body, session.column ? wide : session.state,
+                                        settings);
+        for (const auto& writer : writers) observers.push_back(writer.get());
+        if (!session.column) return;
+        of_body.emplace(*session.column, session.body, std::move(observers));
+        observers = {&*of_body};
+    }
+};
+
+/// `begins` the shaking, or goes on with it.
+void shake(Session& session, bool begins)
+{
+    if (begins) {
+        if (session.scene.output.history_interval > 0.0) open_ledger(session.problem, session.state);
+        keep_state(session); // from here a stop or a failure need not settle the soil again
+    }
+    const Output output(session, !begins);
+    ProgressLine progress(session.state.time, session.scene.end_time, session.state.particles.size(),
+                          session.journal);
+    std::vector<Observer*> observers = output.observers;
+    observers.push_back(&progress);
+    try {
+        run(session.problem, session.scene.end_time, observers, session.state, StopSignal::received);
+    } catch (...) {
+        progress.clear();
+        session.manifest.reach(session.state.time, progress.steps());
+        throw;
+    }
+    progress.clear();
+    session.manifest.reach(session.state.time, progress.steps());
+    keep_state(session);
+    if (!begins && progress.steps() == 0) {
+        session.journal.say(fmt::format(
+            "No step was left: the results reach t = {} s, and what was missing at their end is written.",
+            short_number(session.state.time, 6)));
+        return;
+    }
+    const double seconds = progress.elapsed();
+    const double work =
+        static_cast<double>(session.state.particles.size()) * static_cast<double>(progress.steps());
+    session.journal.say(fmt::format("Ran {} steps to t = {} s in {}: {} particle-steps/s",
+                                    grouped(progress.steps()), short_number(session.state.time, 6),
+                                    duration_text(seconds), short_number(work / seconds, 2)));
+}
+
+/// Open the log and say what is run. The manifest is there already: a folder with a log alone would belong to
+/// nobody, and neither `run` nor `run --overwrite` would take it.
+void introduce(Session& session)
+{
+    const Scene& scene = session.scene;
+    if (session.resume) {
+        session.journal.go_on_with(session.folder.log());
+    } else {
+        session.journal.keep(session.folder.log());
+    }
+    session.journal.say(fmt::format(
+        "{}{}\n{} particles, {} x {} cells of {} m, {} threads; results in {}",
+        session.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
+        grouped(static_cast<long long>(session.state.particles.size())), session.problem.grid.cells_x,
+        session.problem.grid.cells_y, short_number(session.problem.grid.cell_size), thread_count(),
+        session.folder.directory.string()));
+    if (session.column) session.journal.say(describe_column(*session.column));
+}
+
+/// Returns whether the run came to its end.
+bool run_stages(Session& session)
+{
+    const StopSignal signal;
+    introduce(session);
+    try {
+        const bool begins = !session.resume || session.state.stage == Stage::relaxation;
+        if (begins) settle(session);
+        shake(session, begins);
+    } catch (const StopRequest&) {
+        session.manifest.end(RunStatus::stopped, "stopped on request while settling");
+        session.journal.say("\nStopped on request while settling. Go on with the same command and --resume.");
+        return false;
+    }
+    if (session.state.time < session.scene.end_time) {
+        session.manifest.end(RunStatus::stopped, "stopped on request");
+        session.journal.say(
+            fmt::format("Stopped on request at t = {} s. Go on with the same command and --resume.",
+                        short_number(session.state.time, 6)));
+        return false;
+    }
+    session.manifest.end(RunStatus::finished, "reached the end time");
+    return true;
+}
+
+/// The column that stands for the body, where the scene lets it and a checkpoint is of it.
+std::optional<SoilColumn> choose_column(const AssembledCase& assembled, const std::optional<State>& kept)
+{
+    if (assembled.scene.columns == ColumnsComputed::all) return std::nullopt;
+    std::optional<SoilColumn> column = find_soil_column(assembled.problem, assembled.state).column;
+    if (column && kept && kept->particles.size() != column->state.particles.size()) column.reset();
+    return column;
+}
+
+/// Whether a run to the end time would find nothing to do. A run that was killed over its last rows or its
+/// last frame has a checkpoint of the end time as well, but its manifest does not call it finished.
+bool is_complete(const ResultsFolder& folder, const State& state, double end_time)
+{
+    if (state.stage != Stage::shaking || state.time < end_time) return false;
+    return state.time > end_time || read_run_status(folder.manifest()) == RunStatus::finished;
+}
+
+ExitCode run_guarded(Session& session, bool& finished)
+{
+    try {
+        finished = run_stages(session);
+        return ExitCode::good;
+    } catch (const NumericalError& error) {
+        session.manifest.end_quietly(error.what());
+        session.journal.complain(error.what() + say_where_good(session.folder));
+        return ExitCode::numerical;
+    } catch (const std::exception& error) {
+        session.manifest.end_quietly(error.what());
+        session.journal.note_failure(error.what());
+        throw;
+    }
+}
+
+} // namespace
+
+SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& journal)
+{
+    const Scene& scene = setup.assembled.scene;
+    const FolderUse use = choice.resume      ? FolderUse::resume
+                          : choice.overwrite ? FolderUse::overwrite
+                                             : FolderUse::fresh;
+    const auto directory = choice.directory.empty() ? default_results(scene.file) : choice.directory;
+    SessionOutcome outcome;
+    outcome.folder = prepare_results_folder(directory, scene, use);
+    std::optional<State> kept;
+    const std::vector<InputFile> inputs = input_files(scene, setup.keys);
+    if (choice.resume) {
+        kept = read_checkpoint(outcome.folder.checkpoint(), setup.hash);
+        require_same_inputs(outcome.folder.manifest(), inputs);
+    }
+    const Problem& body = setup.assembled.problem;
+    std::optional<SoilColumn> column = choose_column(setup.assembled, kept);
+    const Problem& problem = column ? column->problem : body;
+    State& state = column ? column->state : setup.assembled.state;
+    if (kept) state = std::move(*kept);
+
+    RunManifest manifest =
+        begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
+    manifest.inputs = inputs;
+    if (choice.resume && state.stage == Stage::shaking) manifest.resumed_at = state.time;
+    if (choice.resume && is_complete(outcome.folder, state, scene.end_time)) {
+        journal.go_on_with(outcome.folder.log());
+        journal.say(
+            fmt::format("Nothing to do: the results reach t = {} s already.", short_number(state.time, 6)));
+        outcome.finished = true;
+        return outcome;
+    }
+    ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
+    const SoilColumn* narrow = column ? &*column : nullptr;
+    Session session{scene,      body,           narrow,        problem, state,
+                    setup.hash, outcome.folder, choice.resume, journal, keeper};
+    outcome.code = run_guarded(session, outcome.finished);
+    return outcome;
+}
+
+} // namespace quicksand

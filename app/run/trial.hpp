@@ -1,0 +1,55 @@
+// A short measured trial of a run: what its steps, its settling and its output will cost.
+#pragma once
+
+#include "io/assembly/case_assembly.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+
+namespace quicksand {
+
+/// Settling before the shaking.
+struct RelaxationForecast {
+    bool needed = false;
+    bool reliable = false;     // false: the trial was too short to see the end
+    std::int64_t steps = 0;    // [-]
+    double step_seconds = 0.0; // wall time of a step [s]
+};
+
+struct OutputForecast {
+    std::int64_t frames = 0;         // of fields.pvd, and as many of grid.pvd [-]
+    double seconds = 0.0;            // wall time that all output takes from the run's threads [s]
+    double background_seconds = 0.0; // of the thread that writes frames while the run goes on [s]
+    bool has_own_core = false;       // that thread, beside those of the run
+    double bytes = 0.0;              // of the results folder at the end [byte]
+};
+
+struct Forecast {
+    std::int64_t steps = 0;    // of the shaking [-]
+    double step_seconds = 0.0; // wall time of a step [s]
+    RelaxationForecast relaxation;
+    OutputForecast output;
+    double memory = 0.0; // most that this process has held so far [byte]
+
+    double relaxation_seconds() const
+    {
+        return static_cast<double>(relaxation.steps) * relaxation.step_seconds;
+    }
+    double shaking_seconds() const { return static_cast<double>(steps) * step_seconds; }
+    double seconds() const
+    {
+        const double shaking = shaking_seconds() + output.seconds;
+        return relaxation_seconds() + (output.has_own_core ? std::max(shaking, output.background_seconds)
+                                                           : shaking + output.background_seconds);
+    }
+};
+
+/// Steps that a run takes at a time step, which it shortens so that every output time is hit.
+std::int64_t count_steps(const Scene& scene, double dt);
+
+/// Step copies of the state for a few seconds and write a few frames into a folder of their own in
+/// `directory`, which is removed again: so the disk of the results is measured. Throws FileError.
+Forecast forecast_run(const AssembledCase& assembled, const std::filesystem::path& directory);
+
+} // namespace quicksand

@@ -1,0 +1,272 @@
+#include "io/assembly/case_assembly.hpp"
+
+#include "geometry/drawing/gmsh_file.hpp"
+#include "geometry/section/section_check.hpp"
+#include "geometry/section/section_rim.hpp"
+#include "io/assembly/face_water.hpp"
+#include "io/assembly/ground_water.hpp"
+#include "io/assembly/probe_places.hpp"
+#include "io/scene/cell_size.hpp"
+#include "io/scene/scene_grid.hpp"
+#include "io/scene/scene_section.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/motion/slivers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace quicksand {
+
+namespace {
+
+constexpr double curve_tolerance = 0.01; // greatest distance of a curved line from its chords [cells]
+
+GmshRequest request_of(const Scene& scene)
+{
+    GmshRequest request;
+    request.file = scene.geometry_file;
+    request.parameters = scene.geometry_parameters;
+    if (const auto* mesh = std::get_if<MeshSampling>(&scene.sampling)) request.quad_size = mesh->quad_size;
+    request.curve_tolerance = curve_tolerance * scene.cell_size;
+    return request;
+}
+
+void throw_errors(const Diagnostics& findings, const Scene& scene)
+{
+    if (findings.has_errors()) throw_findings(findings, scene.text);
+}
+
+/// Probes without a place stand at the physical point of their name.
+void place_probes(const Section& section, Scene& scene)
+{
+    for (SceneProbe& probe : scene.probes) {
+        if (probe.at) continue;
+        for (const NamedPoint& point : section.points) {
+            if (point.name == probe.name) probe.at = point.position;
+        }
+    }
+}
+
+/// For every region of the section, the index of its material.
+std::vector<std::int32_t> materials_of_regions(const Scene& scene, const Section& section)
+{
+    const auto material_index = [&](const std::string& name) {
+        for (std::size_t m = 0; m < scene.materials.size(); ++m) {
+            if (scene.materials[m].material.name == name) return static_cast<std::int32_t>(m);
+        }
+        throw InternalError("a region without a material has passed the checks");
+    };
+    std::vector<std::int32_t> materials;
+    for (const Region& region : section.regions) {
+        const auto entry =
+            std::find_if(scene.regions.begin(), scene.regions.end(),
+                         [&](const SceneRegion& candidate) { return candidate.name == region.name; });
+        ENSURE(entry != scene.regions.end());
+        materials.push_back(material_index(entry->material));
+    }
+    return materials;
+}
+
+Sampling sample(const Scene& scene, const Section& section, const BackgroundGrid& grid)
+{
+    if (const auto* lattice = std::get_if<LatticeSampling>(&scene.sampling)) {
+        return sample_lattice(section, grid, lattice->per_cell_x, lattice->per_cell_y);
+    }
+    return sample_mesh(section, grid);
+}
+
+Particles make_particles(const Problem& problem, const Sampling& sampling,
+                         const std::vector<std::int32_t>& material_of_domain)
+{
+    Particles particles;
+    resize_particles(problem, sampling.domains.size(), particles);
+    for (std::size_t p = 0; p < sampling.domains.size(); ++p) {
+        const ParticleDomain& domain = sampling.domains[p];
+        const std::int32_t m = material_of_domain[p];
+        const Material& material = problem.materials[static_cast<std::size_t>(m)];
+        particles.identifier[p] = static_cast<std::int32_t>(p);
+        particles.material[p] = m;
+        particles.region[p] = static_cast<std::int32_t>(domain.region);
+        particles.position.set(p, domain.centre);
+        particles.half_edge_1.set(p, domain.half_edge_1);
+        particles.half_edge_2.set(p, domain.half_edge_2);
+        if (problem.interpolation == Interpolation::cpdi2) particles.twist.set(p, domain.twist);
+        particles.volume[p] = domain.volume;
+        particles.mass_solid[p] = (1.0 - material.porosity) * material.grain_density * domain.volume;
+        if (problem.water) particles.porosity[p] = material.porosity;
+    }
+    reset_reference(particles);
+    return particles;
+}
+
+/// The polygons of cut domains. Quadrilaterals whose corners move with the grid have none.
+CutDomains take_cut_domains(const Problem& problem, Sampling& sampling)
+{
+    CutDomains cut;
+    const auto is_piece = [](const ParticleDomain& domain) { return domain.is_piece; };
+    if (std::any_of(sampling.domains.begin(), sampling.domains.end(), is_piece))
+        for (const ParticleDomain& domain : sampling.domains) cut.pieces.push_back(domain.is_piece ? 1 : 0);
+    if (sampling.shapes.empty() || problem.interpolation == Interpolation::cpdi2) return cut;
+    for (const ParticleDomain& domain : sampling.domains) cut.number_of.push_back(domain.shape);
+    cut.shapes = std::move(sampling.shapes);
+    return cut;
+}
+
+Problem make_problem(const Scene& scene, const Section& section)
+{
+    Problem problem;
+    for (const SceneMaterial& material : scene.materials) problem.materials.push_back(material.material);
+    for (const Region& region : section.regions) problem.region_names.push_back(region.name);
+    problem.interpolation = scene.interpolation;
+    problem.strain = scene.strain;
+    problem.scheme = scene.scheme;
+    problem.step_share = scene.step_share;
+    problem.water = scene.water;
+    problem.gravity = scene.gravity;
+    problem.base_motion = scene.base_motion;
+    return problem;
+}
+
+/// Everything that can be wrong between scene and section before a particle exists.
+void check_case(AssembledCase& assembled)
+{
+    const Scene& scene = assembled.scene;
+    const Section& section = assembled.section;
+    Problem& problem = assembled.problem;
+    Diagnostics& findings = assembled.warnings;
+    check_names(scene, section, findings);
+    check_phreatic_line(scene, findings);
+    if (auto choice = choose_grid(scene, section, findings)) {
+        const BackgroundGrid& grid = problem.grid = choice->grid;
+        assembled.grid_reasons = std::move(choice->reasons);
+        for (std::string& what : check_section(section, grid)) {
+            findings.add(error_at(scene.geometry_place, "section", std::move(what)));
+        }
+        problem.boundaries = find_boundaries(scene, section, findings);
+        problem.rim = rim_of(section);
+        problem.tied_sides = find_tied_sides(scene, section, grid, findings);
+        set_face_water(scene, section, problem, findings);
+    }
+    findings.accept(scene.accepted);
+    throw_errors(findings, scene);
+}
+
+void check_sampling(const Sampling& sampling, AssembledCase& assembled)
+{
+    for (std::size_t r = 0; r < sampling.regions.size(); ++r) {
+        if (sampling.regions[r].particles > 0) continue;
+        assembled.warnings.add(error_at(
+            assembled.scene.grid_place, "sampling",
+            fmt::format(
+                "the region \"{}\" ({:.4g} m2) got no particle: it is thinner than a millionth of one",
+                assembled.section.regions[r].name, sampling.regions[r].area),
+            "", "use smaller cells or more particles_per_cell"));
+    }
+    if (sampling.domains.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max())) {
+        assembled.warnings.add(error_at(assembled.scene.grid_place, "sampling",
+                                        "there are too many material points", "at most 2147483647",
+                                        "choose a larger cell_size"));
+    }
+    throw_errors(assembled.warnings, assembled.scene);
+}
+
+/// Whether soil lies at one of the points where a probe begins.
+bool begins_in_soil(const SceneProbe& probe, const Problem& problem, const Particles& particles)
+{
+    if (probe.kind == ProbeKind::surface) return surface_point(problem, particles, probe.at->x()).found;
+    const std::vector<Vector2> points = points_of(probe);
+    return std::any_of(points.begin(), points.end(),
+                       [&](const Vector2& point) { return !outside_soil(problem, particles, point); });
+}
+
+/// A material probe rides with a particle and cannot do without; others may wait for soil.
+void check_probes(AssembledCase& assembled)
+{
+    const Particles& particles = assembled.state.particles;
+    for (const SceneProbe& probe : assembled.scene.probes) {
+        if (!probe.at || begins_in_soil(probe, assembled.problem, particles)) continue;
+        if (probe.kind == ProbeKind::material) {
+            assembled.warnings.add(
+                error_at(probe.place, "probe",
+                         fmt::format("the probe \"{}\" {}", probe.name,
+                                     *outside_soil(assembled.problem, particles, *probe.at)),
+                         "", "places are in m, in the coordinates of the drawing"));
+            continue;
+        }
+        assembled.warnings.add(warning_at(
+            probe.place, "probes." + probe.name, "probe",
+            fmt::format("the probe \"{}\" begins outside the soil: its rows stay empty until soil gets there",
+                        probe.name),
+            "a place in the drawing, in m"));
+    }
+    assembled.warnings.accept(assembled.scene.accepted);
+    throw_errors(assembled.warnings, assembled.scene);
+}
+
+/// Hang what acts on curves on the particles beside them.
+void attach_loads(AssembledCase& assembled)
+{
+    for (const std::string& name : attach_boundaries(assembled.problem, assembled.state.particles)) {
+        const auto& boundaries = assembled.scene.boundaries;
+        const auto boundary = std::find_if(boundaries.begin(), boundaries.end(),
+                                           [&](const SceneBoundary& b) { return b.name == name; });
+        ENSURE(boundary != boundaries.end());
+        assembled.warnings.add(error_at(
+            boundary->place, "load", "no material point lies beside a part of the curve \"" + name + "\"",
+            "a curve on the rim of the soil", "choose a smaller cell_size, or move the curve to the soil"));
+    }
+    throw_errors(assembled.warnings, assembled.scene);
+}
+
+} // namespace
+
+AssembledCase assemble_case(SceneReading reading, Section section)
+{
+    AssembledCase assembled;
+    assembled.scene = std::move(reading.scene);
+    assembled.warnings = std::move(reading.warnings);
+    assembled.section = std::move(section);
+    assembled.problem = make_problem(assembled.scene, assembled.section);
+    check_case(assembled);
+    place_probes(assembled.section, assembled.scene);
+
+    assembled.sampling = sample(assembled.scene, assembled.section, assembled.problem.grid);
+    check_sampling(assembled.sampling, assembled);
+    const auto of_region = materials_of_regions(assembled.scene, assembled.section);
+    const auto of_domain =
+        divide_materials(assembled.scene, assembled.sampling, of_region, assembled.problem);
+    check_outer_water(assembled.scene, assembled.problem, assembled.warnings);
+    throw_errors(assembled.warnings, assembled.scene);
+    Particles& particles = assembled.state.particles;
+    particles = make_particles(assembled.problem, assembled.sampling, of_domain);
+    assembled.problem.cut_domains = take_cut_domains(assembled.problem, assembled.sampling);
+    if (assembled.problem.interpolation != Interpolation::cpdi2 && particles.size() > 0)
+        assembled.problem.cut_domains.slivers =
+            find_slivers(assembled.problem.cut_domains, particles,
+                         *std::max_element(particles.volume.begin(), particles.volume.end()));
+    assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not
+    set_initial_state(assembled.scene, assembled.section, of_region, assembled.problem, particles);
+    attach_loads(assembled);
+    check_probes(assembled);
+    assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
+    return assembled;
+}
+
+AssembledCase assemble_case(SceneReading reading)
+{
+    GmshRequest request = request_of(reading.scene);
+    const bool asks_for_size = request.quad_size && !(*request.quad_size > 0.0);
+    if (asks_for_size) request.quad_size = std::nullopt;
+    Section section = read_gmsh_file(request);
+    if (asks_for_size) { // quadrilaterals of a third of the cells that suit the outlines
+        request.quad_size = choose_cell_size(reading.scene, section).size / 3.0;
+        section = read_gmsh_file(request);
+    }
+    return assemble_case(std::move(reading), std::move(section));
+}
+
+} // namespace quicksand

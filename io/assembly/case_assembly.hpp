@@ -1,0 +1,34 @@
+// From a checked scene to the problem and the state that a run starts from.
+#pragma once
+
+#include "geometry/sampling/particle_sampler.hpp"
+#include "geometry/section/section.hpp"
+#include "io/keys/diagnostics.hpp"
+#include "io/scene/scene_file.hpp"
+#include "io/tables/scene.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+struct AssembledCase {
+    Scene scene; // probes have their places
+    Problem problem;
+    State state;
+    Section section;
+    std::vector<std::string> grid_reasons; // what was chosen of the grid and why, lines for the user
+    Sampling sampling;                     // its domains have become the particles
+    Diagnostics warnings;                  // of the scene and of the assembly
+};
+
+/// Read the drawing, choose the grid, sample the section and set the K0 state. Throws InputError with all
+/// errors at once; what gmsh finds in the drawing comes first.
+AssembledCase assemble_case(SceneReading reading);
+
+/// The same for a section that is already there.
+AssembledCase assemble_case(SceneReading reading, Section section);
+
+} // namespace quicksand

@@ -1,0 +1,185 @@
+#include "io/assembly/ground_water.hpp"
+
+#include "io/keys/scene_schema.hpp"
+#include "io/keys/scene_units.hpp"
+#include "solver/base/failure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+/// The soil above the line: grains and the water they hold move as one, so their density is that of both.
+Material unsaturated(const Material& material, const Water& water, double saturation)
+{
+    Material above = material;
+    above.name += " above the water";
+    above.saturated = false;
+    above.grain_density += saturation * material.porosity * water.density / (1.0 - material.porosity);
+    if (auto* sand = std::get_if<UbcSand>(&above.law)) {
+        const double dry_share = material.grain_density / above.grain_density; // of the grains' mass
+        sand->largest_specific_volume *= dry_share;
+        sand->smallest_specific_volume *= dry_share;
+    }
+    return above;
+}
+
+/// Weight of a soil per volume as its grains carry it, buoyant where it is saturated [N/m3].
+double carried_weight(const Material& material, const Problem& problem)
+{
+    const double displaced = water_of(problem, material) ? problem.water->density : 0.0;
+    return (1.0 - material.porosity) * (material.grain_density - displaced) * problem.gravity;
+}
+
+struct UnitWeights {
+    double below = 0.0, above = 0.0; // the phreatic line [N/m3]
+};
+
+std::vector<UnitWeights> unit_weights(const Scene& scene, const std::vector<std::int32_t>& of_region,
+                                      const Problem& problem)
+{
+    std::vector<UnitWeights> weights;
+    for (const std::int32_t m : of_region) {
+        const auto index = static_cast<std::size_t>(m);
+        const Material& material = problem.materials[index];
+        UnitWeights weight;
+        weight.below = weight.above = carried_weight(material, problem);
+        if (problem.water) {
+            const double saturation = scene.materials[index].saturation_above_water;
+            weight.above = carried_weight(unsaturated(material, *problem.water, saturation), problem);
+        }
+        weights.push_back(weight);
+    }
+    return weights;
+}
+
+/// sigma'_v at a point: total stress less pore pressure, both hydrostatic below the line at this x [Pa].
+double vertical_effective_stress(const Section& section, const std::vector<UnitWeights>& weights,
+                                 const Vector2& point, double line)
+{
+    const auto all = thickness_above(section, point);
+    const auto dry = thickness_above(section, {point.x(), std::max(point.y(), line)});
+    double stress = 0.0;
+    for (std::size_t r = 0; r < all.size(); ++r)
+        stress += (all[r] - dry[r]) * weights[r].below + dry[r] * weights[r].above;
+    return stress;
+}
+
+bool differs_from_still_water(const Problem& problem, const Boundary& boundary)
+{
+    return std::any_of(boundary.segments.begin(), boundary.segments.end(), [&](const Segment& segment) {
+        return outer_excess_pressure(problem, *boundary.outer_water, segment.start) != 0.0 ||
+               outer_excess_pressure(problem, *boundary.outer_water, segment.end) != 0.0;
+    });
+}
+
+/// Whether the law knows stress without deformation: the neo-Hookean would lose it in the first step.
+bool keeps_initial_stress(const Material& material)
+{
+    return !std::holds_alternative<NeoHookean>(material.law);
+}
+
+} // namespace
+
+double phreatic_elevation(const Scene& scene, double x)
+{
+    return scene.phreatic_line.empty() ? scene.water->level : elevation(scene.phreatic_line, x);
+}
+
+void check_phreatic_line(const Scene& scene, Diagnostics& findings)
+{
+    const std::vector<Vector2>& line = scene.phreatic_line;
+    if (!scene.water || line.empty()) return;
+    const auto refuse = [&](const std::string& what, const std::string& expected, const std::string& hint) {
+        findings.add(error_at(scene.phreatic_place, "phreatic-line", what, expected, hint));
+    };
+    for (std::size_t k = 0; k < line.size(); ++k) {
+        const std::string point = "[" + number_text(line[k].x()) + ", " + number_text(line[k].y()) + "]";
+        if (k > 0 && line[k].x() <= line[k - 1].x()) {
+            refuse("the point " + point + " of the phreatic line does not lie to the right of the one before",
+                   "points from left to right", "");
+            return;
+        }
+        if (line[k].y() < scene.water->level) {
+            refuse("the point " + point + " of the phreatic line lies below the water level " +
+                       number_text(scene.water->level) + " m",
+                   "points at the water level or above", "let level be that of the lowest still water");
+            return;
+        }
+    }
+}
+
+std::vector<std::int32_t> divide_materials(const Scene& scene, const Sampling& sampling,
+                                           const std::vector<std::int32_t>& of_region, Problem& problem)
+{
+    std::vector<std::int32_t> of_domain;
+    std::vector<std::int32_t> above(problem.materials.size(), -1); // material -> its like above the line
+    for (const ParticleDomain& domain : sampling.domains) {
+        const std::int32_t below = of_region[domain.region];
+        of_domain.push_back(below);
+        if (!problem.water) continue;
+        const double tolerance = 1e-9 * problem.grid.cell_size, y = domain.centre.y();
+        if (y <= phreatic_elevation(scene, domain.centre.x()) + tolerance) {
+            problem.water->rises_above_level =
+                problem.water->rises_above_level || y > problem.water->level + tolerance;
+            continue;
+        }
+        const auto m = static_cast<std::size_t>(below);
+        if (above[m] < 0) {
+            above[m] = static_cast<std::int32_t>(problem.materials.size());
+            problem.materials.push_back(
+                unsaturated(problem.materials[m], *problem.water, scene.materials[m].saturation_above_water));
+        }
+        of_domain.back() = above[m];
+    }
+    return of_domain;
+}
+
+void check_outer_water(const Scene& scene, const Problem& problem, Diagnostics& findings)
+{
+    if (water_flow(problem) != WaterFlow::drained || problem.water->rises_above_level) return;
+    for (const SceneBoundary& condition : scene.boundaries) {
+        if (!condition.outer_water) continue;
+        const auto boundary = std::find_if(problem.boundaries.begin(), problem.boundaries.end(),
+                                           [&](const Boundary& b) { return b.name == condition.name; });
+        ENSURE(boundary != problem.boundaries.end());
+        if (!differs_from_still_water(problem, *boundary)) continue;
+        const bool head = std::holds_alternative<WaterHead>(condition.outer_water->value);
+        findings.add(error_at(
+            condition.water_place, "boundary",
+            join_path({"boundaries", condition.name, head ? "head" : "pore_pressure"}) +
+                " has no effect with water.flow = \"drained\": the pores have the pressure of the still "
+                "water",
+            "still water at the level " + number_text(problem.water->level) +
+                " m beyond the curve, or water.flow = \"coupled\" or \"undrained\"",
+            "water that stands in the soil is water.phreatic_line; a load is pressure on a free curve"));
+    }
+}
+
+void set_initial_state(const Scene& scene, const Section& section, const std::vector<std::int32_t>& of_region,
+                       const Problem& problem, Particles& particles)
+{
+    const std::vector<UnitWeights> weights = unit_weights(scene, of_region, problem);
+    const auto count = static_cast<std::ptrdiff_t>(particles.size());
+#pragma omp parallel for schedule(static)
+    for (std::ptrdiff_t k = 0; k < count; ++k) {
+        const auto p = static_cast<std::size_t>(k);
+        const Vector2 point = particles.position[p];
+        const double line = problem.water ? phreatic_elevation(scene, point.x()) : point.y();
+        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        if (keeps_initial_stress(material)) {
+            const double vertical = vertical_effective_stress(section, weights, point, line);
+            particles.stress.yy[p] = -vertical;
+            particles.stress.xx[p] = particles.stress.zz[p] = -scene.k0 * vertical;
+        }
+        if (particles.pore_pressure.empty() || !water_of(problem, material)) continue; // drained, or dry
+        if (!particles.water_table.empty()) particles.water_table[p] = line;
+        const double pressure = pressure_below(problem, line, point.y());
+        particles.pore_pressure[p] =
+            pressure - static_water_pressure(problem, point.y()) + scene.excess_pore_pressure;
+    }
+}
+
+} // namespace quicksand

@@ -1,0 +1,39 @@
+// Where the ground water stands in a scene's soil, and the state that follows: which soil is saturated, its
+// pore pressures, and the effective stresses under the weight of the soil above.
+#pragma once
+
+#include "geometry/sampling/particle_sampler.hpp"
+#include "geometry/section/section.hpp"
+#include "io/keys/diagnostics.hpp"
+#include "io/tables/scene.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// y of the phreatic line at x: the scene's line, level beyond its ends, or else the water level [m].
+double phreatic_elevation(const Scene& scene, double x);
+
+/// A phreatic line needs points from left to right, none below the water level.
+void check_phreatic_line(const Scene& scene, Diagnostics& findings);
+
+/// Soil above the phreatic line is a material of its own, not saturated: add these to the problem where a
+/// domain of the sampling lies there, and note whether saturated soil rises above the water level. Returns
+/// the material of every domain; `of_region` holds the material of every region.
+std::vector<std::int32_t> divide_materials(const Scene& scene, const Sampling& sampling,
+                                           const std::vector<std::int32_t>& of_region, Problem& problem);
+
+/// Drained soil has no pressure that a head or pore pressure beyond a curve could balance, but for that of a
+/// phreatic line above the water level: without one only still water at the level may lie beyond it.
+void check_outer_water(const Scene& scene, const Problem& problem, Diagnostics& findings);
+
+/// sigma'_v from the weight of the column above each particle, regions and water heeded; sigma'_h = K0
+/// sigma'_v, none of both in neo-Hookean soil, whose stress is that of its shape; pore pressures by the depth
+/// below the phreatic line, and the scene's excess.
+void set_initial_state(const Scene& scene, const Section& section, const std::vector<std::int32_t>& of_region,
+                       const Problem& problem, Particles& particles);
+
+} // namespace quicksand

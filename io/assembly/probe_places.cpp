@@ -1,0 +1,101 @@
+#include "io/assembly/probe_places.hpp"
+
+#include "solver/interpolation/cut_domains.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+/// Calls visit(y) for the heights at which the domain's outline meets the vertical line at x.
+template <class Visit>
+void for_each_crossing(const std::vector<Vector2>& outline, double x, Visit&& visit)
+{
+    for (std::size_t k = 0; k < outline.size(); ++k) {
+        const Vector2& a = outline[k];
+        const Vector2& b = outline[(k + 1) % outline.size()];
+        if ((a.x() - x) * (b.x() - x) > 0.0) continue;
+        if (a.x() == b.x()) {
+            visit(std::max(a.y(), b.y()));
+        } else {
+            visit(a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x()));
+        }
+    }
+}
+
+/// The middle of a domain's width and half of it [m].
+std::pair<double, double> width_of(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    const CutDomain* shape = problem.cut_domains.find(particles.identifier[p]);
+    if (shape == nullptr)
+        return {particles.position.x[p],
+                std::abs(particles.half_edge_1.x[p]) + std::abs(particles.half_edge_2.x[p])};
+    double first = particles.position.x[p], last = first;
+    for (const Vector2& corner : domain_polygon(problem.cut_domains, particles, p)) {
+        first = std::min(first, corner.x());
+        last = std::max(last, corner.x());
+    }
+    return {0.5 * (first + last), 0.5 * (last - first)};
+}
+
+} // namespace
+
+std::size_t nearest_particle(const Particles& particles, const Vector2& point)
+{
+    std::size_t nearest = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double distance = (particles.reference_position[p] - point).squaredNorm();
+        // Of equally near ones the lowest number, whatever the present order of the arrays.
+        const bool tie = distance == least && particles.identifier[p] < particles.identifier[nearest];
+        if (distance < least || tie) {
+            nearest = p;
+            least = distance;
+        }
+    }
+    return nearest;
+}
+
+std::optional<std::string> outside_soil(const Problem& problem, const Particles& particles,
+                                        const Vector2& point)
+{
+    const Vector2 found = particles.reference_position[nearest_particle(particles, point)];
+    if ((found - point).norm() <= 2.0 * problem.grid.cell_size) return std::nullopt;
+    return fmt::format("at ({}, {}) m lies outside the soil: the nearest particle is at ({:.4g}, {:.4g}) m",
+                       point.x(), point.y(), found.x(), found.y());
+}
+
+std::vector<Vector2> points_of(const SceneProbe& probe)
+{
+    if (probe.kind != ProbeKind::profile || probe.points < 2) return {*probe.at};
+    std::vector<Vector2> points;
+    for (int k = 0; k < probe.points; ++k)
+        points.push_back(*probe.at + (*probe.to - *probe.at) * (static_cast<double>(k) / (probe.points - 1)));
+    return points;
+}
+
+SurfacePoint surface_point(const Problem& problem, const Particles& particles, double x)
+{
+    constexpr double rounding = 1e-9; // where two domains meet, x lies beside both or neither without it [-]
+    SurfacePoint surface;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const auto [middle, reach] = width_of(problem, particles, p);
+        const double apart = x - middle, rim = (1.0 - rounding) * reach;
+        if (std::abs(apart) > (1.0 + rounding) * reach) continue;
+        const double inside = std::abs(apart) > rim ? middle + std::copysign(rim, apart) : x;
+        for_each_crossing(domain_polygon(problem.cut_domains, particles, p), inside, [&](double y) {
+            const bool tie = surface.found && y == surface.height &&
+                             particles.identifier[p] < particles.identifier[surface.particle];
+            if (!surface.found || y > surface.height || tie) surface = {true, p, y};
+        });
+    }
+    return surface;
+}
+
+} // namespace quicksand

@@ -1,0 +1,79 @@
+#include "io/motions/time_table.hpp"
+
+#include "io/keys/scene_units.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+std::optional<double> take_number(std::string_view& text)
+{
+    const auto skip = [&](std::string_view skipped) {
+        while (!text.empty() && skipped.find(text.front()) != std::string_view::npos) text.remove_prefix(1);
+    };
+    skip(" \t");
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    skip(" \t");
+    return value;
+}
+
+/// A row of exactly two numbers, separated by a comma, a semicolon or blanks.
+std::optional<TimeRow> parse_row(std::string_view line)
+{
+    const auto time = take_number(line);
+    if (!time) return std::nullopt;
+    if (!line.empty() && (line.front() == ',' || line.front() == ';')) line.remove_prefix(1);
+    const auto value = take_number(line);
+    if (!value || !line.empty()) return std::nullopt;
+    return TimeRow{*time, *value};
+}
+
+} // namespace
+
+std::string parse_time_table(std::string_view text, TimeTable& table)
+{
+    int number = 0;
+    bool header_allowed = true;
+    while (!text.empty()) {
+        const auto end = text.find('\n');
+        std::string_view line = text.substr(0, end);
+        text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
+        ++number;
+        if (line.ends_with('\r')) line.remove_suffix(1);
+        if (line.find_first_not_of(" \t") == std::string_view::npos || line.starts_with('#')) continue;
+        const auto row = parse_row(line);
+        if (row) {
+            table.rows.push_back(*row);
+            table.lines.push_back(number);
+        } else if (!header_allowed) {
+            return "line " + std::to_string(number) +
+                   " is not two numbers: " + std::string(line.substr(0, 60));
+        }
+        header_allowed = false;
+    }
+    return table.rows.size() < 2 ? "it holds fewer than two rows of two numbers" : "";
+}
+
+std::string check_times(const TimeTable& table)
+{
+    // a first time printed with few digits may miss 0 by this part of the interval
+    constexpr double tolerance = 0.01;
+    const std::vector<TimeRow>& rows = table.rows;
+    const double interval = (rows.back().time - rows.front().time) / static_cast<double>(rows.size() - 1);
+    if (std::abs(rows.front().time) > tolerance * std::abs(interval))
+        return "its time starts at " + number_text(rows.front().time) + " s, not at 0";
+    for (std::size_t k = 1; k < rows.size(); ++k) {
+        if (!(rows[k].time > rows[k - 1].time))
+            return "its time does not increase at line " + std::to_string(table.lines[k]);
+    }
+    return "";
+}
+
+} // namespace quicksand

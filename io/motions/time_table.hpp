@@ -1,0 +1,30 @@
+// Tables of two columns in text files: time and a value.
+#pragma once
+
+#include "io/keys/diagnostics.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+struct TimeRow {
+    double time = 0.0;  // [s]
+    double value = 0.0; // as in the file
+};
+
+struct TimeTable {
+    std::vector<TimeRow> rows;
+    std::vector<int> lines; // of the file, where each row stands
+};
+
+/// Rows of two numbers separated by a comma, a semicolon or blanks; one header line, empty lines and lines
+/// with # are left out. Returns what is wrong with the text, "" when it holds two rows or more.
+std::string parse_time_table(std::string_view text, TimeTable& table);
+
+/// What is wrong with the times where they do not start at 0 or do not increase, "" when they do.
+std::string check_times(const TimeTable& table);
+
+} // namespace quicksand

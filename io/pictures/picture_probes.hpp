@@ -1,0 +1,33 @@
+// The plots of a run's probes and of its history.
+#pragma once
+
+#include "io/pictures/line_plot.hpp"
+#include "io/pictures/picture_table.hpp"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// Pressures, displacement, velocity and acceleration over time; a profile becomes isochrones, the values
+/// over height at about eight times. None where the table has no values.
+std::optional<LinePlot> probe_plot(const PictureTable& table, const std::string& name);
+
+/// Excess pore pressure of all material probes in one plot; none where there are fewer than two.
+struct ProbeTable {
+    std::string name;
+    PictureTable table;
+};
+std::optional<LinePlot> comparison_plot(const std::vector<ProbeTable>& probes);
+
+/// Crest settlement, kinetic energy, largest excess pore pressure and base motion over time.
+std::optional<LinePlot> history_plot(const PictureTable& table);
+
+/// Draw probes/*.csv and history.csv of the results, as far as they are there, into `folder`; the files
+/// made. Throws FileError.
+std::vector<std::filesystem::path> draw_probe_plots(const std::filesystem::path& results,
+                                                    const std::filesystem::path& folder);
+
+} // namespace quicksand

@@ -1,0 +1,34 @@
+// history.csv: the sums and extremes of the whole body over time.
+#pragma once
+
+#include "io/files/csv_file.hpp"
+#include "io/frames/observation_clock.hpp"
+#include "io/results/run_label.hpp"
+#include "io/tables/scene.hpp"
+#include "solver/run/simulation.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+namespace quicksand {
+
+/// The crest as it was when shaking began: numbers of the particles that lay highest in the reference shape.
+std::vector<std::int32_t> reference_crest(const Particles& particles);
+
+class HistoryWriter : public Observer {
+public:
+    HistoryWriter(const Scene& scene, const Problem& problem, const State& state, const RunLabel& label,
+                  const std::filesystem::path& path, bool resume);
+
+    double next_time() const override { return clock_.next(); }
+    bool marks_restarts() const override { return false; }
+    void observe(const Problem& problem, const State& state, const StepReport& report) override;
+
+private:
+    ObservationClock clock_;
+    CsvFile file_;
+    std::vector<std::int32_t> crest_;
+};
+
+} // namespace quicksand

@@ -1,0 +1,198 @@
+#include "io/results/probe_writer.hpp"
+
+#include "io/assembly/probe_places.hpp"
+#include "io/results/results_folder.hpp"
+#include "io/results/run_manifest.hpp"
+#include "solver/base/failure.hpp"
+#include "solver/measure/monitors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+/// What the probe looks at, in words.
+std::string description(const SceneProbe& probe, std::int32_t identifier)
+{
+    const Vector2 at = *probe.at;
+    switch (probe.kind) {
+    case ProbeKind::material:
+        return fmt::format("{}, material: rides with particle {}, nearest to ({}, {}) m when shaking began",
+                           probe.name, identifier, at.x(), at.y());
+    case ProbeKind::fixed:
+        return fmt::format(
+            "{}, fixed: the point ({}, {}) m, interpolated in the nodal averages; empty where there is "
+            "no soil",
+            probe.name, at.x(), at.y());
+    case ProbeKind::surface:
+        return fmt::format("{}, surface: the highest soil at x = {} m, values of the particle that is there",
+                           probe.name, at.x());
+    case ProbeKind::profile:
+        return fmt::format(
+            "{}, profile: {} fixed points from ({}, {}) to ({}, {}) m, interpolated in the nodal "
+            "averages; empty where there is no soil",
+            probe.name, probe.points, at.x(), at.y(), probe.to->x(), probe.to->y());
+    }
+    return probe.name;
+}
+
+std::vector<std::string> probe_comments(const SceneProbe& probe, std::int32_t identifier,
+                                        const RunLabel& label, const Problem& problem)
+{
+    std::vector<std::string> comments = run_comments(label);
+    comments.push_back("probe: " + description(probe, identifier));
+    comments.insert(
+        comments.end(),
+        {"u displacement since shaking began, v velocity and a acceleration of the grains, all relative to "
+         "the base; y is up",
+         "a: change of v over the probe interval; empty in the first row",
+         "mean and vertical effective stress: compression positive; shear_stress_xy: of the tensor that is "
+         "positive in tension",
+         "shear_strain_xy: engineering shear strain du_x/dy + du_y/dx"});
+    if (problem.water)
+        comments.insert(
+            comments.end(),
+            {"pore_pressure: static plus excess, compression positive",
+             fmt::format(
+                 "ru: excess pore pressure / initial vertical effective stress, which is {}",
+                 probe.kind == ProbeKind::material || probe.kind == ProbeKind::surface
+                     ? fmt::format("empty where the latter is below {:.4g} Pa", ru_stress_threshold(problem))
+                     : fmt::format("taken as {:.4g} Pa at least", ru_stress_threshold(problem)))});
+    comments.push_back("an empty cell: no soil or no value");
+    return comments;
+}
+
+std::vector<std::string> probe_columns(const SceneProbe& probe, bool saturated)
+{
+    std::vector<std::string> columns{"time_s"};
+    if (probe.kind == ProbeKind::profile) columns.emplace_back("distance_m");
+    const std::vector<std::string> sampled = sample_columns(saturated);
+    columns.insert(columns.end(), sampled.begin(), sampled.end());
+    return columns;
+}
+
+void require_place(const SceneProbe& probe)
+{
+    if (!probe.at) throw InputError("probe '" + probe.name + "' has no place: give it `at`");
+    if (probe.kind == ProbeKind::profile && !probe.to)
+        throw InputError("probe '" + probe.name + "' is a profile and has no end: give it `to`");
+}
+
+/// The particle a material probe rides with; a point more than two cells from any soil is a mistake.
+std::int32_t find_rider(const SceneProbe& probe, const Problem& problem, const Particles& particles)
+{
+    if (const auto wrong = outside_soil(problem, particles, *probe.at))
+        throw InputError("probe '" + probe.name + "' " + *wrong);
+    return particles.identifier[nearest_particle(particles, *probe.at)];
+}
+
+std::size_t index_of(const Particles& particles, std::int32_t identifier)
+{
+    const auto found = std::find(particles.identifier.begin(), particles.identifier.end(), identifier);
+    ENSURE(found != particles.identifier.end());
+    return static_cast<std::size_t>(found - particles.identifier.begin());
+}
+
+} // namespace
+
+ProbeWriter::ProbeWriter(const Scene& scene, const Problem& problem, const State& state,
+                         const RunLabel& label, const std::filesystem::path& results, bool resume)
+    : saturated_(problem.water.has_value()), clock_(scene.output.probe_interval, scene.end_time)
+{
+    // A kill may have come between two files: go on after the shortest one; write() leaves the others alone.
+    double last_time = std::numeric_limits<double>::infinity();
+    for (const SceneProbe& scene_probe : scene.probes) {
+        probes_.push_back(open_probe(scene_probe, problem, state, label, results, resume));
+        if (scene_probe.kind == ProbeKind::fixed || scene_probe.kind == ProbeKind::profile) {
+            const std::vector<Vector2> points = points_of(scene_probe);
+            fixed_points_.insert(fixed_points_.end(), points.begin(), points.end());
+        }
+        last_time = std::min(last_time, probes_.back().file.last_time().value_or(-1.0));
+    }
+    if (!probes_.empty()) clock_.go_on(state.time, last_time);
+}
+
+ProbeWriter::Probe ProbeWriter::open_probe(const SceneProbe& scene_probe, const Problem& problem,
+                                           const State& state, const RunLabel& label,
+                                           const std::filesystem::path& results, bool resume) const
+{
+    require_place(scene_probe);
+    std::int32_t identifier = -1;
+    if (scene_probe.kind == ProbeKind::material)
+        identifier = find_rider(scene_probe, problem, state.particles);
+    const auto path = ResultsFolder{results}.probe(scene_probe.name);
+    const auto comments = probe_comments(scene_probe, identifier, label, problem);
+    const auto columns = probe_columns(scene_probe, saturated_);
+    Probe probe{scene_probe,
+                identifier,
+                resume ? CsvFile::resume(path, comments, columns, state.time)
+                       : CsvFile::begin(path, comments, columns),
+                ProbeSample::none,
+                {}};
+    // The numbers in the file read back exactly, so accelerations go on as if there had been no stop.
+    if (const auto last = probe.file.last_time()) probe.previous_time = *last;
+    for (const CsvRow& row : probe.file.last_rows())
+        probe.previous_velocities.emplace_back(probe.file.value(row, "vx_m_s"),
+                                               probe.file.value(row, "vy_m_s"));
+    return probe;
+}
+
+void ProbeWriter::observe(const Problem& problem, const State& state, const StepReport&)
+{
+    const NodalFields fields =
+        fixed_points_.empty() ? NodalFields{} : nodal_fields_at(problem, state.particles, fixed_points_);
+    for (Probe& probe : probes_) write(probe, state.time, sample(probe, problem, state, fields));
+    clock_.advance();
+}
+
+std::vector<ProbeSample> ProbeWriter::sample(const Probe& probe, const Problem& problem, const State& state,
+                                             const NodalFields& fields) const
+{
+    const Particles& particles = state.particles;
+    switch (probe.scene.kind) {
+    case ProbeKind::material:
+        return {sample_particle(problem, particles, index_of(particles, probe.identifier))};
+    case ProbeKind::fixed:
+        return {sample_point(problem, fields, *probe.scene.at)};
+    case ProbeKind::surface: {
+        const double x = probe.scene.at->x();
+        const SurfacePoint surface = surface_point(problem, particles, x);
+        if (!surface.found) return {ProbeSample{}};
+        ProbeSample sample = sample_particle(problem, particles, surface.particle);
+        sample.position = {x, surface.height};
+        return {sample};
+    }
+    case ProbeKind::profile:
+        break;
+    }
+    std::vector<ProbeSample> samples;
+    for (const Vector2& point : points_of(probe.scene))
+        samples.push_back(sample_point(problem, fields, point));
+    return samples;
+}
+
+void ProbeWriter::write(Probe& probe, double time, std::vector<ProbeSample> samples) const
+{
+    if (probe.previous_time >= time) return;
+    if (probe.previous_velocities.size() == samples.size())
+        for (std::size_t k = 0; k < samples.size(); ++k)
+            samples[k].acceleration =
+                (samples[k].velocity - probe.previous_velocities[k]) / (time - probe.previous_time);
+    probe.previous_time = time;
+    probe.previous_velocities.clear();
+    for (const ProbeSample& sample : samples) {
+        probe.previous_velocities.push_back(sample.velocity);
+        CsvRow row{csv_number(time)};
+        if (probe.scene.kind == ProbeKind::profile)
+            row.push_back(csv_number((sample.position - *probe.scene.at).norm()));
+        append_cells(sample, saturated_, row);
+        probe.file.add_row(row);
+    }
+    probe.file.flush();
+}
+
+} // namespace quicksand

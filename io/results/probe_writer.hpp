@@ -1,0 +1,50 @@
+// The probes of a scene, written to probes/<name>.csv at the probe interval.
+#pragma once
+
+#include "io/files/csv_file.hpp"
+#include "io/frames/observation_clock.hpp"
+#include "io/results/probe_sample.hpp"
+#include "io/results/run_label.hpp"
+#include "io/tables/scene.hpp"
+#include "solver/run/simulation.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+class ProbeWriter : public Observer {
+public:
+    /// Begins the files, or goes on with them at state.time when `resume`. Throws InputError for a probe
+    /// without a place and for a material probe outside the soil, FileError for the files.
+    ProbeWriter(const Scene& scene, const Problem& problem, const State& state, const RunLabel& label,
+                const std::filesystem::path& results, bool resume);
+
+    double next_time() const override { return clock_.next(); }
+    bool marks_restarts() const override { return false; }
+    void observe(const Problem& problem, const State& state, const StepReport& report) override;
+
+private:
+    struct Probe {
+        SceneProbe scene;
+        std::int32_t identifier = -1; // of the particle a material probe rides with
+        CsvFile file;
+        double previous_time = ProbeSample::none;
+        std::vector<Vector2> previous_velocities; // one a point, at previous_time [m/s]
+    };
+
+    Probe open_probe(const SceneProbe& scene_probe, const Problem& problem, const State& state,
+                     const RunLabel& label, const std::filesystem::path& results, bool resume) const;
+    std::vector<ProbeSample> sample(const Probe& probe, const Problem& problem, const State& state,
+                                    const NodalFields& fields) const;
+    void write(Probe& probe, double time, std::vector<ProbeSample> samples) const;
+
+    bool saturated_;
+    std::vector<Vector2> fixed_points_; // of all fixed probes and profiles [m]
+    ObservationClock clock_;
+    std::vector<Probe> probes_;
+};
+
+} // namespace quicksand

@@ -1,0 +1,269 @@
+#include "io/scene/scene_file.hpp"
+
+#include "geometry/drawing/nearest_name.hpp"
+#include "io/keys/scene_check.hpp"
+#include "io/keys/scene_text.hpp"
+#include "io/keys/scene_units.hpp"
+#include "io/keys/scene_words.hpp"
+#include "io/scene/scene_base.hpp"
+#include "io/scene/scene_references.hpp"
+#include "io/tables/scene_boundaries.hpp"
+#include "io/tables/scene_figures.hpp"
+#include "io/tables/scene_laws.hpp"
+#include "io/tables/scene_motion.hpp"
+#include "io/tables/scene_ubcsand.hpp"
+#include "io/tables/scene_verification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <tuple>
+
+namespace quicksand {
+
+namespace {
+
+constexpr WordList<ProbeKind, 4> probe_words = {{
+    {"material", ProbeKind::material},
+    {"fixed", ProbeKind::fixed},
+    {"surface", ProbeKind::surface},
+    {"profile", ProbeKind::profile},
+}};
+
+constexpr std::array<std::pair<std::string_view, Interpolation>, 5> interpolation_words = {{
+    {"cpdi", Interpolation::cpdi},
+    {"cpdi2", Interpolation::cpdi2},
+    {"gimp", Interpolation::gimp},
+    {"cpgimp", Interpolation::cpgimp},
+    {"linear", Interpolation::linear},
+}};
+constexpr std::array<std::pair<std::string_view, TimeScheme>, 2> scheme_words = {{
+    {"explicit", TimeScheme::explicit_steps},
+    {"semi_implicit", TimeScheme::semi_implicit},
+}};
+
+constexpr std::array<std::pair<std::string_view, StrainForm>, 2> strain_words = {{
+    {"large", StrainForm::large},
+    {"small", StrainForm::small},
+}};
+
+constexpr std::array<std::pair<std::string_view, WaterFlow>, 3> flow_words = {{
+    {"coupled", WaterFlow::coupled},
+    {"undrained", WaterFlow::undrained},
+    {"drained", WaterFlow::drained},
+}};
+constexpr std::array<std::pair<std::string_view, PermeabilityLaw>, 3> permeability_words = {{
+    {"constant", PermeabilityLaw::constant},
+    {"kozeny_carman", PermeabilityLaw::kozeny_carman},
+    {"specific_volume_squared", PermeabilityLaw::specific_volume_squared},
+}};
+
+const std::vector<NamedTable>& tables_named(const SceneValues& values, const std::string& table)
+{
+    static const std::vector<NamedTable> none;
+    const auto found = values.named.find(table);
+    return found == values.named.end() ? none : found->second;
+}
+
+void fill_geometry(const SceneValues& values, const std::filesystem::path& folder, Scene& scene)
+{
+    scene.geometry_file = folder / values.text("geometry.file");
+    scene.geometry_parameters = values.find<std::map<std::string, double>>("geometry.parameters")
+                                    .value_or(std::map<std::string, double>());
+    scene.geometry_place = values.place("geometry.file");
+    scene.cell_size = values.find<double>("grid.cell_size").value_or(0.0);
+    scene.grid_origin = values.find<Vector2>("grid.origin");
+    scene.grid_cells = values.find<std::pair<int, int>>("grid.cells");
+    scene.grid_place = values.has_table("grid") ? values.tables.at("grid") : scene.geometry_place;
+    if (values.text("sampling.kind") == "mesh") {
+        scene.sampling = MeshSampling{values.find<double>("sampling.quad_size").value_or(0.0)};
+        return;
+    }
+    LatticeSampling lattice;
+    std::tie(lattice.per_cell_x, lattice.per_cell_y) =
+        values.find<std::pair<int, int>>("sampling.particles_per_cell").value_or(std::pair(3, 3));
+    scene.sampling = lattice;
+}
+
+Material read_material(const SceneValues& values, const NamedTable& table)
+{
+    const auto number = [&](const char* key) { return values.number(table.path + "." + key); };
+    Material material;
+    material.name = table.name;
+    material.law = read_skeleton_law(values, table);
+    material.volumetric_strain = values.text(table.path + ".volumetric_strain") == "cell"
+                                     ? VolumetricStrain::cell
+                                     : VolumetricStrain::particle;
+    material.grain_density = number("grain_density");
+    material.porosity = number("porosity");
+    material.hydraulic_conductivity = number("hydraulic_conductivity");
+    material.conductivity_gravity =
+        values.find<double>(table.path + ".conductivity_gravity").value_or(standard_gravity);
+    material.permeability_law = word_of(permeability_words, values.text(table.path + ".permeability_law"));
+    return material;
+}
+
+Water read_water(const SceneValues& values)
+{
+    Water water;
+    water.density = values.number("water.density");
+    water.bulk_modulus = values.number("water.bulk_modulus");
+    water.level = values.number("water.level");
+    water.flow = word_of(flow_words, values.text("water.flow"));
+    if (const auto saturation = values.find<double>("water.saturation")) {
+        water.bulk_modulus =
+            modulus_with_air(water.bulk_modulus, *saturation, values.number("water.air_pressure"));
+    }
+    water.cavitation_pressure = values.find<double>("water.cavitation_pressure");
+    return water;
+}
+
+void fill_ground(const SceneValues& values, Scene& scene)
+{
+    scene.interpolation = word_of(interpolation_words, values.text("analysis.interpolation"));
+    scene.strain = word_of(strain_words, values.text("analysis.strain"));
+    if (values.has_table("water")) scene.scheme = word_of(scheme_words, values.text("analysis.scheme"));
+    scene.columns = values.text("analysis.columns") == "all" ? ColumnsComputed::all : ColumnsComputed::one;
+    scene.step_share = values.number("analysis.step_share");
+    scene.gravity = values.number("gravity.acceleration");
+    if (values.has_table("water")) {
+        scene.water = read_water(values);
+        scene.phreatic_line =
+            values.find<std::vector<Vector2>>("water.phreatic_line").value_or(std::vector<Vector2>());
+        scene.phreatic_place = values.place("water.phreatic_line");
+    }
+    for (const NamedTable& table : tables_named(values, "materials")) {
+        scene.materials.push_back({read_material(values, table),
+                                   values.number(table.path + ".saturation_above_water"), table.place});
+    }
+    for (const NamedTable& table : tables_named(values, "regions")) {
+        scene.regions.push_back({table.name, values.text(table.path + ".material"), table.place});
+    }
+    scene.k0 = values.number("initial.k0");
+    scene.excess_pore_pressure = values.number("initial.excess_pore_pressure");
+    if (values.has_table("relaxation")) {
+        scene.relaxation =
+            RelaxationControls{values.number("relaxation.damping"), values.number("relaxation.tolerance"),
+                               values.find<std::int64_t>("relaxation.max_steps").value_or(0)};
+    }
+}
+
+void fill_run(const SceneValues& values, Scene& scene)
+{
+    for (const NamedTable& table : tables_named(values, "probes")) {
+        SceneProbe probe;
+        probe.name = table.name;
+        probe.kind = word_of(probe_words, values.text(table.path + ".kind"));
+        probe.at = values.find<Vector2>(table.path + ".at");
+        probe.to = values.find<Vector2>(table.path + ".to");
+        probe.points =
+            static_cast<int>(values.find<std::int64_t>(table.path + ".points").value_or(probe.points));
+        probe.place = table.place;
+        scene.probes.push_back(std::move(probe));
+    }
+    scene.end_time = values.number("run.end_time");
+    scene.output = {values.number("output.frame_interval"), values.number("output.probe_interval"),
+                    values.number("output.history_interval"), values.number("output.checkpoint_interval")};
+}
+
+/// Frames are numbered with six digits, and no table of more rows than that can be looked at.
+void check_intervals(const SceneValues& values, Diagnostics& findings)
+{
+    constexpr double most = 1e6;
+    const double end_time = values.number("run.end_time");
+    for (const char* key : {"output.frame_interval", "output.probe_interval", "output.history_interval"}) {
+        const double interval = values.number(key);
+        if (interval <= 0.0 || end_time <= most * interval) continue;
+        findings.add(error_at(values.place(key), "range",
+                              std::string(key) + " is " + number_text(interval) + " s, " +
+                                  number_text(std::round(end_time / interval)) + " times in the run of " +
+                                  number_text(end_time) + " s",
+                              "at most " + number_text(most) + " times, or 0 for none"));
+    }
+}
+
+void check_geometry_file(const SceneValues& values, const std::filesystem::path& file, Diagnostics& findings)
+{
+    if (!values.has("geometry.file")) return;
+    const auto refuse = [&](const std::string& what, const std::string& expected, const std::string& hint) {
+        findings.add(error_at(values.place("geometry.file"), "file", what, expected, hint));
+    };
+    std::error_code error;
+    if (std::filesystem::is_directory(file, error)) {
+        refuse("'" + file.string() + "' is a folder", "a drawing", "name the file in it");
+    } else if (!std::filesystem::exists(file, error)) {
+        std::vector<std::string> drawings;
+        const auto folder = file.parent_path().empty() ? std::filesystem::path(".") : file.parent_path();
+        for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+            drawings.push_back(entry.path().filename().string());
+        }
+        std::sort(drawings.begin(), drawings.end());
+        const std::string nearest = nearest_name(file.filename().string(), drawings);
+        refuse("there is no file '" + file.string() + "'",
+               "a drawing; its path is relative to the scene file",
+               nearest.empty() ? "" : "did you mean " + nearest + "?");
+    } else if (const auto suffix = file.extension();
+               suffix != ".geo" && suffix != ".geo_unrolled" && suffix != ".msh") {
+        refuse("'" + file.string() + "' is not a drawing that can be read",
+               "a file .geo, .geo_unrolled or .msh", "");
+    }
+}
+
+/// A scene of another version is not judged by the keys of this one.
+bool check_version(const DocumentNode& document, Diagnostics& findings)
+{
+    const DocumentNode* version = document.find("scene_version");
+    if (version == nullptr || version->kind != DocumentNode::Kind::integer || version->integer == 1)
+        return true;
+    const std::string number = std::to_string(version->integer);
+    findings.add(error_at(version->place, "version",
+                          "scene_version " + number + " is not known to this program", "scene_version = 1",
+                          version->integer > 1 ? "the scene is for a newer version of Quicksand"
+                                               : "the first version is 1"));
+    return false;
+}
+
+} // namespace
+
+SceneReading read_scene_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+    Diagnostics findings;
+    const auto text = read_text_file(file, {file, 0, 0}, findings);
+    if (!text) throw_findings(findings, "");
+    check_characters(file, *text, findings);
+    if (findings.has_errors()) throw_findings(findings, *text);
+    auto document = read_document(file, *text, overrides, findings);
+    if (!document || !check_version(*document, findings)) throw_findings(findings, *text);
+    const bool stands_alone = document->find("base") == nullptr;
+    if (!stands_alone) findings.keep_text(file, *text);
+    document = merge_with_base(file, std::move(*document), findings);
+    if (!document || !check_version(*document, findings)) throw_findings(findings, *text);
+
+    SceneValues values = check_document(scene_key_table(), *document, findings);
+    check_references(values, findings);
+    check_skeleton_laws(values, findings);
+    SceneReading reading;
+    Scene& scene = reading.scene;
+    scene.file = file;
+    scene.text = stands_alone ? *text : document_text(*document);
+    scene.title = values.text("title");
+    scene.accepted = values.find<std::vector<std::string>>("accept").value_or(std::vector<std::string>());
+    fill_geometry(values, file.parent_path(), scene);
+    fill_ground(values, scene);
+    fill_run(values, scene);
+    scene.boundaries = read_boundaries(values, file.parent_path(), findings);
+    read_ubcsand_materials(values, scene, findings);
+    scene.base_motion = read_motion(values, file.parent_path(), findings);
+    scene.verification = read_verification(values, findings);
+    static_cast<void>(read_figures(values, findings)); // drawn from the results, so only checked here
+    check_geometry_file(values, scene.geometry_file, findings);
+    check_intervals(values, findings);
+
+    findings.accept(scene.accepted);
+    if (findings.has_errors()) throw_findings(findings, *text);
+    reading.keys = std::move(values.keys);
+    reading.warnings = std::move(findings);
+    return reading;
+}
+
+} // namespace quicksand

@@ -1,0 +1,223 @@
+#include "io/scene/scene_section.hpp"
+
+#include "geometry/drawing/nearest_name.hpp"
+#include "io/keys/scene_schema.hpp"
+#include "io/keys/scene_value_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quicksand {
+
+namespace {
+
+constexpr double on_line = 1e-6; // a point this close to a grid line lies on it [cells]
+
+template <class Named>
+std::vector<std::string> names_of(const std::vector<Named>& list)
+{
+    std::vector<std::string> names;
+    for (const Named& item : list) names.push_back(item.name);
+    return names;
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// An error for a name that the drawing does not know.
+Diagnostic unknown_name(const SourcePlace& place, const std::string& what, const std::string& name,
+                        const std::vector<std::string>& drawn)
+{
+    const std::string nearest = nearest_name(name, drawn);
+    return error_at(place, "unknown-group", "the drawing has no " + what + " \"" + name + "\"",
+                    drawn.empty() ? "the drawing has no " + what + " at all" : one_of(drawn),
+                    nearest.empty() ? "" : "did you mean \"" + nearest + "\"?");
+}
+
+void check_regions(const Scene& scene, const std::vector<std::string>& drawn, Diagnostics& findings)
+{
+    const auto written = names_of(scene.regions);
+    for (const SceneRegion& region : scene.regions) {
+        if (!contains(drawn, region.name))
+            findings.add(unknown_name(region.place, "physical surface", region.name, drawn));
+    }
+    for (const std::string& name : drawn) {
+        if (contains(written, name)) continue;
+        findings.add(error_at(scene.geometry_place, "missing-table",
+                              "the drawing's physical surface \"" + name + "\" has no material", "",
+                              "add a table [" + join_path({"regions", name}) + "] with a material"));
+    }
+}
+
+const NamedCurve* find_curve(const Section& section, const std::string& name)
+{
+    for (const NamedCurve& curve : section.curves) {
+        if (curve.name == name) return &curve;
+    }
+    return nullptr;
+}
+
+/// How far a coordinate is from the nearest grid line [m].
+double offset_from_line(double coordinate, double origin, double cell_size)
+{
+    const double cells = (coordinate - origin) / cell_size;
+    return (cells - std::round(cells)) * cell_size;
+}
+
+/// A viscous side of a shaken section absorbs the motion of the ground itself.
+void check_viscous_side(const Scene& scene, const SceneBoundary& boundary, const NamedCurve& curve,
+                        Diagnostics& findings)
+{
+    if (boundary.soil != SoilCondition::viscous || std::holds_alternative<NoMotion>(scene.base_motion))
+        return;
+    const bool steep = std::any_of(curve.segments.begin(), curve.segments.end(), [](const Segment& segment) {
+        const Vector2 along = (segment.end - segment.start).cwiseAbs();
+        return along.y() > along.x();
+    });
+    if (!steep) return;
+    findings.add(warning_at(boundary.place, join_path({"boundaries", boundary.name}), "viscous-side",
+                            "the viscous side \"" + boundary.name +
+                                "\" brakes the shaking of the ground, not only the waves that leave",
+                            "sides tied to each other where the base shakes"));
+}
+
+Boundary make_boundary(const SceneBoundary* condition, const NamedCurve& curve)
+{
+    Boundary boundary;
+    boundary.name = curve.name;
+    if (condition != nullptr) {
+        boundary.soil = condition->soil;
+        boundary.water = condition->water;
+        boundary.load = condition->load;
+        boundary.motion = condition->motion;
+        boundary.half_space = condition->half_space;
+        boundary.outer_water = condition->outer_water;
+    }
+    for (const Segment& segment : curve.segments) {
+        if (segment.start != segment.end) boundary.segments.push_back(segment);
+    }
+    return boundary;
+}
+
+struct Side {
+    double x = 0.0;
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = -std::numeric_limits<double>::infinity();
+};
+
+/// The curve as one vertical line on a grid line; a finding when it is none.
+std::optional<Side> find_side(const SceneBoundary& boundary, const NamedCurve& curve,
+                              const BackgroundGrid& grid, Diagnostics& findings)
+{
+    const double tolerance = on_line * grid.cell_size;
+    Side side;
+    bool vertical = !curve.segments.empty();
+    if (vertical) side.x = curve.segments.front().start.x();
+    for (const Segment& segment : curve.segments) {
+        for (const Vector2& point : {segment.start, segment.end}) {
+            vertical = vertical && std::abs(point.x() - side.x) <= tolerance;
+            side.lower = std::min(side.lower, point.y());
+            side.upper = std::max(side.upper, point.y());
+        }
+    }
+    if (!vertical) {
+        findings.add(error_at(boundary.place, "tied",
+                              "the tied curve \"" + boundary.name + "\" is not a vertical line",
+                              "a vertical straight line on a grid line"));
+        return std::nullopt;
+    }
+    const double offset = offset_from_line(side.x, grid.origin.x(), grid.cell_size);
+    if (std::abs(offset) <= tolerance) return side;
+    findings.add(
+        error_at(boundary.place, "tied",
+                 "the tied curve \"" + boundary.name + "\" at x = " + number_text(side.x) +
+                     " m is not on a grid line: the nearest is at x = " + number_text(side.x - offset) + " m",
+                 "a vertical straight line on a grid line",
+                 "choose a cell size that divides the width, or set origin in [grid]"));
+    return std::nullopt;
+}
+
+} // namespace
+
+void check_names(const Scene& scene, const Section& section, Diagnostics& findings)
+{
+    const auto curves = names_of(section.curves), points = names_of(section.points);
+    check_regions(scene, names_of(section.regions), findings);
+    for (const SceneBoundary& boundary : scene.boundaries) {
+        if (!contains(curves, boundary.name))
+            findings.add(unknown_name(boundary.place, "physical curve", boundary.name, curves));
+    }
+    for (const SceneProbe& probe : scene.probes) {
+        if (probe.at || contains(points, probe.name)) continue;
+        Diagnostic finding = unknown_name(probe.place, "physical point", probe.name, points);
+        finding.what = "the probe \"" + probe.name + "\" has no place: " + finding.what;
+        if (finding.hint.empty())
+            finding.hint = "give the probe at = [x, y], or name a physical point after it";
+        findings.add(std::move(finding));
+    }
+}
+
+std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section, Diagnostics& findings)
+{
+    std::vector<Boundary> boundaries;
+    for (const SceneBoundary& condition : scene.boundaries) {
+        const NamedCurve* curve = find_curve(section, condition.name);
+        if (curve == nullptr) continue;
+        boundaries.push_back(make_boundary(&condition, *curve));
+        check_viscous_side(scene, condition, *curve, findings);
+    }
+    const auto written = names_of(scene.boundaries);
+    for (const NamedCurve& curve : section.curves) {
+        if (contains(written, curve.name)) continue;
+        boundaries.push_back(make_boundary(nullptr, curve));
+        const std::string path = join_path({"boundaries", curve.name});
+        findings.add(
+            warning_at(scene.geometry_place, path, "unnamed-boundary",
+                       "the physical curve \"" + curve.name + "\" has no conditions: it is free and drained",
+                       "", "say so with a table [" + path + "] and soil = \"free\""));
+    }
+    return boundaries;
+}
+
+std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& section,
+                                         const BackgroundGrid& grid, Diagnostics& findings)
+{
+    std::vector<const SceneBoundary*> tied;
+    for (const SceneBoundary& boundary : scene.boundaries) {
+        if (boundary.soil == SoilCondition::tied) tied.push_back(&boundary);
+    }
+    if (tied.size() != 2) return std::nullopt;
+    const NamedCurve* first_curve = find_curve(section, tied[0]->name);
+    const NamedCurve* second_curve = find_curve(section, tied[1]->name);
+    if (first_curve == nullptr || second_curve == nullptr) return std::nullopt;
+    const auto first = find_side(*tied[0], *first_curve, grid, findings);
+    const auto second = find_side(*tied[1], *second_curve, grid, findings);
+    if (!first || !second) return std::nullopt;
+
+    const auto refuse = [&](const std::string& what, const std::string& expected) {
+        findings.add(error_at(
+            tied[1]->place, "tied",
+            "the tied curves \"" + tied[0]->name + "\" and \"" + tied[1]->name + "\" " + what, expected));
+        return std::nullopt;
+    };
+    const double tolerance = on_line * grid.cell_size;
+    if (std::abs(first->lower - second->lower) > tolerance ||
+        std::abs(first->upper - second->upper) > tolerance) {
+        return refuse("reach from y = " + number_text(first->lower) + " to " + number_text(first->upper) +
+                          " m and from " + number_text(second->lower) + " to " + number_text(second->upper) +
+                          " m",
+                      "two vertical lines of the same heights");
+    }
+    if (std::abs(first->x - second->x) <= tolerance) {
+        return refuse("are at the same x = " + number_text(first->x) + " m", "two opposite sides");
+    }
+    const bool ordered = first->x < second->x;
+    const auto& left = ordered ? *first : *second;
+    const auto& right = ordered ? *second : *first;
+    return TiedSides{tied[ordered ? 0 : 1]->name, tied[ordered ? 1 : 0]->name, left.x, right.x};
+}
+
+} // namespace quicksand

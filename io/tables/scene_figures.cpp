@@ -1,0 +1,101 @@
+#include "io/tables/scene_figures.hpp"
+
+#include "geometry/drawing/nearest_name.hpp"
+#include "io/keys/scene_value_reader.hpp"
+#include "io/keys/scene_words.hpp"
+
+#include <algorithm>
+
+namespace quicksand {
+
+namespace {
+
+constexpr WordList<FigureKind, 3> kind_words = {{
+    {"history", FigureKind::history},
+    {"isochrones", FigureKind::isochrones},
+    {"field", FigureKind::field},
+}};
+
+const std::vector<NamedTable>& tables_named(const SceneValues& values, const std::string& table)
+{
+    static const std::vector<NamedTable> none;
+    const auto found = values.named.find(table);
+    return found == values.named.end() ? none : found->second;
+}
+
+void check_probes(const SceneValues& values, const NamedTable& table, const SceneFigure& figure,
+                  Diagnostics& findings)
+{
+    const SourcePlace place = values.place(table.path + ".probes");
+    const bool of_profile = figure.kind == FigureKind::isochrones;
+    std::vector<std::string> suitable;
+    for (const NamedTable& probe : tables_named(values, "probes")) {
+        if ((values.text(probe.path + ".kind") == "profile") == of_profile) suitable.push_back(probe.name);
+    }
+    for (const std::string& name : figure.probes) {
+        if (std::find(suitable.begin(), suitable.end(), name) != suitable.end()) continue;
+        const std::string nearest = nearest_name(name, suitable);
+        findings.add(error_at(place, "figure",
+                              "there is no probe \"" + name + "\" that " +
+                                  (of_profile ? "is a profile" : "has a history"),
+                              one_of(suitable), nearest.empty() ? "" : "did you mean \"" + nearest + "\"?"));
+    }
+    if (!values.given(table.path + ".probes")) return;
+    if (figure.probes.empty() || (of_profile && figure.probes.size() > 1)) {
+        findings.add(error_at(place, "figure",
+                              "the figure is of " + std::to_string(figure.probes.size()) + " probes",
+                              of_profile ? "one profile" : "one probe or more"));
+    }
+}
+
+void check_range(const SceneValues& values, const NamedTable& table, const SceneFigure& figure,
+                 Diagnostics& findings)
+{
+    const std::vector<double>& range = figure.range;
+    if (range.empty() || (range.size() == 2 && range[0] < range[1])) return;
+    findings.add(error_at(values.place(table.path + ".range"), "figure", "this is no range of colours",
+                          "[low, high] in the SI unit of the field"));
+}
+
+void check_name(const NamedTable& table, Diagnostics& findings)
+{
+    if (!table.name.empty() && !table.name.starts_with('.') &&
+        table.name.find_first_of("/\\:*?\"<>|") == std::string::npos)
+        return;
+    findings.add(error_at(table.place, "name", "the figure's name cannot be that of a file",
+                          "none of / \\ : * ? \" < > |, no leading dot"));
+}
+
+} // namespace
+
+std::vector<SceneFigure> read_figures(const SceneValues& values, Diagnostics& findings)
+{
+    std::vector<SceneFigure> figures;
+    for (const NamedTable& table : tables_named(values, "figures")) {
+        const auto key = [&](const char* name) { return table.path + "." + name; };
+        SceneFigure figure;
+        figure.name = table.name;
+        figure.kind = word_of(kind_words, values.text(key("kind")));
+        figure.title = values.text(key("title"));
+        figure.probes =
+            values.find<std::vector<std::string>>(key("probes")).value_or(std::vector<std::string>());
+        for (const ProbeQuantity& quantity : probe_quantities) {
+            if (quantity.name == values.text(key("quantity"))) figure.quantity = &quantity;
+        }
+        figure.scale = values.find<double>(key("scale")).value_or(1.0);
+        figure.times = values.find<std::vector<double>>(key("times")).value_or(std::vector<double>());
+        figure.field = values.text(key("field"));
+        figure.time = values.find<double>(key("time"));
+        figure.range = values.find<std::vector<double>>(key("range")).value_or(std::vector<double>());
+        check_name(table, findings);
+        if (figure.kind == FigureKind::field) {
+            check_range(values, table, figure, findings);
+        } else {
+            check_probes(values, table, figure, findings);
+        }
+        figures.push_back(std::move(figure));
+    }
+    return figures;
+}
+
+} // namespace quicksand

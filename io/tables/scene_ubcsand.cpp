@@ -1,0 +1,98 @@
+#include "io/tables/scene_ubcsand.hpp"
+
+#include "io/tables/ubcsand_keys.hpp"
+#include "solver/soil/ubcsand.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace quicksand {
+
+namespace {
+
+/// K0 outside ((1 - sin phi_f)/(1 + sin phi_f), its inverse) is a stress that sand without cohesion cannot
+/// bear.
+void check_k0(const SceneValues& values, const NamedTable& table, const UbcSandParameters& parameters,
+              Diagnostics& findings)
+{
+    const double k0 = values.number("initial.k0");
+    const double sine = std::sin(parameters.peak_friction_deg * std::numbers::pi / 180.0);
+    const double least = (1.0 - sine) / (1.0 + sine);
+    if (parameters.cohesion > 0.0 || (k0 >= least && k0 <= 1.0 / least)) return;
+    const auto text = [](double value) { return number_text(std::round(1e3 * value) / 1e3); };
+    findings.add(error_at(values.given("initial.k0") ? values.place("initial.k0") : table.place, "range",
+                          "initial.k0 = " + number_text(k0) + " is beyond the failure limit of " + table.path,
+                          text(least) + " to " + text(1.0 / least) +
+                              " for its peak_friction_deg = " + text(parameters.peak_friction_deg),
+                          "0.5 is usual for sand that was not loaded before"));
+}
+
+/// Void ratios of Nevada sand at its loosest and densest, 0.887 and 0.511 [Arulmoli et al. 1992]: their
+/// difference stands for that of other sands.
+constexpr double void_ratio_range = 0.376; // e_max - e_min [-]
+
+/// An end of the range of porosities: how far its void ratio is from that of the sand, and its names.
+struct PorosityEnd {
+    const char* key;
+    double way; // in void ratio [-]
+    const char *beyond, *meaning;
+};
+
+/// Porosity of the sand at its loosest or densest, given or by its density.
+double porosity_at(const PorosityEnd& end, const NamedTable& table, SceneValues& values,
+                   Diagnostics& findings)
+{
+    const std::string key = table.path + "." + end.key;
+    const double porosity = values.number(table.path + ".porosity");
+    if (const auto given = values.find<double>(key)) {
+        if ((*given - porosity) * end.way < 0.0)
+            findings.add(error_at(values.place(key), "range",
+                                  key + " = " + number_text(*given) + " is " + end.beyond +
+                                      " porosity = " + number_text(porosity),
+                                  end.meaning));
+        return *given;
+    }
+    const double void_ratio = std::max(0.0, porosity / (1.0 - porosity) + end.way);
+    const double result = void_ratio / (1.0 + void_ratio);
+    show(key, result, values);
+    return result;
+}
+
+/// Bound the volume that the grains take by the porosities of the sand at its loosest and densest.
+void bound_volumes(const NamedTable& table, double grain_density, SceneValues& values,
+                   UbcSandParameters& parameters, Diagnostics& findings)
+{
+    const double to_loosest = void_ratio_range * parameters.relative_density;
+    const PorosityEnd loosest = {"largest_porosity", to_loosest, "below",
+                                 "the porosity of the sand at its loosest"};
+    const PorosityEnd densest = {"smallest_porosity", to_loosest - void_ratio_range, "above",
+                                 "the porosity of the sand at its densest"};
+    const auto volume = [&](const PorosityEnd& end) { // per mass of grains
+        return 1.0 / (grain_density * (1.0 - porosity_at(end, table, values, findings)));
+    };
+    parameters.largest_specific_volume = volume(loosest);
+    parameters.smallest_specific_volume = volume(densest);
+}
+
+} // namespace
+
+void read_ubcsand_materials(SceneValues& values, Scene& scene, Diagnostics& findings)
+{
+    for (SceneMaterial& material : scene.materials) {
+        const NamedTable table = {material.material.name, join_path({"materials", material.material.name}),
+                                  material.place};
+        if (values.text(table.path + ".model") != "ubcsand") continue;
+        UbcSandParameters parameters = resolve_ubcsand(table, values, findings);
+        parameters.static_poisson_ratio = values.number(table.path + ".static_poisson_ratio");
+        parameters.integration = UbcSandRunSettings().integration;
+        parameters.ripple_strain = values.number(table.path + ".ripple_strain");
+        parameters.resolved_floors = values.number(table.path + ".resolved_floors");
+        bound_volumes(table, material.material.grain_density, values, parameters, findings);
+        check_k0(values, table, parameters, findings);
+        material.ubcsand = parameters;
+        if (!findings.has_errors()) material.material.law = make_ubcsand(parameters);
+    }
+}
+
+} // namespace quicksand

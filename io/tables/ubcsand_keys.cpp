@@ -1,0 +1,236 @@
+#include "io/tables/ubcsand_keys.hpp"
+
+#include "solver/base/failure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+const Condition ubcsand_only{"model", {"ubcsand"}};
+constexpr Interval positive{.lower = 0.0, .lower_open = true};
+constexpr Interval not_negative{.lower = 0.0};
+constexpr Interval exponent{.lower = 0.0, .upper = 1.0};
+constexpr Interval friction{.lower = 0.0, .upper = 60.0, .lower_open = true, .upper_open = true};
+
+using Parameter = double UbcSandParameters::*;
+
+constexpr std::array<std::pair<const char*, Parameter>, 20> parameters = {{
+    {"elastic_shear_number", &UbcSandParameters::elastic_shear_number},
+    {"elastic_bulk_number", &UbcSandParameters::elastic_bulk_number},
+    {"elastic_shear_exponent", &UbcSandParameters::elastic_shear_exponent},
+    {"elastic_bulk_exponent", &UbcSandParameters::elastic_bulk_exponent},
+    {"plastic_shear_number", &UbcSandParameters::plastic_shear_number},
+    {"plastic_shear_exponent", &UbcSandParameters::plastic_shear_exponent},
+    {"failure_ratio", &UbcSandParameters::failure_ratio},
+    {"constant_volume_friction_deg", &UbcSandParameters::constant_volume_friction_deg},
+    {"peak_friction_deg", &UbcSandParameters::peak_friction_deg},
+    {"cohesion", &UbcSandParameters::cohesion},
+    {"virgin_factor", &UbcSandParameters::virgin_factor},
+    {"secondary_factor", &UbcSandParameters::secondary_factor},
+    {"secondary_start", &UbcSandParameters::secondary_start},
+    {"secondary_growth", &UbcSandParameters::secondary_growth},
+    {"reversal_tolerance", &UbcSandParameters::reversal_tolerance},
+    {"dilation_softening", &UbcSandParameters::dilation_softening},
+    {"softened_factor", &UbcSandParameters::softened_factor},
+    {"largest_ratio_step", &UbcSandParameters::largest_ratio_step},
+    {"largest_stress_step", &UbcSandParameters::largest_stress_step},
+    {"stress_floor", &UbcSandParameters::stress_floor},
+}};
+
+constexpr std::array density_keys = {"n1_60", "relative_density", "preset"};
+
+/// (N1)60 [-] of the one density that is given; what is wrong with it is reported.
+std::optional<double> find_blow_count(const NamedTable& material, const SceneValues& values,
+                                      Diagnostics& findings)
+{
+    std::vector<std::string> given;
+    for (const char* key : density_keys) {
+        if (values.written.contains(material.path + "." + key)) given.emplace_back(key);
+    }
+    const char* const choice = "one of n1_60, relative_density and preset";
+    if (given.empty()) {
+        findings.add(
+            error_at(material.place, "missing-key", "[" + material.path + "] has no density", choice,
+                     "n1_60 = 13.9, relative_density = 0.55 or preset = \"nevada_sand_dr55\" gives all "
+                     "other parameters their values"));
+        return std::nullopt;
+    }
+    for (std::size_t k = 1; k < given.size(); ++k) {
+        findings.add(error_at(values.place(material.path + "." + given[k]), "conflict",
+                              "[" + material.path + "] has a density already, by " + given[0], choice,
+                              "remove one of the two"));
+    }
+    if (given[0] == "n1_60") return values.find<double>(material.path + ".n1_60");
+    if (given[0] == "preset") return blow_count(nevada_relative_density);
+    return blow_count(values.number(material.path + ".relative_density"));
+}
+
+/// Put the words in the place of the note in the list of resolved keys.
+void show_words(const std::string& path, const std::string& words, SceneValues& values)
+{
+    const auto key = std::find_if(values.keys.begin(), values.keys.end(),
+                                  [&](const ResolvedKey& resolved) { return resolved.path == path; });
+    if (key != values.keys.end()) key->value = words;
+}
+
+/// The density in all three ways; they say the same.
+void show_density(const std::string& material, double n1_60, SceneValues& values)
+{
+    show(material + ".n1_60", n1_60, values);
+    show(material + ".relative_density", std::sqrt(n1_60 / blow_count(1.0)), values);
+    if (!values.given(material + ".preset")) show_words(material + ".preset", "none", values);
+}
+
+// clang-format off
+
+/// The density of the sand, in three ways.
+std::vector<SceneKey> density_keys_of_sand()
+{
+    return {
+        {.pattern = "materials.*.n1_60", .default_note = "one of n1_60, relative_density, preset is required",
+         .allowed = {.lower = 0.0, .upper = 50.0, .lower_open = true}, .plausible = {3.0, 35.0}, .when = ubcsand_only,
+         .doc = "Clean-sand blow count (N1)60; gives the generic set of Beaty and Byrne (2011)."},
+        {.pattern = "materials.*.relative_density", .default_note = "one of n1_60, relative_density, preset is required",
+         .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true}, .plausible = {0.25, 0.9}, .when = ubcsand_only,
+         .doc = "Relative density Dr; gives (N1)60 = 46 Dr^2 (Idriss and Boulanger 2008)."},
+        {.pattern = "materials.*.preset", .type = ValueType::word,
+         .default_note = "one of n1_60, relative_density, preset is required",
+         .words = {"nevada_sand_dr55"}, .when = ubcsand_only,
+         .doc = "A named sand: Nevada sand at Dr = 55 %, (N1)60 = 13.915."},
+    };
+}
+
+/// Moduli and their dependence on the stress.
+std::vector<SceneKey> stiffness_keys()
+{
+    const UbcSandParameters m;
+    return {
+        {.pattern = "materials.*.elastic_shear_number", .default_note = "434 (N1)60^(1/3)", .allowed = positive,
+         .plausible = {100.0, 5000.0}, .when = ubcsand_only,
+         .doc = "K_G^e: G = K_G^e Pa (s/Pa)^ne, s the in-plane mean effective stress [Beaty and Byrne 2011]."},
+        {.pattern = "materials.*.elastic_bulk_number", .default_note = "0.7 elastic_shear_number", .allowed = positive,
+         .plausible = {50.0, 5000.0}, .caution = "this is the drained stiffness, not the pore water's", .when = ubcsand_only,
+         .doc = "K_B^e: drained bulk modulus B = K_B^e Pa (s/Pa)^me [Beaty and Byrne 2011]."},
+        {.pattern = "materials.*.elastic_shear_exponent", .default_value = m.elastic_shear_exponent, .allowed = exponent,
+         .plausible = {0.3, 0.7}, .when = ubcsand_only, .doc = "ne [Beaty and Byrne 2011]."},
+        {.pattern = "materials.*.elastic_bulk_exponent", .default_value = m.elastic_bulk_exponent, .allowed = exponent,
+         .plausible = {0.3, 0.7}, .when = ubcsand_only, .doc = "me [Beaty and Byrne 2011]."},
+        {.pattern = "materials.*.plastic_shear_number",
+         .default_note = "0.003 elastic_shear_number (N1)60^2 + 100", .allowed = positive,
+         .plausible = {50.0, 20000.0}, .when = ubcsand_only,
+         .doc = "K_G^p: plastic modulus K_G^p Pa (s/Pa)^np (1 - R_f eta/eta_f)^2 [Beaty and Byrne 2011]."},
+        {.pattern = "materials.*.plastic_shear_exponent", .default_value = m.plastic_shear_exponent, .allowed = exponent,
+         .plausible = {0.2, 0.7}, .when = ubcsand_only, .doc = "np [Beaty and Byrne 2011]."},
+    };
+}
+
+/// The failure limit and the line between contraction and dilation.
+std::vector<SceneKey> strength_keys()
+{
+    const UbcSandParameters m;
+    return {
+        {.pattern = "materials.*.failure_ratio", .default_note = "1.1 (N1)60^-0.15, at most 0.99",
+         .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.5, 0.99}, .when = ubcsand_only,
+         .doc = "R_f: stress ratio at failure over that of the hyperbola's asymptote [Beaty and Byrne 2011]."},
+        {.pattern = "materials.*.constant_volume_friction_deg", .default_value = m.constant_volume_friction_deg,
+         .allowed = friction, .plausible = {25.0, 38.0}, .when = ubcsand_only,
+         .doc = "phi_cv in degrees: below its sine the sand contracts, above it dilates [Beaty and Byrne 2011]."},
+        {.pattern = "materials.*.peak_friction_deg",
+         .default_note = "phi_cv + (N1)60/10 + max(0, ((N1)60 - 15)/5)", .allowed = friction,
+         .plausible = {28.0, 48.0}, .when = ubcsand_only, .doc = "phi_f in degrees, the failure limit [Beaty and Byrne 2011]."},
+        {.pattern = "materials.*.cohesion", .dimension = Dimension::pressure, .default_value = m.cohesion,
+         .allowed = not_negative, .plausible = {0.0, 1e5}, .when = ubcsand_only, .doc = "c of the failure limit."},
+    };
+}
+
+/// How the sand remembers its cycles.
+std::vector<SceneKey> memory_keys()
+{
+    const UbcSandParameters m;
+    return {
+        {.pattern = "materials.*.virgin_factor", .default_value = m.virgin_factor, .allowed = positive,
+         .plausible = {0.2, 5.0}, .when = ubcsand_only, .doc = "h1 on the plastic modulus, in all loading."},
+        {.pattern = "materials.*.secondary_factor", .default_value = m.secondary_factor, .allowed = positive,
+         .plausible = {0.1, 5.0}, .when = ubcsand_only,
+         .doc = "h2 in h1 h2 (s0 + s1 n) below the largest ratio so far; calibrated to the triggering curve."},
+        {.pattern = "materials.*.secondary_start", .default_value = m.secondary_start, .allowed = positive,
+         .plausible = {1.0, 10.0}, .when = ubcsand_only, .doc = "s0, the stiffening of the first reloading."},
+        {.pattern = "materials.*.secondary_growth", .default_value = m.secondary_growth, .allowed = not_negative,
+         .plausible = {0.0, 2.0}, .when = ubcsand_only,
+         .doc = "s1, its growth per half cycle n; larger makes the cyclic strength curve flatter."},
+        {.pattern = "materials.*.reversal_tolerance", .default_value = m.reversal_tolerance, .allowed = not_negative,
+         .plausible = {0.0, 0.1}, .when = ubcsand_only, .doc = "Smallest change of the stress ratio that is a reversal; below it reloading is elastic."},
+        {.pattern = "materials.*.dilation_softening", .default_value = m.dilation_softening, .allowed = not_negative,
+         .plausible = {0.0, 5000.0}, .when = ubcsand_only,
+         .doc = "The plastic modulus falls by exp(-dilation_softening times shear strain in dilation)."},
+        {.pattern = "materials.*.softened_factor", .default_value = m.softened_factor, .allowed = positive,
+         .plausible = {0.005, 1.0}, .when = ubcsand_only,
+         .doc = "Least factor after dilation; 1 is no softening, and such a sand never reaches ru = 1."},
+    };
+}
+
+/// How the stress is integrated.
+std::vector<SceneKey> substep_keys()
+{
+    const UbcSandParameters m;
+    return {
+        {.pattern = "materials.*.largest_ratio_step", .default_value = m.largest_ratio_step, .allowed = positive,
+         .plausible = {0.0005, 0.2}, .when = ubcsand_only, .doc = "Elastic change of the stress ratio in a substep."},
+        {.pattern = "materials.*.largest_stress_step", .default_value = m.largest_stress_step, .allowed = positive,
+         .plausible = {0.001, 0.2}, .when = ubcsand_only, .doc = "Relative elastic change of the mean stress in a substep."},
+        {.pattern = "materials.*.stress_floor", .dimension = Dimension::pressure, .default_value = m.stress_floor,
+         .allowed = positive, .plausible = {10.0, 5000.0}, .when = ubcsand_only,
+         .doc = "Least in-plane mean effective stress, of liquefied sand."},
+    };
+}
+
+// clang-format on
+
+} // namespace
+
+std::vector<SceneKey> ubcsand_keys()
+{
+    std::vector<SceneKey> keys;
+    for (const auto& part :
+         {density_keys_of_sand(), stiffness_keys(), strength_keys(), memory_keys(), substep_keys()})
+        keys.insert(keys.end(), part.begin(), part.end());
+    return keys;
+}
+
+void show(const std::string& path, double value, SceneValues& values)
+{
+    // six digits are read
+    const double scale = value == 0.0 ? 1.0 : std::pow(10.0, 5.0 - std::floor(std::log10(std::abs(value))));
+    show_words(path, number_text(std::round(value * scale) / scale), values);
+}
+
+UbcSandParameters resolve_ubcsand(const NamedTable& material, SceneValues& values, Diagnostics& findings)
+{
+    const auto n1_60 = find_blow_count(material, values, findings);
+    if (!n1_60 || !(*n1_60 > 0.0)) return {};
+    const auto given = [&](const char* key) {
+        const std::string path = material.path + "." + key;
+        return values.given(path) ? values.find<double>(path) : std::nullopt;
+    };
+    show_density(material.path, *n1_60, values);
+    UbcSandParameters set =
+        ubcsand_from_blow_count(*n1_60, given("elastic_shear_number"), given("constant_volume_friction_deg"));
+    for (const auto& [key, parameter] : parameters) { // those of the generic set have no value of their own
+        if (const auto value = values.find<double>(material.path + "." + key)) set.*parameter = *value;
+        show(material.path + "." + key, set.*parameter, values);
+    }
+    if (findings.has_errors()) return set; // keys out of range have been reported
+    try {
+        check(set);
+    } catch (const InputError& error) {
+        findings.add(error_at(material.place, "range", error.what()));
+    }
+    return set;
+}
+
+} // namespace quicksand

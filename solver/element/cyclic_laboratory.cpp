@@ -1,0 +1,236 @@
+#include "solver/element/cyclic_laboratory.hpp"
+
+#include "solver/base/failure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+namespace quicksand {
+
+namespace {
+
+// The law is integrated to first order: with this step the mean stress at the peaks is right to 0.2 %.
+constexpr double stress_step = 0.004;  // elastic stress of a step over tau_a [-]
+constexpr double least_csr = 0.01;     // from which strength is searched [-]
+constexpr double largest_csr = 2.0;    // up to which [-]
+constexpr double leg_tolerance = 1e-3; // of a stress step, within which a leg has ended [-]
+
+// Distances between points of the path.
+constexpr double tau_resolution = 0.02;   // over tau_a [-]
+constexpr double gamma_resolution = 2e-4; // [-]
+
+/// A leg runs from one reversal to the next; leg 0 is the first quarter cycle.
+struct Leg {
+    int number;
+    double from, to; // of the controlled quantity
+    double direction() const { return to > from ? 1.0 : -1.0; }
+};
+
+/// Place in cycles of a value on a leg: legs end at 0.25, 0.75, 1.25, ...
+double cycle_of(const Leg& leg, double value)
+{
+    const double share = std::clamp((value - leg.from) / (leg.to - leg.from), 0.0, 1.0);
+    return leg.number == 0 ? 0.25 * share : 0.5 * leg.number - 0.25 + 0.5 * share;
+}
+
+/// Half cycles are counted at the reversals.
+double cycles_of(const Leg& leg)
+{
+    return 0.5 * leg.number;
+}
+
+void note_events(const Leg& leg, const ElementPoint& point, CyclicTest& test)
+{
+    const double cycles = cycles_of(leg);
+    const auto note = [&](bool happens, std::optional<double>& event) {
+        if (happens && !event) event = cycles;
+    };
+    note(point.ru > 0.95, test.cycles_to_ru_95);
+    note(std::abs(point.gamma) > 0.03, test.cycles_to_3_percent);
+    note(std::abs(point.gamma) > 0.0375, test.cycles_to_375_percent);
+}
+
+/// One step of a stress-controlled leg: the elastic stress of its strain is `tau_step`, so that the steps are
+/// fine where the specimen is soft; the last step ends the leg.
+void step_stress(const Leg& leg, double tau_step, Specimen& specimen)
+{
+    const Specimen before = specimen;
+    double step = leg.direction() * tau_step / shear_modulus(specimen.law, specimen.state);
+    for (int attempt = 0; attempt < 60; ++attempt) {
+        specimen = before;
+        strain(0.0, 0.0, step, specimen);
+        const double beyond = leg.direction() * (specimen.state.tau_xy - leg.to);
+        if (beyond <= leg_tolerance * tau_step) return;
+        step *= (leg.to - before.state.tau_xy) / (specimen.state.tau_xy - before.state.tau_xy);
+    }
+}
+
+bool worth_recording(const ElementPoint& point, const ElementPoint& last, double amplitude)
+{
+    return std::abs(point.tau - last.tau) >= tau_resolution * amplitude ||
+           std::abs(point.gamma - last.gamma) >= gamma_resolution;
+}
+
+/// Follow a leg to its end; false when the test ends before.
+bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Specimen& specimen,
+            CyclicTest& test)
+{
+    const double tau_step = stress_step * amplitude;
+    bool ends = false, stops = false;
+    while (!ends && !stops) {
+        step_stress(leg, tau_step, specimen);
+        const ElementPoint point = record(specimen, cycle_of(leg, specimen.state.tau_xy));
+        note_events(leg, point, test);
+        ends = leg.direction() * (leg.to - point.tau) <= leg_tolerance * tau_step;
+        stops = std::abs(point.gamma) > loading.largest_gamma ||
+                (test.cycles_to_ru_95 && cycles_of(leg) - *test.cycles_to_ru_95 >= loading.cycles_after);
+        if (ends || stops || worth_recording(point, test.path.back(), amplitude)) test.path.push_back(point);
+    }
+    return !stops;
+}
+
+/// Strengths of one specimen. The searches for several numbers of cycles halve the same range of CSR, so that
+/// they share their tests.
+class StrengthSearch {
+public:
+    StrengthSearch(const UbcSand& law, const Consolidation& start, double most_cycles)
+        : law_(law), start_(start), most_cycles_(most_cycles)
+    {
+    }
+
+    /// CSR to ru > 0.95 in N cycles; log-log interpolation between the halves. None beyond the search.
+    std::optional<double> csr_at(double cycles)
+    {
+        const double fewer = std::max(0.5, std::floor(2.0 * cycles) / 2.0), more = fewer + 0.5;
+        const double strong = middle(fewer);
+        const double weak = cycles <= fewer ? strong : middle(more);
+        if (strong > 0.99 * largest_csr || weak < 1.01 * least_csr) return std::nullopt;
+        if (cycles <= fewer) return strong;
+        return interpolate_csr({{weak, more}, {strong, fewer}}, cycles).value_or(strong);
+    }
+
+private:
+    /// Cycles to ru > 0.95, without end where they are more than most_cycles.
+    double cycles_at(double csr)
+    {
+        const auto known = known_.find(csr);
+        if (known != known_.end()) return known->second;
+        const StressCycles loading = {csr, most_cycles_, 0.5, 0.0};
+        const auto cycles = shear_cyclically(law_, start_, loading).cycles_to_ru_95;
+        return known_[csr] = cycles.value_or(std::numeric_limits<double>::infinity());
+    }
+
+    /// Least CSR that reaches ru > 0.95 within N cycles.
+    double least(double cycles)
+    {
+        double below = least_csr, above = largest_csr;
+        while (above / below > 1.002) {
+            const double csr = std::sqrt(below * above);
+            (cycles_at(csr) <= cycles ? above : below) = csr;
+        }
+        return above;
+    }
+
+    /// Middle of the range of CSR that reaches ru > 0.95 at N cycles, a whole number of halves.
+    double middle(double cycles) { return std::sqrt(least(cycles) * least(cycles - 0.5)); }
+
+    const UbcSand& law_;
+    const Consolidation& start_;
+    double most_cycles_;
+    std::map<double, double> known_; // cycles by CSR
+};
+
+} // namespace
+
+CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StressCycles& loading)
+{
+    if (!(loading.csr > 0.0)) throw InputError("element test: csr must be positive");
+    Specimen specimen = consolidate(law, start);
+    CyclicTest test;
+    test.path = {record(specimen, 0.0)};
+    const double amplitude = loading.csr * start.vertical_stress;
+    const int legs = static_cast<int>(std::lround(2.0 * loading.cycles)) + 1;
+    Leg leg = {0, start.static_shear, start.static_shear + amplitude};
+    while (leg.number < legs && follow(leg, loading, amplitude, specimen, test)) {
+        leg = {leg.number + 1, leg.to, start.static_shear - leg.direction() * amplitude};
+    }
+    return test;
+}
+
+CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StrainCycles& loading)
+{
+    if (!(loading.gamma > 0.0)) throw InputError("element test: gamma must be positive");
+    Specimen specimen = consolidate(law, start);
+    CyclicTest test;
+    test.path = {record(specimen, 0.0)};
+    const int legs = static_cast<int>(std::lround(2.0 * loading.cycles)) + 1;
+    Leg leg = {0, 0.0, loading.gamma};
+    for (; leg.number < legs; leg = {leg.number + 1, leg.to, -leg.to}) {
+        // quarter legs at the start and at the end, which is at gamma = 0
+        const double to = leg.number + 1 == legs ? 0.0 : leg.to;
+        const double steps =
+            std::ceil(loading.steps_per_leg * std::abs(to - leg.from) / (2.0 * loading.gamma));
+        for (double k = 0.0; k < steps; k += 1.0) {
+            strain(0.0, 0.0, (to - leg.from) / steps, specimen);
+            const ElementPoint point = record(specimen, cycle_of(leg, specimen.gamma));
+            note_events(leg, point, test);
+            if (std::fmod(k + 1.0, 4.0) == 0.0 || k + 1.0 == steps) test.path.push_back(point);
+        }
+    }
+    return test;
+}
+
+std::vector<CycleSummary> summarize_cycles(const ElementPath& path)
+{
+    // peaks are at 0.25, 1.25, ...; the loop between two of them is closed by a straight line
+    std::vector<CycleSummary> cycles;
+    std::size_t begin = 0;
+    while (begin < path.size() && path[begin].cycle < 0.25 - 1e-6) ++begin;
+    for (int cycle = 1; begin < path.size(); ++cycle) {
+        std::size_t end = begin;
+        const ElementPoint* trough = &path[begin];
+        double work = 0.0, ru = path[begin].ru;
+        while (end + 1 < path.size() && path[end].cycle < cycle + 0.25 - 1e-6) {
+            ++end;
+            work += 0.5 * (path[end].tau + path[end - 1].tau) * (path[end].gamma - path[end - 1].gamma);
+            ru = std::max(ru, path[end].ru);
+            if (path[end].gamma < trough->gamma) trough = &path[end];
+        }
+        if (path[end].cycle < cycle + 0.25 - 1e-6) break;
+        const ElementPoint &peak = path[begin], &next = path[end];
+        work -= 0.5 * (next.tau + peak.tau) * (next.gamma - peak.gamma);
+        const double gamma = 0.5 * (peak.gamma - trough->gamma), tau = 0.5 * (peak.tau - trough->tau);
+        cycles.push_back({cycle, gamma, tau / gamma, work / (2.0 * std::numbers::pi * tau * gamma), ru});
+        begin = end;
+    }
+    return cycles;
+}
+
+std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, double cycles)
+{
+    for (std::size_t k = 1; k < points.size(); ++k) {
+        const StrengthPoint &weak = points[k - 1], &strong = points[k];
+        if (cycles > weak.cycles || cycles < strong.cycles || weak.cycles == strong.cycles) continue;
+        const double share = std::log(cycles / weak.cycles) / std::log(strong.cycles / weak.cycles);
+        return weak.csr * std::pow(strong.csr / weak.csr, share);
+    }
+    return std::nullopt;
+}
+
+std::optional<double> csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles)
+{
+    return StrengthSearch(law, start, cycles + 0.5).csr_at(cycles);
+}
+
+std::optional<CyclicStrength> cyclic_strength(const UbcSand& law, const Consolidation& start)
+{
+    StrengthSearch search(law, start, 30.0);
+    const auto csr_10 = search.csr_at(10.0), csr_15 = search.csr_at(15.0), csr_30 = search.csr_at(30.0);
+    if (!csr_10 || !csr_15 || !csr_30) return std::nullopt;
+    return CyclicStrength{*csr_15, std::log(*csr_10 / *csr_30) / std::log(3.0)};
+}
+
+} // namespace quicksand

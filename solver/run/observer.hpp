@@ -1,0 +1,46 @@
+// Those who look at a run while it goes on.
+#pragma once
+
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+#include "solver/step/time_step_control.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// What an observer is told of the step just taken.
+struct StepReport {
+    std::int64_t step = 0;            // steps taken in the stage [-]
+    double time = 0.0;                // t at the end of the step [s]
+    TimeStep time_step;               // and its limiting reason
+    std::int64_t limited_domains = 0; // particle domains scaled down in the step, see domain_reach [-]
+    bool is_restart_point = false;    // a run resumed from here goes on with the same bits
+};
+
+/// Looks at the run without changing it. `observe` is called when the time `next_time` is hit exactly (the
+/// loop shortens dt for it), also at the start of the stage; `after_step` after every step.
+class Observer {
+public:
+    virtual ~Observer() = default;
+    /// Next time to observe [s], infinite when there is none.
+    virtual double next_time() const = 0;
+    /// Whether the run may be continued from the times it waits for. Those of histories lie close: setting up
+    /// anew there what serves many steps would cost more than the steps.
+    virtual bool marks_restarts() const { return true; }
+    /// The state stands at next_time(); the observer moves its next_time() on.
+    virtual void observe(const Problem& problem, const State& state, const StepReport& report) = 0;
+    virtual void after_step(const StepReport&) {}
+    /// The run has come to its end or was stopped: wait for what is still under way, and throw its failure.
+    virtual void finish() {}
+};
+
+/// The earliest time that one of the observers waits for, `latest` when none waits for an earlier one [s].
+double next_event(const std::vector<Observer*>& observers, double latest);
+
+/// Show the state to the observers that wait for its time.
+void observe_due(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
+                 const StepReport& report);
+
+} // namespace quicksand

@@ -1,0 +1,122 @@
+#include "io/assembly/probe_places.hpp"
+#include "io/results/probe_sample.hpp"
+#include "tests/fixtures/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+TEST(ProbeSample, NearestParticleGoesByTheStartAndTheLowestNumber)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    // (0.5, 0.5) is equally near to four particles; they have moved since, and the arrays are in another
+    // order.
+    const std::int32_t expected = state.particles.identifier[nearest_particle(state.particles, {0.5, 0.5})];
+    for (double& x : state.particles.position.x) x += 0.3;
+    std::vector<std::int32_t> order;
+    for (std::size_t p = state.particles.size(); p-- > 0;) order.push_back(static_cast<std::int32_t>(p));
+    reorder(state.particles, order);
+    EXPECT_EQ(state.particles.identifier[nearest_particle(state.particles, {0.5, 0.5})], expected);
+}
+
+TEST(ProbeSample, SurfaceIsTheHighestDomainOverTheLine)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    const std::size_t p = nearest_particle(particles, {1.1, 1.4});
+    EXPECT_EQ(surface_point(problem, particles, 1.1).particle, p);
+    EXPECT_NEAR(surface_point(problem, particles, 1.1).height, 1.5, 1e-12);
+    // a top that slopes up to the right by 0.1 over the half edge
+    particles.half_edge_1.y[p] = 0.1;
+    const double x = particles.position.x[p] + 0.5 * particles.half_edge_1.x[p];
+    EXPECT_NEAR(surface_point(problem, particles, x).height, 1.55, 1e-12);
+    EXPECT_FALSE(surface_point(problem, particles, 7.0).found);
+}
+
+TEST(ProbeSample, ASurfaceIsFoundWhereDomainsMeetButForRounding)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    double edge = 0.0; // of the body, on its right
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        edge = std::max(edge, particles.position.x[p] + std::abs(particles.half_edge_1.x[p]) +
+                                  std::abs(particles.half_edge_2.x[p]));
+    const SurfacePoint beside = surface_point(problem, particles, std::nextafter(edge, 2.0 * edge));
+    EXPECT_TRUE(beside.found);
+    EXPECT_NEAR(beside.height, surface_point(problem, particles, 0.999 * edge).height, 1e-9);
+    EXPECT_FALSE(surface_point(problem, particles, 1.001 * edge).found);
+}
+
+TEST(ProbeSample, FixedPointInterpolatesLinearFieldsExactly)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    NodalFields fields = nodal_fields(problem, state.particles);
+    for (std::size_t node = 0; node < problem.grid.node_count(); ++node) {
+        const Vector2 place = problem.grid.node_position(node);
+        fields.displacement.x[node] = 0.01 * place.x() + 0.03 * place.y();
+        fields.displacement.y[node] = 0.02 * place.x() - 0.01 * place.y();
+        fields.excess_pore_pressure[node] = 100.0 * place.y();
+    }
+    const ProbeSample sample = sample_point(problem, fields, {1.1, 0.7});
+    EXPECT_NEAR(sample.displacement.x(), 0.032, 1e-14);
+    EXPECT_NEAR(sample.excess_pore_pressure, 70.0, 1e-11);
+    EXPECT_NEAR(sample.shear_strain_xy, 0.05, 1e-14);
+}
+
+TEST(ProbeSample, NodesAroundThePointsAloneGiveTheSameBits)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double x = particles.position.x[p], y = particles.position.y[p];
+        particles.velocity_solid.set(p, {std::sin(3.0 * x), std::cos(2.0 * y)});
+        particles.pore_pressure[p] = 1e3 * std::sin(x * y);
+        particles.half_edge_2.x[p] += 0.1 * x; // sheared, over several cells
+    }
+    const NodalFields all = nodal_fields(problem, particles);
+    const std::vector<Vector2> points = {{0.3, 0.2}, {1.1, 0.7}, {2.0, 1.5}, {9.0, 9.0}};
+    const NodalFields some = nodal_fields_at(problem, particles, points);
+    std::size_t left_out = 0;
+    for (std::size_t node = 0; node < problem.grid.node_count(); ++node)
+        left_out += all.volume[node] > 0.0 && some.volume[node] == 0.0;
+    EXPECT_GT(left_out, 5u);
+    for (const Vector2& point : points) {
+        const ProbeSample expected = sample_point(problem, all, point);
+        const ProbeSample found = sample_point(problem, some, point);
+        if (std::isnan(expected.velocity.x())) {
+            EXPECT_TRUE(std::isnan(found.velocity.x()));
+            continue;
+        }
+        EXPECT_EQ(found.velocity, expected.velocity);
+        EXPECT_EQ(found.excess_pore_pressure, expected.excess_pore_pressure);
+        EXPECT_EQ(found.shear_strain_xy, expected.shear_strain_xy);
+    }
+}
+
+TEST(ProbeSample, OutsideTheSoilThereIsNoValue)
+{
+    const Problem problem = fixtures::small_problem(true);
+    const NodalFields fields = nodal_fields(problem, fixtures::small_state(problem).particles);
+    const ProbeSample sample = sample_point(problem, fields, {1.0, 2.4});
+    EXPECT_EQ(sample.position, Vector2(1.0, 2.4));
+    EXPECT_TRUE(std::isnan(sample.velocity.x()));
+    EXPECT_TRUE(std::isnan(sample.pore_pressure));
+}
+
+TEST(ProbeSample, AParticlesShearStrainFollowsItsEdges)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    state.particles.half_edge_2.x[3] += 0.02 * state.particles.half_edge_2.y[3];
+    EXPECT_NEAR(sample_particle(problem, state.particles, 3).shear_strain_xy, 0.02, 1e-14);
+}
+
+} // namespace quicksand

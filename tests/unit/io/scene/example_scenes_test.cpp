@@ -1,0 +1,38 @@
+// Every scene that comes with the program is read without an error or a warning.
+#include "io/scene/scene_file.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+namespace quicksand {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> scenes()
+{
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(QUICKSAND_SOURCE_DIR "/examples")) {
+        const bool element = entry.path().parent_path().filename().string().starts_with("element");
+        if (entry.path().extension() == ".toml" && !element) files.push_back(entry.path());
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+TEST(ExampleScenes, AreReadWithoutAWarning)
+{
+    ASSERT_GT(scenes().size(), 20U);
+    for (const fs::path& file : scenes()) {
+        SCOPED_TRACE(file.string());
+        SceneReading reading;
+        ASSERT_NO_THROW(reading = read_scene_file(file, {}));
+        EXPECT_EQ(reading.warnings.render(reading.scene.text), "");
+    }
+}
+
+} // namespace
+} // namespace quicksand
