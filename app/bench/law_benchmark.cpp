@@ -34,7 +34,7 @@ Particles sand_at_100_kpa(const UbcSand& law)
 {
     Particles particles;
     resize(particles, particle_count, std::nullopt);
-    add_cycle_memory(particles);
+    add_memory(particles, memory_of(law).size());
     for (std::size_t p = 0; p < particle_count; ++p) {
         const double vertical = 100e3 * (1.0 + 1e-3 * static_cast<double>(p % 7));
         particles.stress.yy[p] = -vertical;

@@ -18,11 +18,7 @@ Material unsaturated(const Material& material, const Water& water, double satura
     above.name += " above the water";
     above.saturated = false;
     above.grain_density += saturation * material.porosity * water.density / (1.0 - material.porosity);
-    if (auto* sand = std::get_if<UbcSand>(&above.law)) {
-        const double dry_share = material.grain_density / above.grain_density; // of the grains' mass
-        sand->largest_specific_volume *= dry_share;
-        sand->smallest_specific_volume *= dry_share;
-    }
+    hold_water(above.law, material.grain_density / above.grain_density);
     return above;
 }
 

@@ -1,7 +1,8 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
-// last_step, particles, reactions. The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does
-// not look at: the file is checked before HDF5 opens it, since it copes badly with damaged tables.
+// memory_columns, last_step, particles, reactions. The last 16 bytes are the FNV-1a hash of all before them,
+// which HDF5 does not look at: the file is checked before HDF5 opens it, since it copes badly with damaged
+// tables.
 #include "io/results/checkpoint.hpp"
 
 #include "io/files/atomic_file.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 4;
+constexpr std::int64_t format_version = 5;
 constexpr hsize_t chunk_entries = 8192;
 
 /// An HDF5 call failed; the caller knows the file and makes a FileError of it.
@@ -206,6 +207,7 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
     write_number(file, "step", state.step);
     write_number(file, "last_step", state.last_step);
     write_number(file, "particles", static_cast<std::int64_t>(state.particles.size()));
+    write_number(file, "memory_columns", static_cast<std::int64_t>(state.particles.memory.size()));
     if (state.ledger)
         for_each_number(*state.ledger,
                         [&](const char* name, double value) { write_number(file, name, value); });
@@ -229,6 +231,8 @@ State read_state(const Handle& file)
     state.step = read_number<std::int64_t>(file, "step");
     state.last_step = read_number<double>(file, "last_step");
     const auto count = static_cast<std::size_t>(read_number<std::int64_t>(file, "particles"));
+    state.particles.memory.resize(
+        static_cast<std::size_t>(read_number<std::int64_t>(file, "memory_columns")));
     if (H5Aexists(file, "ledger_kinetic_change") > 0) {
         state.ledger.emplace();
         for_each_number(*state.ledger,

@@ -50,12 +50,6 @@ std::vector<std::int32_t> find_carriers(const Problem& problem)
     return carriers;
 }
 
-/// Whether the soil flows at its strength: its stress then hangs on the path, not on the shape.
-bool yields(const SkeletonLaw& law)
-{
-    return !std::holds_alternative<LinearElastic>(law) && !std::holds_alternative<NeoHookean>(law);
-}
-
 /// The edges of one domain and of its reference, the shorter half edge first.
 struct Edges {
     Vectors *shorter, *longer, *reference_of_shorter, *reference_of_longer;

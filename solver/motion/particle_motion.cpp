@@ -3,8 +3,9 @@
 #include "solver/base/lanes.hpp"
 #include "solver/base/threads.hpp"
 #include "solver/problem/material_runs.hpp"
-#include "solver/soil/ubcsand_memory.hpp"
+#include "solver/soil/rotation.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace quicksand {
@@ -35,9 +36,9 @@ void advance_chunk(double dt, const Vectors& grid_velocity, std::size_t first, s
 }
 
 /// The rotation of a particle in the step.
-inline ubcsand::Rotation turn_of(double dt, const Gradients& L, std::size_t p)
+inline Rotation turn_of(double dt, const Gradients& L, std::size_t p)
 {
-    return ubcsand::rotation_of(0.5 * dt * (L.yx[p] - L.xy[p]));
+    return rotation_of(0.5 * dt * (L.yx[p] - L.xy[p]));
 }
 
 VECTOR_KERNEL
@@ -46,7 +47,7 @@ void turn_stress(double dt, std::size_t first, std::size_t last, Particles& part
     SymmetricTensors& stress = particles.stress;
 #pragma GCC ivdep
     for (std::size_t p = first; p < last; ++p) {
-        const ubcsand::Rotation turn = turn_of(dt, particles.velocity_gradient_solid, p);
+        const Rotation turn = turn_of(dt, particles.velocity_gradient_solid, p);
         const double mean = 0.5 * (stress.xx[p] + stress.yy[p]),
                      deviator = 0.5 * (stress.xx[p] - stress.yy[p]);
         const double shear = stress.xy[p];
@@ -57,16 +58,39 @@ void turn_stress(double dt, std::size_t first, std::size_t last, Particles& part
     }
 }
 
-/// The remembered stress ratios and strains of UBCSAND turn with the stress.
+constexpr std::size_t block = 64; // particles whose rotations are kept at hand
+
+struct Rotations {
+    double cosine[block], sine[block];
+};
+
 VECTOR_KERNEL
-void turn_memory(double dt, std::size_t first, std::size_t last, Particles& particles)
+void find_rotations(double dt, const Gradients& L, std::size_t first, std::size_t count, Rotations& turns)
 {
-    CycleMemory& cycles = particles.cycles;
+    for (std::size_t k = 0; k < count; ++k) {
+        const Rotation turn = turn_of(dt, L, first + k);
+        turns.cosine[k] = turn.cosine;
+        turns.sine[k] = turn.sine;
+    }
+}
+
+VECTOR_KERNEL
+void turn_vectors(const Rotations& turns, std::size_t count, double* x, double* y)
+{
 #pragma GCC ivdep
-    for (std::size_t p = first; p < last; ++p) {
-        const ubcsand::Rotation turn = turn_of(dt, particles.velocity_gradient_solid, p);
-        for (Vectors* vectors : {&cycles.peak, &cycles.origin, &cycles.leg, &cycles.back})
-            ubcsand::turn_vector(turn, vectors->x[p], vectors->y[p]);
+    for (std::size_t k = 0; k < count; ++k) turn_vector({turns.cosine[k], turns.sine[k]}, x[k], y[k]);
+}
+
+/// The vectors that laws remember turn with the stress.
+void turn_memory(double dt, LawMemory memory, std::size_t first, std::size_t last, Particles& particles)
+{
+    Rotations turns;
+    for (; first < last && !memory.empty(); first += block) {
+        const std::size_t count = std::min(block, last - first);
+        find_rotations(dt, particles.velocity_gradient_solid, first, count, turns);
+        for (std::size_t k = 0; k < memory.size(); ++k)
+            if (memory[k].component == Component::x)
+                turn_vectors(turns, count, &particles.memory[k][first], &particles.memory[k + 1][first]);
     }
 }
 
@@ -107,12 +131,11 @@ void update_effective_stress(const Problem& problem, double dt, Particles& parti
 {
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         if (problem.strain == StrainForm::large) turn_stress(dt, first, last, particles);
-        if (problem.strain == StrainForm::large && particles.has_cycles()) {
-            turn_memory(dt, first, last, particles);
-        }
         for_each_material_run(
             problem, particles, first, last,
             [&](const Material& material, std::size_t run_first, std::size_t run_last) {
+                if (problem.strain == StrainForm::large)
+                    turn_memory(dt, memory_of(material.law), run_first, run_last, particles);
                 std::visit([&](const auto& law) { update_stress(law, dt, run_first, run_last, particles); },
                            material.law);
             });

@@ -68,7 +68,7 @@ template <class Visit>
 void for_each_memory(Particles& particles, Visit&& visit)
 {
     for_each_array(particles, [&](std::string_view name, Scalars& values) {
-        if ((name.starts_with("stress") || name.starts_with("cycles")) && !values.empty()) visit(values);
+        if ((name.starts_with("stress") || name.starts_with("memory")) && !values.empty()) visit(values);
     });
 }
 

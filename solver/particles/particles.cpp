@@ -3,6 +3,7 @@
 #include "solver/base/failure.hpp"
 
 #include <Eigen/LU>
+#include <string>
 
 namespace quicksand {
 
@@ -26,7 +27,7 @@ bool needs(std::optional<WaterFlow> flow, ArrayGroup group)
     case ArrayGroup::water_table:
     case ArrayGroup::pressure_rate:
     case ArrayGroup::twist:
-    case ArrayGroup::cycles:
+    case ArrayGroup::memory:
         return false;
     }
     ENSURE(false);
@@ -44,6 +45,18 @@ void permute(std::vector<Value>& values, const std::vector<std::int32_t>& order,
 
 } // namespace
 
+const char* memory_name(std::size_t column)
+{
+    constexpr std::size_t most = 100;
+    static const std::vector<std::string> names = [] {
+        std::vector<std::string> all;
+        for (std::size_t k = 0; k < most; ++k)
+            all.push_back((k < 10 ? "memory_0" : "memory_") + std::to_string(k));
+        return all;
+    }();
+    return names.at(column).c_str();
+}
+
 ArrayGroup group_of(std::string_view name)
 {
     if (name.starts_with("velocity_fluid") || name.starts_with("velocity_slope_fluid"))
@@ -55,11 +68,12 @@ ArrayGroup group_of(std::string_view name)
     if (name == "tension_deficit") return ArrayGroup::cavities;
     if (name == "water_table") return ArrayGroup::water_table;
     if (name.starts_with("twist")) return ArrayGroup::twist;
-    return name.starts_with("cycles_") ? ArrayGroup::cycles : ArrayGroup::always;
+    return name.starts_with("memory_") ? ArrayGroup::memory : ArrayGroup::always;
 }
 
 void resize(Particles& particles, std::size_t count, std::optional<WaterFlow> flow)
 {
+    particles.memory.clear();
     for_each_index_array(particles,
                          [&](const char*, std::vector<std::int32_t>& values) { values.assign(count, 0); });
     for_each_array(particles, [&](const char* name, Scalars& values) {
@@ -67,11 +81,9 @@ void resize(Particles& particles, std::size_t count, std::optional<WaterFlow> fl
     });
 }
 
-void add_cycle_memory(Particles& particles)
+void add_memory(Particles& particles, std::size_t columns)
 {
-    for_each_array(particles, [&](const char* name, Scalars& values) {
-        if (group_of(name) == ArrayGroup::cycles) values.assign(particles.size(), 0.0);
-    });
+    particles.memory.assign(columns, Scalars(particles.size(), 0.0));
 }
 
 std::optional<WaterFlow> carried_flow(const Particles& particles)

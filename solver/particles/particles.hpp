@@ -30,12 +30,9 @@ struct SymmetricTensors {
     Scalars xx, yy, zz, xy;
 };
 
-/// Memory of the cycles of UBCSAND; meaning and signs as in UbcSandState [-].
-struct CycleMemory {
-    Scalars eta_max, branch;
-    Vectors peak, origin, leg, back;
-    Scalars last_leg, waiting, half_cycles, dilation, active_dilation;
-};
+/// What soil laws remember: column k holds the k-th number of every particle, which the law of its material
+/// gives a meaning (soil/law_interface.hpp). No columns where no law remembers anything.
+using SoilMemory = std::vector<Scalars>;
 
 /// In small strain the equations are set up on the reference shape; position and edges show the displaced
 /// one. Structure of arrays; every array has `size()` entries, or none where the scene does not need it: a
@@ -72,12 +69,14 @@ struct Particles {
     Scalars initial_vertical_effective_stress; // sigma'_v0 at the start of shaking, compression positive [Pa]
     Scalars water_table; // y to which the water stood at the start, none where it is the level [m]
 
-    CycleMemory cycles; // none without a material of UBCSAND
+    SoilMemory memory; // while the soil is shaken
 
     std::size_t size() const { return identifier.size(); }
     bool has_fluid() const { return !porosity.empty(); }
-    bool has_cycles() const { return !cycles.branch.empty(); }
 };
+
+/// Name of a column of memory: "memory_00".
+const char* memory_name(std::size_t column);
 
 /// Call `visit(name, values)` for every array of doubles, in a fixed order. `ParticleSet` is Particles or
 /// const Particles. Reordering, checkpoints and memory counts go through here.
@@ -122,17 +121,7 @@ void for_each_array(ParticleSet& particles, Visitor&& visit)
     visit("pore_pressure_rate", particles.pore_pressure_rate);
     visit("initial_vertical_effective_stress", particles.initial_vertical_effective_stress);
     visit("water_table", particles.water_table);
-    visit("cycles_eta_max", particles.cycles.eta_max);
-    visit("cycles_branch", particles.cycles.branch);
-    vectors("cycles_peak_x", "cycles_peak_y", particles.cycles.peak);
-    vectors("cycles_origin_x", "cycles_origin_y", particles.cycles.origin);
-    vectors("cycles_leg_x", "cycles_leg_y", particles.cycles.leg);
-    vectors("cycles_back_x", "cycles_back_y", particles.cycles.back);
-    visit("cycles_last_leg", particles.cycles.last_leg);
-    visit("cycles_waiting", particles.cycles.waiting);
-    visit("cycles_half_cycles", particles.cycles.half_cycles);
-    visit("cycles_dilation", particles.cycles.dilation);
-    visit("cycles_active_dilation", particles.cycles.active_dilation);
+    for (std::size_t k = 0; k < particles.memory.size(); ++k) visit(memory_name(k), particles.memory[k]);
 }
 
 /// As for_each_array, for the arrays of 32-bit integers.
@@ -155,7 +144,7 @@ enum class ArrayGroup {
     water_table,   // with a phreatic line above the level
     pressure_rate, // with the semi-implicit scheme
     twist,         // with quadrilaterals
-    cycles,        // with a material of UBCSAND
+    memory,        // with a law that remembers
 };
 
 /// The group of an array by its name in for_each_array.
@@ -180,8 +169,8 @@ inline Vector2 velocity_of_water(const Particles& particles, std::size_t p)
     return particles.velocity_fluid.x.empty() ? particles.velocity_solid[p] : particles.velocity_fluid[p];
 }
 
-/// Give every particle a memory of cycles, at zero.
-void add_cycle_memory(Particles& particles);
+/// Give every particle a memory of so many numbers, at zero.
+void add_memory(Particles& particles, std::size_t columns);
 
 /// Permute the particles: the new particle k is the old particle order[k].
 void reorder(Particles& particles, const std::vector<std::int32_t>& order);

@@ -29,11 +29,13 @@ void set_at_rest(Particles& particles)
     });
 }
 
-bool has_cycle_memory(const Problem& problem)
+/// The longest memory of the problem's laws.
+std::size_t memory_columns(const Problem& problem)
 {
-    return std::any_of(problem.materials.begin(), problem.materials.end(), [](const Material& material) {
-        return std::holds_alternative<UbcSand>(material.law);
-    });
+    std::size_t columns = 0;
+    for (const Material& material : problem.materials)
+        columns = std::max(columns, memory_of(material.law).size());
+    return columns;
 }
 
 /// Pores keep their pressure while soil settles: let it be that of the water at the start of the shaking.
@@ -49,29 +51,13 @@ void sink_water_table(const Problem& problem, Particles& particles)
     }
 }
 
-/// Call visit(sand, first, last) for every run of particles of one material of UBCSAND.
-template <class Visit>
-void for_each_sand_run(const Problem& problem, const Particles& particles, Visit&& visit)
-{
-    for_each_material_run(problem, particles, 0, particles.size(),
-                          [&](const Material& material, std::size_t first, std::size_t last) {
-                              if (const auto* sand = std::get_if<UbcSand>(&material.law))
-                                  visit(*sand, first, last);
-                          });
-}
-
 std::size_t count_at_failure(const Problem& problem, const Particles& particles)
 {
-    constexpr double rounding = 1e-9;
     std::size_t count = 0;
-    for_each_sand_run(problem, particles, [&](const UbcSand& sand, std::size_t first, std::size_t last) {
-        const SymmetricTensors& stress = particles.stress;
-        for (std::size_t p = first; p < last; ++p) {
-            const double s = -0.5 * (stress.xx[p] + stress.yy[p]);
-            const double t = std::hypot(0.5 * (stress.xx[p] - stress.yy[p]), stress.xy[p]);
-            count += t >= (1.0 - rounding) * failure_shear(sand, s) ? 1U : 0U;
-        }
-    });
+    for_each_material_run(problem, particles, 0, particles.size(),
+                          [&](const Material& material, std::size_t first, std::size_t last) {
+                              count += count_at_failure(material.law, first, last, particles);
+                          });
     return count;
 }
 
@@ -113,9 +99,7 @@ Problem settling_problem(const Problem& problem)
         const double buoyancy = water_of(problem, material) ? problem.water->density : 0.0;
         const double cell_weight = (1.0 - material.porosity) * (material.grain_density - buoyancy) *
                                    problem.gravity * problem.grid.cell_size;
-        if (const auto* sand = std::get_if<UbcSand>(&material.law)) {
-            material.law = SettlingSand{*sand, cell_weight};
-        }
+        material.law = settling_form(material.law, cell_weight);
     }
     return settling;
 }
@@ -154,11 +138,11 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
 std::size_t begin_shaking(const Problem& problem, State& state)
 {
     std::size_t limited = 0;
-    if (has_cycle_memory(problem)) add_cycle_memory(state.particles);
-    for_each_sand_run(problem, state.particles,
-                      [&](const UbcSand& sand, std::size_t first, std::size_t last) {
-                          limited += start_memory(sand, first, last, state.particles);
-                      });
+    add_memory(state.particles, memory_columns(problem));
+    for_each_material_run(problem, state.particles, 0, state.particles.size(),
+                          [&](const Material& material, std::size_t first, std::size_t last) {
+                              limited += start_memory(material.law, first, last, state.particles);
+                          });
     sink_water_table(problem, state.particles);
     begin_shaking(state);
     return limited;

@@ -199,6 +199,7 @@ Particles first_column(const Particles& particles, const Columns& columns)
     };
     std::vector<Scalars> arrays;
     for_each_array(particles, [&](const char*, const Scalars& values) { arrays.push_back(take(values)); });
+    narrow.memory.resize(particles.memory.size());
     std::size_t k = 0;
     for_each_array(narrow, [&](const char*, Scalars& values) { values = std::move(arrays[k++]); });
     narrow.material = take(particles.material);
@@ -289,6 +290,7 @@ void widen(const SoilColumn& column, const State& narrow, State& wide)
     };
     std::vector<const Scalars*> arrays;
     for_each_array(from, [&](const char*, const Scalars& values) { arrays.push_back(&values); });
+    to.memory.resize(from.memory.size());
     std::size_t k = 0;
     for_each_array(to, [&](const char*, Scalars& values) { repeat(*arrays[k++], values); });
     repeat(from.material, to.material);

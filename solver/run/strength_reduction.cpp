@@ -16,17 +16,6 @@ namespace {
 constexpr std::int64_t steps_between_checks = 50;
 constexpr double growth = 1.25; // of the factor while the bracket is open
 
-struct HasStrength {
-    bool operator()(const MohrCoulomb&) const { return true; }
-    bool operator()(const UbcSand&) const { return true; }
-    bool operator()(const SettlingSand&) const { return true; }
-    template <class Law>
-    bool operator()(const Law&) const
-    {
-        return false;
-    }
-};
-
 /// gamma H^2 / G of the softest material, gamma that of the grains alone: the size of elastic displacements
 /// [m].
 double elastic_displacement(const Problem& problem, const Particles& particles)
@@ -130,16 +119,13 @@ private:
 bool has_strength(const Problem& problem)
 {
     return std::any_of(problem.materials.begin(), problem.materials.end(),
-                       [](const Material& material) { return std::visit(HasStrength{}, material.law); });
+                       [](const Material& material) { return has_strength(material.law); });
 }
 
 Problem with_reduced_strength(const Problem& problem, double factor)
 {
     Problem weaker = settling_problem(problem);
-    for (Material& material : weaker.materials) {
-        if (auto* law = std::get_if<MohrCoulomb>(&material.law)) *law = reduced(*law, factor);
-        if (auto* law = std::get_if<SettlingSand>(&material.law)) *law = reduced(*law, factor);
-    }
+    for (Material& material : weaker.materials) material.law = reduced(material.law, factor);
     return weaker;
 }
 

@@ -31,4 +31,9 @@ ParticleModuli particle_moduli(const LinearElastic& law, std::size_t first, std:
 void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles);
 
+inline bool yields(const LinearElastic&)
+{
+    return false;
+}
+
 } // namespace quicksand

@@ -22,6 +22,11 @@ double surface_tip(const MohrCoulomb& law);
 /// at most the friction angle. The tension strength is cohesion's kin and is divided, too.
 MohrCoulomb reduced(const MohrCoulomb& law, double factor);
 
+inline bool has_strength(const MohrCoulomb&)
+{
+    return true;
+}
+
 double lame_modulus(const MohrCoulomb& law);        // lambda [Pa]
 double constrained_modulus(const MohrCoulomb& law); // lambda + 2 G, elastic [Pa]
 double shear_modulus(const MohrCoulomb& law);       // G [Pa]

@@ -28,4 +28,9 @@ ParticleModuli particle_moduli(const NeoHookean& law, std::size_t first, std::si
 void update_stress(const NeoHookean& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles);
 
+inline bool yields(const NeoHookean&)
+{
+    return false;
+}
+
 } // namespace quicksand

@@ -24,6 +24,11 @@ double shear_modulus_at(const UbcSand& sand, double s)
 
 } // namespace
 
+SettlingSand settling_form(const UbcSand& law, double cell_weight)
+{
+    return {law, cell_weight};
+}
+
 SettlingSand reduced(const SettlingSand& law, double factor)
 {
     SettlingSand weaker = law; // a = c cot(phi_f) stays

@@ -25,6 +25,19 @@ struct SettlingSand {
 /// With tan(phi_f) and the cohesion divided by the factor.
 SettlingSand reduced(const SettlingSand& law, double factor);
 
+inline bool has_strength(const SettlingSand&)
+{
+    return true;
+}
+
+/// UBCSAND while it settles, and its strength, which is reduced in this form.
+SettlingSand settling_form(const UbcSand& law, double cell_weight);
+
+inline bool has_strength(const UbcSand&)
+{
+    return true;
+}
+
 /// M = 2 G (1 - nu)/(1 - 2 nu) at a mean stress of one atmosphere [Pa].
 double constrained_modulus(const SettlingSand& law);
 

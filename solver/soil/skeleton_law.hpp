@@ -1,10 +1,8 @@
-// The constitutive laws of the grain skeleton behind one small interface.
-//
-// A law is a plain struct of parameters with four functions: `update_stress`, `particle_moduli`, and
-// `constrained_modulus` and `shear_modulus` where no particle is at hand (at one atmosphere when they follow
-// the stress). Laws are visited once per run of particles, never per particle.
+// The soil laws as alternatives, one row each. A law is visited once per run of particles, never per
+// particle; what it has to offer: law_interface.hpp.
 #pragma once
 
+#include "solver/soil/law_interface.hpp"
 #include "solver/soil/linear_elastic.hpp"
 #include "solver/soil/mohr_coulomb.hpp"
 #include "solver/soil/neo_hookean.hpp"
@@ -16,5 +14,16 @@
 namespace quicksand {
 
 using SkeletonLaw = std::variant<LinearElastic, NeoHookean, MohrCoulomb, UbcSand, SettlingSand>;
+
+// The functions of law_interface.hpp for whichever law it is.
+LawMemory memory_of(const SkeletonLaw& law);
+std::size_t start_memory(const SkeletonLaw& law, std::size_t first, std::size_t last, Particles& particles);
+std::size_t count_at_failure(const SkeletonLaw& law, std::size_t first, std::size_t last,
+                             const Particles& particles);
+SkeletonLaw settling_form(const SkeletonLaw& law, double cell_weight);
+bool yields(const SkeletonLaw& law);
+bool has_strength(const SkeletonLaw& law);
+SkeletonLaw reduced(const SkeletonLaw& law, double factor);
+void hold_water(SkeletonLaw& law, double dry_share);
 
 } // namespace quicksand

@@ -104,7 +104,7 @@ void begin_shaking(const UbcSand& law, UbcSandState& state)
 
 void turn(double spin, UbcSandState& state)
 {
-    const ubcsand::Rotation rotation = ubcsand::rotation_of(spin);
+    const Rotation rotation = rotation_of(spin);
     ubcsand::turn_stress(rotation, state);
     ubcsand::turn_memory(rotation, state);
 }

@@ -4,6 +4,7 @@
 //            Both turn by twice the angle of the body.
 #pragma once
 
+#include "solver/soil/rotation.hpp"
 #include "solver/soil/ubcsand_choices.hpp"
 #include "solver/soil/ubcsand_point.hpp"
 
@@ -18,19 +19,6 @@ inline constexpr double just_reversed = 0.0, strain_reversed = 0.5, far_from_rev
 /// What the reversals of the strain and the beginnings of loading owe each other, a half cycle for each pair.
 inline constexpr double loading_waits = -1.0, even = 0.0, reversal_waits = 1.0;
 
-struct Rotation {
-    double cosine, sine; // of twice the angle: deviators turn so [-]
-};
-
-/// [1] The rotation of a spin, tan(angle/2) = spin/2.
-inline Rotation rotation_of(double spin)
-{
-    const double h = 0.5 * spin;
-    const double scale = 1.0 / (1.0 + h * h);
-    const double c = (1.0 - h * h) * scale, s = 2.0 * h * scale;
-    return {c * c - s * s, 2.0 * s * c};
-}
-
 inline void turn_stress(const Rotation& turn, UbcSandState& state)
 {
     const double s = 0.5 * (state.sigma_x + state.sigma_y), q_x = 0.5 * (state.sigma_x - state.sigma_y);
@@ -38,13 +26,6 @@ inline void turn_stress(const Rotation& turn, UbcSandState& state)
     state.tau_xy = turn.sine * q_x + turn.cosine * state.tau_xy;
     state.sigma_x = s + turned;
     state.sigma_y = s - turned;
-}
-
-inline void turn_vector(const Rotation& turn, double& x, double& y)
-{
-    const double turned = turn.cosine * x - turn.sine * y;
-    y = turn.sine * x + turn.cosine * y;
-    x = turned;
 }
 
 inline void turn_memory(const Rotation& turn, UbcSandState& state)

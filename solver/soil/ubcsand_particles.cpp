@@ -3,11 +3,30 @@
 #include "solver/base/failure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace quicksand {
 
 namespace {
+
+constexpr std::array<MemoryNumber, 15> memory = {{
+    {"eta_max", "", "largest stress ratio so far"},
+    {"branch", "", "0 just reversed, 0.5 strain too, 1 far from there, 1.5 in a ripple, 2 loading"},
+    {"peak_x", "", "stress ratio where the stress last turned, (sigma_x - sigma_y)/2 over s", Component::x},
+    {"peak_y", "", "the same, tau_xy over s", Component::y},
+    {"origin_x", "", "stress ratio at the last turn that was no ripple's", Component::x},
+    {"origin_y", "", "the same, tau_xy over s", Component::y},
+    {"leg_x", "", "strain from where it last turned to its farthest point, eps_x - eps_y", Component::x},
+    {"leg_y", "", "the same, gamma_xy", Component::y},
+    {"back_x", "", "strain back from the farthest point, eps_x - eps_y", Component::x},
+    {"back_y", "", "the same, gamma_xy", Component::y},
+    {"last_leg", "", "length of the leg before, squared"},
+    {"waiting", "", "1 a reversal of the strain for loading, -1 loading for a reversal, 0 none"},
+    {"half_cycles", "", "reversals that were followed by loading"},
+    {"dilation", "", "plastic shear strain in dilation"},
+    {"active_dilation", "", "its value at the last counted half cycle"},
+}};
 
 UbcSandState at_one_atmosphere()
 {
@@ -20,7 +39,8 @@ UbcSandArrays arrays_of(Particles& particles)
 {
     const Gradients& L = particles.velocity_gradient_solid;
     SymmetricTensors& stress = particles.stress;
-    CycleMemory& cycles = particles.cycles;
+    std::array<double*, memory.size()> m{}; // columns
+    for (std::size_t k = 0; k < m.size(); ++k) m[k] = particles.memory[k].data();
     return {L.xx.data(),
             L.xy.data(),
             L.yx.data(),
@@ -29,21 +49,21 @@ UbcSandArrays arrays_of(Particles& particles)
             stress.yy.data(),
             stress.zz.data(),
             stress.xy.data(),
-            cycles.eta_max.data(),
-            cycles.branch.data(),
-            cycles.peak.x.data(),
-            cycles.peak.y.data(),
-            cycles.origin.x.data(),
-            cycles.origin.y.data(),
-            cycles.leg.x.data(),
-            cycles.leg.y.data(),
-            cycles.back.x.data(),
-            cycles.back.y.data(),
-            cycles.last_leg.data(),
-            cycles.waiting.data(),
-            cycles.half_cycles.data(),
-            cycles.dilation.data(),
-            cycles.active_dilation.data(),
+            m[0],
+            m[1],
+            m[2],
+            m[3],
+            m[4],
+            m[5],
+            m[6],
+            m[7],
+            m[8],
+            m[9],
+            m[10],
+            m[11],
+            m[12],
+            m[13],
+            m[14],
             particles.volume.data(),
             particles.mass_solid.data()};
 }
@@ -65,6 +85,17 @@ bool limit_stress(const UbcSand& law, UbcSandState& state)
 
 } // namespace
 
+LawMemory memory_of(const UbcSand&)
+{
+    return memory;
+}
+
+void hold_water(UbcSand& law, double dry_share)
+{
+    law.largest_specific_volume *= dry_share;
+    law.smallest_specific_volume *= dry_share;
+}
+
 double constrained_modulus(const UbcSand& law)
 {
     return constrained_modulus(law, at_one_atmosphere());
@@ -84,13 +115,13 @@ ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_
 
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles)
 {
-    ENSURE(particles.has_cycles());
+    ENSURE(particles.memory.size() >= memory.size());
     update(law, dt, first, last, arrays_of(particles));
 }
 
 std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles)
 {
-    ENSURE(particles.has_cycles());
+    ENSURE(particles.memory.size() >= memory.size());
     const UbcSandArrays arrays = arrays_of(particles);
     std::size_t limited = 0;
     for (std::size_t p = first; p < last; ++p) {
@@ -100,6 +131,20 @@ std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last
         arrays.set(p, state);
     }
     return limited;
+}
+
+std::size_t count_at_failure(const UbcSand& law, std::size_t first, std::size_t last,
+                             const Particles& particles)
+{
+    constexpr double rounding = 1e-9;
+    const SymmetricTensors& stress = particles.stress;
+    std::size_t count = 0;
+    for (std::size_t p = first; p < last; ++p) {
+        const double s = -0.5 * (stress.xx[p] + stress.yy[p]);
+        const double t = std::hypot(0.5 * (stress.xx[p] - stress.yy[p]), stress.xy[p]);
+        count += t >= (1.0 - rounding) * failure_shear(law, s) ? 1U : 0U;
+    }
+    return count;
 }
 
 } // namespace quicksand

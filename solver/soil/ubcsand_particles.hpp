@@ -1,8 +1,9 @@
-// UBCSAND as a law of particles: its stress is theirs, its memory their CycleMemory, without copies.
+// UBCSAND as a law of particles: its stress is theirs, its memory columns of theirs, without copies.
 #pragma once
 
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
+#include "solver/soil/law_interface.hpp"
 #include "solver/soil/ubcsand.hpp"
 
 #include <cstddef>
@@ -21,10 +22,20 @@ ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_
 /// and memory given. Pre: start_memory.
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles);
 
+/// What a particle remembers of its cycles; meaning and signs as in UbcSandState.
+LawMemory memory_of(const UbcSand& law);
+
 /// Start of shaking: bring a stress that the sand cannot carry to its failure limit and its floor, and let
 /// the memory begin with the stress. Returns the number of particles whose stress was changed. Pre:
-/// add_cycle_memory.
+/// add_memory.
 std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles);
+
+/// How many of the particles [first, last) are at the failure limit.
+std::size_t count_at_failure(const UbcSand& law, std::size_t first, std::size_t last,
+                             const Particles& particles);
+
+/// Bounds of the volume count the grains alone, of which the particles' mass is this share [-].
+void hold_water(UbcSand& law, double dry_share);
 
 /// The largest t within the failure limit at a mean stress s: (s + a) sin phi_f [Pa].
 inline double failure_shear(const UbcSand& law, double s)

@@ -172,11 +172,6 @@ double volume_in(const CellLists& lists, const Particles& particles, std::size_t
     return sum;
 }
 
-bool is_elastic(const SkeletonLaw& law)
-{
-    return std::holds_alternative<LinearElastic>(law) || std::holds_alternative<NeoHookean>(law);
-}
-
 /// Whether the soil in a cell is torn; elastic soil never is.
 bool is_torn(const Problem& problem, const CellLists& lists, const Particles& particles, std::size_t slot)
 {
@@ -184,7 +179,7 @@ bool is_torn(const Problem& problem, const CellLists& lists, const Particles& pa
     for (std::int32_t k = lists.cell_start[slot]; k < lists.cell_start[slot + 1]; ++k) {
         const auto p = static_cast<std::size_t>(lists.order[static_cast<std::size_t>(k)]);
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-        if (is_elastic(material.law)) return false;
+        if (!yields(material.law)) return false;
         present += particles.volume[p];
         sampled += particles.mass_solid[p] / ((1.0 - material.porosity) * material.grain_density);
     }

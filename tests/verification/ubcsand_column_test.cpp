@@ -101,7 +101,7 @@ TEST(UbcSandColumn, CountsTheCyclesOfTheShaking)
     std::vector<double> deep, all;
     double worst_of_strain = 0.0, highest_ru = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double counted = particles.cycles.half_cycles[p];
+        const double counted = particles.memory[column_of(memory_of(UbcSand()), "half_cycles")][p];
         const double ru = 1.0 + particles.stress.yy[p] / particles.initial_vertical_effective_stress[p];
         highest_ru = std::max(highest_ru, ru);
         all.push_back(counted);

@@ -68,7 +68,7 @@ TEST(UbcSandInTheEngine, AParticleHasTheStressOfItsOwnStrainPath)
     EXPECT_NEAR(-stress.yy[p], point.sigma_y, 1e-6 * 100e3);
     EXPECT_NEAR(-stress.zz[p], point.sigma_z, 1e-6 * 100e3);
     EXPECT_NEAR(-stress.xy[p], point.tau_xy, 1e-6 * 100e3);
-    EXPECT_EQ(state.particles.cycles.half_cycles[p], point.half_cycles);
+    EXPECT_EQ(state.particles.memory[column_of(memory_of(UbcSand()), "half_cycles")][p], point.half_cycles);
     EXPECT_GT(point.half_cycles, 3.0);
 }
 

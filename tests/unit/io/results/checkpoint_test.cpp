@@ -19,7 +19,7 @@ State varied_state(bool saturated, bool with_cycles = false)
 {
     const Problem problem = fixtures::small_problem(saturated);
     State state = fixtures::small_state(problem);
-    if (with_cycles) add_cycle_memory(state.particles);
+    if (with_cycles) add_memory(state.particles, 15);
     double value = 1.0 / 3.0;
     for_each_array(state.particles, [&](const char*, Scalars& values) {
         for (double& entry : values) entry += (value += 1.0 / 7.0);

@@ -76,15 +76,15 @@ TEST(SettlingSand, ItsModuliFollowTheStress)
 TEST(StartOfShaking, BringsAStressThatSandCannotBearToItsLimit)
 {
     Particles particles = point_at(100e3, 0.1); // t/s = 0.82
-    add_cycle_memory(particles);
+    add_memory(particles, memory_of(nevada).size());
     EXPECT_EQ(start_memory(nevada, 0, 1, particles), 1U);
     EXPECT_NEAR(ratio(particles), nevada.eta_f, 1e-12);
     EXPECT_NEAR(-0.5 * (particles.stress.xx[0] + particles.stress.yy[0]), 55e3, 1e-9);
-    EXPECT_NEAR(particles.cycles.eta_max[0], nevada.eta_f, 1e-12);
+    EXPECT_NEAR(particles.memory[column_of(memory_of(nevada), "eta_max")][0], nevada.eta_f, 1e-12);
     EXPECT_EQ(start_memory(nevada, 0, 1, particles), 0U);
 
     particles = point_at(10.0, 0.5);
-    add_cycle_memory(particles);
+    add_memory(particles, memory_of(nevada).size());
     EXPECT_EQ(start_memory(nevada, 0, 1, particles), 1U);
     EXPECT_NEAR(-0.5 * (particles.stress.xx[0] + particles.stress.yy[0]), nevada.s_min, 1e-9);
 }
@@ -96,11 +96,11 @@ TEST(StartOfShaking, OnlyUbcsandHasAMemory)
     problem.materials = {fixtures::stiff_sand()};
     State state = fixtures::fill(problem, 2, [](const Vector2&) { return true; });
     EXPECT_EQ(begin_shaking(problem, state), 0U);
-    EXPECT_FALSE(state.particles.has_cycles());
+    EXPECT_TRUE(state.particles.memory.empty());
     const std::size_t without = memory_bytes(state.particles);
     problem.materials[0].law = nevada;
     EXPECT_EQ(begin_shaking(problem, state), state.particles.size()); // free of stress: raised to the floor
-    EXPECT_TRUE(state.particles.has_cycles());
+    EXPECT_EQ(state.particles.memory.size(), memory_of(nevada).size());
     EXPECT_EQ(memory_bytes(state.particles) - without, 15 * 8 * state.particles.size());
     EXPECT_TRUE(std::holds_alternative<SettlingSand>(settling_problem(problem).materials[0].law));
 }
@@ -128,7 +128,8 @@ TEST(Relaxation, ASlopeOfSandSettlesWithinItsStrength)
     const RelaxationReport report = relax(problem, controls, state);
     EXPECT_LE(report.out_of_balance, 1e-4);
     EXPECT_LT(report.max_displacement, 0.02);
-    for (const double eta : state.particles.cycles.eta_max) EXPECT_LE(eta, nevada.eta_f * (1.0 + 1e-12));
+    for (const double eta : state.particles.memory[column_of(memory_of(nevada), "eta_max")])
+        EXPECT_LE(eta, nevada.eta_f * (1.0 + 1e-12));
 }
 
 } // namespace

@@ -83,7 +83,7 @@ bool same_bits(const UbcSandState& a, const UbcSandState& b)
 void turn(RandomPoints& points, std::size_t count, double dt)
 {
     for (std::size_t p = 0; p < count; ++p) {
-        const ubcsand::Rotation rotation = ubcsand::rotation_of(points.increment(p, dt).spin);
+        const Rotation rotation = rotation_of(points.increment(p, dt).spin);
         UbcSandState state = points.points().state(p);
         ubcsand::turn_memory(rotation, state);
         ubcsand::turn_stress(rotation, state);

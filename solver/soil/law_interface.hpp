@@ -1,0 +1,98 @@
+// What a soil law is: a plain struct of parameters and the functions below, found by its type.
+//
+// Every law has
+//   update_stress(law, dt, first, last, particles)     stress of the particles [first, last) after a strain
+//   particle_moduli(law, first, last, particles)       their moduli, for waves
+//   constrained_modulus(law), shear_modulus(law)       where no particle is at hand [Pa]
+// and those here, which answer for the laws that do not give an answer of their own. A new law is a file pair
+// with these functions and a place in SkeletonLaw (skeleton_law.hpp).
+#pragma once
+
+#include "solver/particles/particles.hpp"
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace quicksand {
+
+/// How a number turns with its particle.
+enum class Component : std::uint8_t {
+    scalar, // not at all
+    x,      // with the next number a vector as of turn_vector() in rotation.hpp
+    y
+};
+
+/// A number that a law remembers of every particle.
+struct MemoryNumber {
+    std::string_view name; // "half_cycles"
+    std::string_view unit; // "" without
+    std::string_view meaning;
+    Component component = Component::scalar;
+};
+using LawMemory = std::span<const MemoryNumber>; // in the order of the columns of Particles::memory
+
+/// The column of a number by its name; memory.size() where there is none of that name.
+inline std::size_t column_of(LawMemory memory, std::string_view name)
+{
+    std::size_t column = 0;
+    while (column < memory.size() && memory[column].name != name) ++column;
+    return column;
+}
+
+/// What the law remembers while the soil is shaken.
+template <class Law>
+LawMemory memory_of(const Law&)
+{
+    return {};
+}
+
+/// Start of shaking: bring a stress that the soil cannot carry to its limits, and let the memory of the
+/// particles [first, last) begin. Returns how many stresses were changed.
+template <class Law>
+std::size_t start_memory(const Law&, std::size_t, std::size_t, Particles&)
+{
+    return 0;
+}
+
+/// How many of the particles [first, last) carry the largest shear stress that they can.
+template <class Law>
+std::size_t count_at_failure(const Law&, std::size_t, std::size_t, const Particles&)
+{
+    return 0;
+}
+
+/// The law while the soil settles under gravity; `cell_weight` is that of a cell of the soil, per area [Pa].
+template <class Law>
+Law settling_form(const Law& law, double)
+{
+    return law;
+}
+
+/// Whether the soil flows at a strength: its stress then hangs on the path, not on the shape.
+template <class Law>
+bool yields(const Law&)
+{
+    return true;
+}
+
+/// Whether strength reduction has something to reduce, and the law with its strength divided by a factor.
+template <class Law>
+bool has_strength(const Law&)
+{
+    return false;
+}
+template <class Law>
+Law reduced(const Law& law, double)
+{
+    return law;
+}
+
+/// Let the grains carry held water as their own mass, of which they are `dry_share` [-].
+template <class Law>
+void hold_water(Law&, double)
+{
+}
+
+} // namespace quicksand
