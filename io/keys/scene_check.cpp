@@ -162,9 +162,9 @@ void DocumentCheck::collect(const DocumentNode& table, const KeyPath& path, std:
 /// Whether the key is of use with the water's flow; one that is given all the same is warned of.
 bool DocumentCheck::flow_uses(const SceneKey& key, const std::string& path, const DocumentNode* node)
 {
+    if (key.flows.empty()) return true;
     const std::string flow = values_.text("water.flow");
-    const bool uses =
-        key.flows.empty() || std::find(key.flows.begin(), key.flows.end(), flow) != key.flows.end();
+    const bool uses = std::find(key.flows.begin(), key.flows.end(), flow) != key.flows.end();
     if (!uses && node != nullptr && !flow.empty()) {
         findings_.add(warning_at(
             node->name_place, path, "unused", path + " has no effect with water.flow = \"" + flow + "\"", "",
@@ -298,12 +298,25 @@ void DocumentCheck::resolve_table(const Entry& table)
 
 SceneValues DocumentCheck::check()
 {
+    values_.table = &table_;
     collect(document_, {}, "");
     resolve_table({{}, nullptr, &document_});
     return std::move(values_);
 }
 
 } // namespace
+
+void SceneValues::require_key(const std::string& path) const
+{
+    ENSURE(table != nullptr);
+    const bool known = std::any_of(table->keys.begin(), table->keys.end(), [&](const SceneKey& key) {
+        if (is_table(key)) return false;
+        const std::size_t star = key.pattern.find('*');
+        if (star == std::string_view::npos) return path == key.pattern;
+        return path.starts_with(key.pattern.substr(0, star)) && path.ends_with(key.pattern.substr(star + 1));
+    });
+    if (!known) throw InternalError("there is no key " + path);
+}
 
 SceneValues check_document(const KeyTable& table, const DocumentNode& document, Diagnostics& findings)
 {

@@ -4,6 +4,7 @@
 #include "io/keys/diagnostics.hpp"
 #include "io/keys/scene_document.hpp"
 #include "io/keys/scene_schema.hpp"
+#include "solver/base/failure.hpp"
 
 #include <map>
 #include <optional>
@@ -33,8 +34,10 @@ struct NamedTable {
     SourcePlace place; // of its header
 };
 
-/// The values of a file by their paths. Where the file has errors, some are missing.
+/// The values of a file by their paths. Where the file has errors, some are missing. To ask for a key that
+/// the table does not have, or for another type than its row says, is a bug of ours and throws InternalError.
 struct SceneValues {
+    const KeyTable* table = nullptr;
     std::map<std::string, FoundValue> by_path;
     std::set<std::string> written;             // paths that the file holds, be their values good or bad
     std::map<std::string, SourcePlace> tables; // given tables and the places of their headers
@@ -43,7 +46,11 @@ struct SceneValues {
 
     bool has_table(const std::string& path) const { return tables.contains(path); }
     bool has(const std::string& path) const { return by_path.contains(path); }
-    bool given(const std::string& path) const { return has(path) && by_path.at(path).given; }
+    bool given(const std::string& path) const
+    {
+        require_key(path);
+        return has(path) && by_path.at(path).given;
+    }
     SourcePlace place(const std::string& path) const
     {
         return has(path) ? by_path.at(path).place : SourcePlace();
@@ -53,13 +60,18 @@ struct SceneValues {
     template <class Type>
     std::optional<Type> find(const std::string& path) const
     {
+        require_key(path);
         const auto found = by_path.find(path);
         if (found == by_path.end()) return std::nullopt;
         const Type* value = std::get_if<Type>(&found->second.value);
-        return value ? std::optional<Type>(*value) : std::nullopt;
+        if (value == nullptr) throw InternalError("the key " + path + " is asked for as what it is not");
+        return *value;
     }
     double number(const std::string& path) const { return find<double>(path).value_or(0.0); }
     std::string text(const std::string& path) const { return find<std::string>(path).value_or(""); }
+
+private:
+    void require_key(const std::string& path) const;
 };
 
 /// Check the document against the key table and resolve every key. Everything wrong is added to `findings`.

@@ -1,6 +1,8 @@
 // The words of scene keys and what they stand for in the solver.
 #pragma once
 
+#include "solver/base/failure.hpp"
+
 #include <array>
 #include <cstddef>
 #include <string>
@@ -12,13 +14,15 @@ namespace quicksand {
 template <class Word, std::size_t count>
 using WordList = std::array<std::pair<std::string_view, Word>, count>;
 
-/// What a checked word stands for.
+/// What a checked word stands for; the first where the file has an error in its place. A word that the list
+/// lacks although its row has it is a bug of ours and throws InternalError.
 template <class Word, std::size_t count>
 Word word_of(const WordList<Word, count>& words, const std::string& text)
 {
     for (const auto& [name, word] : words) {
         if (name == text) return word;
     }
+    if (!text.empty()) throw InternalError("the word " + text + " stands for nothing");
     return words.front().second;
 }
 

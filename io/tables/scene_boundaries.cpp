@@ -162,8 +162,11 @@ std::optional<WallMotion> BoundaryReader::read_motion()
     const std::string& key = given[0];
     motion.quantity = key.ends_with("velocity") ? MotionQuantity::velocity : MotionQuantity::displacement;
     motion.grip = key.starts_with("normal") ? WallGrip::smooth : WallGrip::rough;
-    motion.value = values_.find<Vector2>(path(key.c_str())).value_or(Vector2::Zero());
-    motion.inward = values_.number(path(key.c_str()));
+    if (motion.grip == WallGrip::smooth) {
+        motion.inward = values_.number(path(key.c_str()));
+    } else {
+        motion.value = values_.find<Vector2>(path(key.c_str())).value_or(Vector2::Zero());
+    }
     const bool varies = has("ramp_time") || has("frequency") || has("history");
     if (motion.quantity == MotionQuantity::displacement && !varies) {
         refuse(key.c_str(), path(key.c_str()) + " has no course: the curve would jump to it at the start",
