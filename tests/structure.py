@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
-"""Whether the house is in order: python3 tests/structure.py includes|sizes|format [root]
+"""Whether the house is in order: python3 tests/structure.py includes|sizes|format|spelling [root]
 
 includes  Folders stand on each other as solver < geometry < io < app, and in each the rooms as their
           CMakeLists.txt adds them. A file includes its own room and lower ones; of other people's libraries those
           of its folder; and no circle leads back to it (a header and its source are one).
 sizes     No file has more than 400 lines, no folder more than 30 sources.
 format    clang-format, of the version in packages.txt, has nothing to change.
+spelling  codespell finds no word that is spelt wrongly (.codespellrc says which are spelt so on purpose).
 """
 import re
 import subprocess
@@ -125,8 +126,17 @@ def check_format(root):
         yield run.stderr.strip()
 
 
+def check_spelling(root):
+    try:
+        run = subprocess.run(["codespell", "."], cwd=root, capture_output=True, text=True)
+    except FileNotFoundError:
+        yield "codespell is not installed: apt install codespell"
+        return
+    yield from run.stdout.splitlines()
+
+
 def main():
-    checks = {"includes": check_includes, "sizes": check_sizes, "format": check_format}
+    checks = {"includes": check_includes, "sizes": check_sizes, "format": check_format, "spelling": check_spelling}
     if len(sys.argv) not in (2, 3) or sys.argv[1] not in checks:
         sys.exit(__doc__)
     root = Path(sys.argv[2] if len(sys.argv) == 3 else Path(__file__).parent.parent).resolve()

@@ -36,7 +36,7 @@ class House(unittest.TestCase):
             return run.stdout
 
     def test_a_house_in_order_has_no_findings(self):
-        for check in ["includes", "sizes", "format"]:
+        for check in ["includes", "sizes", "format", "spelling"]:
             self.assertEqual(self.findings(check, {}), "")
 
     def test_no_room_looks_up(self):
@@ -69,6 +69,9 @@ class House(unittest.TestCase):
     def test_format(self):
         found = self.findings("format", {"io/files/csv.cpp": "int   a;\n"})
         self.assertIn("io/files/csv.cpp: not as clang-format-14 writes it", found)
+
+    def test_spelling(self):
+        self.assertIn("teh ==> the", self.findings("spelling", {"README.md": "teh dike\n"}))
 
 
 unittest.main()
