@@ -43,8 +43,9 @@ struct Corner {
 
 Corner corner_of(std::size_t cell, const Page& page)
 {
-    return {margin + cell_width * static_cast<double>(cell % 2),
-            page.head + cell_height * static_cast<double>(cell / 2)};
+    const std::size_t column = cell % 2, row = cell / 2;
+    return {margin + cell_width * static_cast<double>(column),
+            page.head + cell_height * static_cast<double>(row)};
 }
 
 std::string label(int tag, const std::string& text, const Corner& at, const Page& page, const char* style)

@@ -72,8 +72,8 @@ Place coarse_search(const HomogeneousSlope& slope)
     Place best = {};
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < samples * samples * samples; ++i) {
-        const Place place = {(i % samples) / (samples - 1.0), (i / samples % samples) / (samples - 1.0),
-                             (i / samples / samples) / (samples - 1.0)};
+        const int x = i % samples, y = i / samples % samples, z = i / samples / samples;
+        const Place place = {x / (samples - 1.0), y / (samples - 1.0), z / (samples - 1.0)};
         const double factor = factor_at(slope, place);
         if (factor >= least) continue;
         least = factor;
@@ -88,8 +88,8 @@ bool step_down(const HomogeneousSlope& slope, double distance, Place& place, dou
     const Place centre = place;
     const double before = factor;
     for (int i = 0; i < 27; ++i) {
-        const Place trial = {centre[0] + distance * (i % 3 - 1), centre[1] + distance * (i / 3 % 3 - 1),
-                             centre[2] + distance * (i / 9 - 1)};
+        const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
+        const Place trial = {centre[0] + distance * x, centre[1] + distance * y, centre[2] + distance * z};
         const double trial_factor = factor_at(slope, trial);
         if (trial_factor >= factor) continue;
         factor = trial_factor;
