@@ -1,6 +1,6 @@
 #include "app/bench/law_benchmark.hpp"
 
-#include "solver/soil/ubcsand_particles.hpp"
+#include "solver/ubcsand/ubcsand_particles.hpp"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/element/element_loading.hpp"
-#include "solver/soil/ubcsand_parameters.hpp"
+#include "solver/ubcsand/ubcsand_parameters.hpp"
 
 #include <filesystem>
 #include <optional>

@@ -4,7 +4,7 @@
 #include "io/keys/source_place.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/run/simulation.hpp"
-#include "solver/soil/ubcsand_parameters.hpp"
+#include "solver/ubcsand/ubcsand_parameters.hpp"
 #include "solver/verification/studies/study.hpp"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/keys/scene_check.hpp"
-#include "solver/soil/skeleton_law.hpp"
+#include "solver/problem/skeleton_law.hpp"
 
 namespace quicksand {
 

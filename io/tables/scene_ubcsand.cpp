@@ -1,7 +1,7 @@
 #include "io/tables/scene_ubcsand.hpp"
 
 #include "io/tables/ubcsand_keys.hpp"
-#include "solver/soil/ubcsand.hpp"
+#include "solver/ubcsand/ubcsand.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/keys/scene_check.hpp"
-#include "solver/soil/ubcsand_parameters.hpp"
+#include "solver/ubcsand/ubcsand_parameters.hpp"
 
 #include <string>
 #include <vector>

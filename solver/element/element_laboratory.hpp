@@ -5,7 +5,7 @@
 // Frame        y is vertical; simple shear keeps eps_x = 0 and the plane strain eps_z = 0.
 #pragma once
 
-#include "solver/soil/ubcsand.hpp"
+#include "solver/ubcsand/ubcsand.hpp"
 
 #include <vector>
 

@@ -8,7 +8,7 @@
 #include "solver/particles/particles.hpp"
 #include "solver/particles/water_flow.hpp"
 #include "solver/problem/base_motion.hpp"
-#include "solver/soil/skeleton_law.hpp"
+#include "solver/problem/skeleton_law.hpp"
 
 #include <cstdint>
 #include <functional>

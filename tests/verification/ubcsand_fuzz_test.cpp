@@ -1,7 +1,7 @@
 // A million random steps of UBCSAND over zero and tensile stress, huge strains and pure rotation: the state
 // stays finite and inside the failure limit, and plastic flow never gives energy back.
-#include "solver/soil/ubcsand.hpp"
-#include "solver/soil/ubcsand_flow.hpp"
+#include "solver/ubcsand/ubcsand.hpp"
+#include "solver/ubcsand/ubcsand_flow.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include "solver/soil/linear_elastic.hpp"
 #include "solver/soil/mohr_coulomb.hpp"
 #include "solver/soil/neo_hookean.hpp"
-#include "solver/soil/settling_sand.hpp"
-#include "solver/soil/ubcsand_particles.hpp"
+#include "solver/ubcsand/settling_sand.hpp"
+#include "solver/ubcsand/ubcsand_particles.hpp"
 
 #include <variant>
 

@@ -1,5 +1,5 @@
-#include "solver/soil/ubcsand.hpp"
-#include "solver/soil/ubcsand_memory.hpp"
+#include "solver/ubcsand/ubcsand.hpp"
+#include "solver/ubcsand/ubcsand_memory.hpp"
 
 #include <gtest/gtest.h>
 

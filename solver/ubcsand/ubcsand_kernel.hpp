@@ -11,8 +11,8 @@
 #pragma once
 
 #include "solver/base/conventions.hpp"
-#include "solver/soil/ubcsand_memory.hpp"
-#include "solver/soil/ubcsand_power.hpp"
+#include "solver/ubcsand/ubcsand_memory.hpp"
+#include "solver/ubcsand/ubcsand_power.hpp"
 
 #include <cmath>
 

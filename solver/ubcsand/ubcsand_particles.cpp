@@ -1,4 +1,4 @@
-#include "solver/soil/ubcsand_particles.hpp"
+#include "solver/ubcsand/ubcsand_particles.hpp"
 
 #include "solver/base/failure.hpp"
 

@@ -4,7 +4,7 @@
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
 #include "solver/soil/law_interface.hpp"
-#include "solver/soil/ubcsand.hpp"
+#include "solver/ubcsand/ubcsand.hpp"
 
 #include <cstddef>
 

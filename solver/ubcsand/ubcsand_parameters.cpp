@@ -1,4 +1,4 @@
-#include "solver/soil/ubcsand_parameters.hpp"
+#include "solver/ubcsand/ubcsand_parameters.hpp"
 
 #include "solver/base/failure.hpp"
 

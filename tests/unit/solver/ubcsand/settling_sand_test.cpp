@@ -1,6 +1,6 @@
 #include "solver/run/simulation.hpp"
-#include "solver/soil/settling_sand.hpp"
-#include "solver/soil/ubcsand_particles.hpp"
+#include "solver/ubcsand/settling_sand.hpp"
+#include "solver/ubcsand/ubcsand_particles.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
-#include "solver/soil/settling_sand.hpp"
+#include "solver/ubcsand/settling_sand.hpp"
 
 #include "solver/base/lanes.hpp"
-#include "solver/soil/ubcsand_choices.hpp"
-#include "solver/soil/ubcsand_particles.hpp"
-#include "solver/soil/ubcsand_power.hpp"
+#include "solver/ubcsand/ubcsand_choices.hpp"
+#include "solver/ubcsand/ubcsand_particles.hpp"
+#include "solver/ubcsand/ubcsand_power.hpp"
 
 #include <cmath>
 

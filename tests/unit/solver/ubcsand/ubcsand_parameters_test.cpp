@@ -1,6 +1,6 @@
 #include "solver/base/failure.hpp"
-#include "solver/soil/ubcsand_parameters.hpp"
-#include "solver/soil/ubcsand_power.hpp"
+#include "solver/ubcsand/ubcsand_parameters.hpp"
+#include "solver/ubcsand/ubcsand_power.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #endif
 
 #include "solver/base/lanes.hpp"
-#include "solver/soil/ubcsand.hpp"
-#include "solver/soil/ubcsand_flow.hpp"
+#include "solver/ubcsand/ubcsand.hpp"
+#include "solver/ubcsand/ubcsand_flow.hpp"
 
 namespace quicksand {
 

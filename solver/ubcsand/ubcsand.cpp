@@ -1,6 +1,6 @@
-#include "solver/soil/ubcsand.hpp"
+#include "solver/ubcsand/ubcsand.hpp"
 
-#include "solver/soil/ubcsand_flow.hpp"
+#include "solver/ubcsand/ubcsand_flow.hpp"
 
 #include <algorithm>
 #include <numbers>

@@ -11,7 +11,7 @@
 
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
-#include "solver/soil/ubcsand.hpp"
+#include "solver/ubcsand/ubcsand.hpp"
 
 #include <cstddef>
 

@@ -14,8 +14,8 @@
 #pragma once
 
 #include "solver/particles/particle_moduli.hpp"
-#include "solver/soil/ubcsand_parameters.hpp"
-#include "solver/soil/ubcsand_point.hpp"
+#include "solver/ubcsand/ubcsand_parameters.hpp"
+#include "solver/ubcsand/ubcsand_point.hpp"
 
 #include <cstddef>
 

@@ -2,7 +2,7 @@
 // is done with them: ubcsand.hpp.
 #pragma once
 
-#include "solver/soil/ubcsand_parameters.hpp"
+#include "solver/ubcsand/ubcsand_parameters.hpp"
 
 namespace quicksand {
 

@@ -7,7 +7,7 @@
 //            first order at the stress floor and for a tiny excursion.
 #pragma once
 
-#include "solver/soil/ubcsand_kernel.hpp"
+#include "solver/ubcsand/ubcsand_kernel.hpp"
 
 namespace quicksand::ubcsand {
 

@@ -1,4 +1,4 @@
-#include "solver/soil/skeleton_law.hpp"
+#include "solver/problem/skeleton_law.hpp"
 
 namespace quicksand {
 

@@ -5,8 +5,8 @@
 #pragma once
 
 #include "solver/soil/rotation.hpp"
-#include "solver/soil/ubcsand_choices.hpp"
-#include "solver/soil/ubcsand_point.hpp"
+#include "solver/ubcsand/ubcsand_choices.hpp"
+#include "solver/ubcsand/ubcsand_point.hpp"
 
 namespace quicksand::ubcsand {
 
