@@ -44,7 +44,7 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.say(describe_scene_keys(setup));
     journal.say(describe_soil(assembled));
     journal.say(describe_boundaries(assembled, patch_tests));
-    if (const std::string sands = describe_sands(assembled); !sands.empty()) journal.say(sands);
+    if (const std::string laws = describe_laws(assembled); !laws.empty()) journal.say(laws);
     journal.say(describe_initial_state(assembled));
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
     journal.say(describe_time_step(assembled));

@@ -6,6 +6,7 @@
 #include "io/frames/grid_frame.hpp"
 #include "io/frames/particle_frame.hpp"
 #include "io/frames/vtk_series.hpp"
+#include "io/laws/soil_laws.hpp"
 #include "io/results/results_folder.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/motion/particle_to_grid.hpp"
@@ -27,9 +28,12 @@ constexpr const char* curve_file = "stability.csv";
 void require_strength(const AssembledCase& assembled)
 {
     if (has_strength(assembled.problem)) return;
-    throw InputError(assembled.scene.file.string() +
-                     ": no soil of this scene has a strength to reduce\nexpected: a material with model = "
-                     "\"mohr_coulomb\" or \"ubcsand\"");
+    std::string models;
+    for (const SoilLaw& law : soil_laws())
+        if (has_strength(law.form)) models += fmt::format("{}\"{}\"", models.empty() ? "" : " or ", law.word);
+    throw InputError(
+        assembled.scene.file.string() +
+        ": no soil of this scene has a strength to reduce\nexpected: a material with model = " + models);
 }
 
 /// The search begins at rest: water beyond a curve must be that of the pores already.

@@ -1,9 +1,9 @@
 #include "app/run/plan.hpp"
 
 #include "app/run/number_format.hpp"
+#include "io/laws/soil_laws.hpp"
 #include "io/results/output_observers.hpp"
 #include "solver/base/threads.hpp"
-#include "solver/element/cyclic_laboratory.hpp"
 #include "solver/measure/monitors.hpp"
 #include "solver/problem/motion_measures.hpp"
 #include "solver/run/simulation.hpp"
@@ -34,11 +34,12 @@ std::string describe_waves(const Material& material, const WaveSpeeds& waves, co
                               waves.shear / (cells_per_wavelength * problem.grid.cell_size));
 }
 
-bool has_neo_hookean_soil(const Problem& problem)
+/// The word of a law whose soil is free of stress as drawn; "" without any.
+std::string_view law_without_stress(const Problem& problem)
 {
-    return std::any_of(problem.materials.begin(), problem.materials.end(), [](const Material& material) {
-        return std::holds_alternative<NeoHookean>(material.law);
-    });
+    for (const Material& material : problem.materials)
+        if (!bears_stress_as_drawn(material.law)) return soil_law(material.law).word;
+    return "";
 }
 
 constexpr double small_residual = 0.02; // velocity at a record's end over its peak that passes for zero [-]
@@ -71,33 +72,16 @@ std::string describe_sine(const SineMotion& sine)
                                                   : "");
 }
 
-std::string describe_sand(const SceneMaterial& material, double k0)
-{
-    const auto& law = std::get<UbcSand>(material.material.law);
-    const double sine = law.eta_f, least_k0 = (1.0 - sine) / (1.0 + sine);
-    std::string text = fmt::format("  {:<16}shear modulus {} MPa, drained bulk modulus {} MPa at 100 kPa\n",
-                                   material.material.name, short_number(1e-6 * shear_modulus(law)),
-                                   short_number(1e-6 * law.B_atm));
-    text += fmt::format("  {:<16}bears K0 from {} to {}; settles to K0 = {} below level ground\n", "",
-                        short_number(least_k0), short_number(1.0 / least_k0),
-                        short_number(law.static_poisson / (1.0 - law.static_poisson)));
-    const auto csr = csr_to_ru_95(law, {atmospheric_pressure, k0, 0.0}, 15.0);
-    const std::string strength =
-        csr ? "in 15 cycles of simple shear at a stress ratio of " + short_number(*csr)
-            : std::string("at no stress ratio from 0.01 to 2 in 15 cycles of simple shear");
-    return text + fmt::format("  {:<16}liquefies (ru = 0.95) {}, at 100 kPa and K0 = {}\n", "", strength,
-                              short_number(k0));
-}
-
 } // namespace
 
-std::string describe_sands(const AssembledCase& assembled)
+std::string describe_laws(const AssembledCase& assembled)
 {
     std::string text;
     for (const SceneMaterial& material : assembled.scene.materials) {
-        if (material.ubcsand) text += describe_sand(material, assembled.scene.k0);
+        const SoilLaw& law = soil_law(material.material.law);
+        if (law.describe != nullptr) text += law.describe(material.material, assembled.scene.k0);
     }
-    return text.empty() ? text : "Sand that liquefies (its parameters are listed above)\n" + text;
+    return text.empty() ? text : "Soil laws (their parameters are listed above)\n" + text;
 }
 
 std::string describe_motion(const AssembledCase& assembled)
@@ -176,9 +160,11 @@ std::string describe_initial_state(const AssembledCase& assembled)
     if (residual <= tolerance) return text + "the run starts in equilibrium\n";
     if (controls) return text + "the soil settles before the run\n";
     text += "the run does not start in equilibrium; ";
-    return text + (has_neo_hookean_soil(assembled.problem)
-                       ? "soil of neo_hookean is free of stress as drawn, and its weight acts at once\n"
-                       : "a table [relaxation] lets the soil settle\n");
+    const std::string_view law = law_without_stress(assembled.problem);
+    return text +
+           (law.empty()
+                ? "a table [relaxation] lets the soil settle\n"
+                : fmt::format("soil of {} is free of stress as drawn, and its weight acts at once\n", law));
 }
 
 std::string describe_time_step(const AssembledCase& assembled)

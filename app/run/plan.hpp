@@ -24,8 +24,8 @@ std::string describe_boundaries(const AssembledCase& assembled, const std::vecto
 /// pressure unbalanced that it should bear (solver/run/patch_test.hpp).
 void refuse_failed_patches(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
 
-/// What the parameters of UBCSAND mean; nothing without such a material.
-std::string describe_sands(const AssembledCase& assembled);
+/// What the laws say of their materials; nothing where they have nothing to say.
+std::string describe_laws(const AssembledCase& assembled);
 
 /// What the initial state leaves out of balance, and what becomes of it.
 std::string describe_initial_state(const AssembledCase& assembled);

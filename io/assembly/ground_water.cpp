@@ -71,12 +71,6 @@ bool differs_from_still_water(const Problem& problem, const Boundary& boundary)
     });
 }
 
-/// Whether the law knows stress without deformation: the neo-Hookean would lose it in the first step.
-bool keeps_initial_stress(const Material& material)
-{
-    return !std::holds_alternative<NeoHookean>(material.law);
-}
-
 } // namespace
 
 double phreatic_elevation(const Scene& scene, double x)
@@ -165,7 +159,7 @@ void set_initial_state(const Scene& scene, const Section& section, const std::ve
         const Vector2 point = particles.position[p];
         const double line = problem.water ? phreatic_elevation(scene, point.x()) : point.y();
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-        if (keeps_initial_stress(material)) {
+        if (bears_stress_as_drawn(material.law)) {
             const double vertical = vertical_effective_stress(section, weights, point, line);
             particles.stress.yy[p] = -vertical;
             particles.stress.xx[p] = particles.stress.zz[p] = -scene.k0 * vertical;

@@ -6,7 +6,7 @@
 #include "io/element/element_variation.hpp"
 #include "io/keys/scene_text.hpp"
 #include "io/keys/scene_value_reader.hpp"
-#include "io/tables/ubcsand_keys.hpp"
+#include "io/laws/ubcsand_keys.hpp"
 #include "solver/base/failure.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "io/element/element_keys.hpp"
 
-#include "io/tables/ubcsand_keys.hpp"
+#include "io/laws/ubcsand_keys.hpp"
 
 namespace quicksand {
 
@@ -106,6 +106,13 @@ std::vector<SceneKey> comparison_keys()
 
 // clang-format on
 
+std::vector<SceneKey> sand_keys()
+{
+    std::vector<SceneKey> keys = ubcsand_keys();
+    for (SceneKey& key : keys) key.when = {"model", {"ubcsand"}};
+    return keys;
+}
+
 } // namespace
 
 const KeyTable& element_key_table()
@@ -113,7 +120,7 @@ const KeyTable& element_key_table()
     static const KeyTable table = [] {
         KeyTable keys = {"test file", "test_version", "Keys of element tests", {}, {}};
         for (const auto& part :
-             {head_keys(), ubcsand_keys(), specimen_keys(), loading_keys(), comparison_keys()}) {
+             {head_keys(), sand_keys(), specimen_keys(), loading_keys(), comparison_keys()}) {
             keys.keys.insert(keys.keys.end(), part.begin(), part.end());
         }
         return keys;

@@ -29,7 +29,7 @@ std::string number_form(Dimension dimension)
            std::string(units[1].symbol) + "\"";
 }
 
-std::string likely_quantity(const Quantity& written, Dimension dimension, const Interval& wanted)
+std::string likely_quantity(const WrittenQuantity& written, Dimension dimension, const Interval& wanted)
 {
     if (dimension == Dimension::none) {
         const bool percent = written.number > 1.0 && wanted.contains(written.number / 100.0);

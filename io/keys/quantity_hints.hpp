@@ -20,6 +20,6 @@ std::string number_form(Dimension dimension);
 
 /// The quantity that was probably meant: the same number in a unit that makes `wanted` hold; "" when none
 /// does.
-std::string likely_quantity(const Quantity& written, Dimension dimension, const Interval& wanted);
+std::string likely_quantity(const WrittenQuantity& written, Dimension dimension, const Interval& wanted);
 
 } // namespace quicksand

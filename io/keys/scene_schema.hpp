@@ -4,6 +4,7 @@
 
 #include "io/keys/scene_units.hpp"
 #include "solver/base/conventions.hpp"
+#include "solver/base/interval.hpp"
 
 #include <cstdint>
 #include <limits>
@@ -43,18 +44,6 @@ enum class ValueType {
     count_list,    // [whole number, ...]
 };
 
-struct Interval {
-    double lower = -std::numeric_limits<double>::infinity();
-    double upper = std::numeric_limits<double>::infinity();
-    bool lower_open = false; // the bound itself is excluded
-    bool upper_open = false;
-
-    bool contains(double value) const
-    {
-        return (lower_open ? value > lower : value >= lower) && (upper_open ? value < upper : value <= upper);
-    }
-};
-
 /// The key is used only where the key `sibling` of the same table is one of `words`.
 struct Condition {
     std::string_view sibling = {};
@@ -89,13 +78,13 @@ struct SceneKey {
     std::string_view doc = {}; // one line
 };
 
-/// All keys of a kind of file, tables before their keys, in the order of the reference.
 /// A key of former versions: it is read over with a warning.
 struct RetiredKey {
     std::string_view path; // "sampling.boundary_refinement"
     std::string_view why;  // what has taken its place
 };
 
+/// All keys of a kind of file, tables before their keys, in the order of the reference.
 struct KeyTable {
     std::string_view file;        // what such a file is called: "scene"
     std::string_view version_key; // "scene_version"

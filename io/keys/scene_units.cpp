@@ -65,7 +65,7 @@ std::string_view si_symbol(Dimension dimension)
     return dimension == Dimension::none ? "" : units_of(dimension).front().symbol;
 }
 
-std::optional<Quantity> split_quantity(std::string_view text)
+std::optional<WrittenQuantity> split_quantity(std::string_view text)
 {
     const auto trim = [](std::string_view part) {
         while (!part.empty() && part.front() == ' ') part.remove_prefix(1);
@@ -74,14 +74,14 @@ std::optional<Quantity> split_quantity(std::string_view text)
     };
     text = trim(text);
     if (text.starts_with('+')) text.remove_prefix(1);
-    Quantity quantity;
+    WrittenQuantity quantity;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), quantity.number);
     if (error != std::errc() || !std::isfinite(quantity.number)) return std::nullopt;
     quantity.unit = trim(text.substr(static_cast<std::size_t>(end - text.data())));
     return quantity;
 }
 
-std::optional<double> to_si(const Quantity& quantity, Dimension dimension)
+std::optional<double> to_si(const WrittenQuantity& quantity, Dimension dimension)
 {
     for (const Unit& unit : units_of(dimension)) {
         if (unit.symbol == quantity.unit) return quantity.number * unit.multiply / unit.divide;

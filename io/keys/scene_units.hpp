@@ -24,16 +24,16 @@ const std::vector<Unit>& units_of(Dimension dimension);
 std::string_view si_symbol(Dimension dimension);
 
 /// A quantity as written: `number` of a unit.
-struct Quantity {
+struct WrittenQuantity {
     double number = 0.0; // as written
     std::string unit;    // as written, "" when there is none
 };
 
 /// Split "60 kPa" into number and unit; nothing when it does not start with a number.
-std::optional<Quantity> split_quantity(std::string_view text);
+std::optional<WrittenQuantity> split_quantity(std::string_view text);
 
 /// Value in SI; nothing when the unit is not one of the dimension's.
-std::optional<double> to_si(const Quantity& quantity, Dimension dimension);
+std::optional<double> to_si(const WrittenQuantity& quantity, Dimension dimension);
 
 /// The shortest text that reads back as the same number: 0.45, 2.2e9.
 std::string number_text(double number);

@@ -22,7 +22,7 @@ using Kind = DocumentNode::Kind;
 /// A number with what the user wrote, for the hints.
 struct ReadNumber {
     double value = 0.0; // SI
-    Quantity written;
+    WrittenQuantity written;
 };
 
 class ValueReader {

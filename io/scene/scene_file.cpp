@@ -5,13 +5,12 @@
 #include "io/keys/scene_text.hpp"
 #include "io/keys/scene_units.hpp"
 #include "io/keys/scene_words.hpp"
+#include "io/laws/soil_laws.hpp"
 #include "io/scene/scene_base.hpp"
 #include "io/scene/scene_references.hpp"
 #include "io/tables/scene_boundaries.hpp"
 #include "io/tables/scene_figures.hpp"
-#include "io/tables/scene_laws.hpp"
 #include "io/tables/scene_motion.hpp"
-#include "io/tables/scene_ubcsand.hpp"
 #include "io/tables/scene_verification.hpp"
 
 #include <algorithm>
@@ -90,7 +89,6 @@ Material read_material(const SceneValues& values, const NamedTable& table)
     const auto number = [&](const char* key) { return values.number(table.path + "." + key); };
     Material material;
     material.name = table.name;
-    material.law = read_skeleton_law(values, table);
     material.volumetric_strain = values.text(table.path + ".volumetric_strain") == "cell"
                                      ? VolumetricStrain::cell
                                      : VolumetricStrain::particle;
@@ -223,6 +221,16 @@ bool check_version(const DocumentNode& document, Diagnostics& findings)
     return false;
 }
 
+/// With the phases of the materials at hand.
+void read_soil_laws(SceneValues& values, Scene& scene, Diagnostics& findings)
+{
+    for (SceneMaterial& material : scene.materials) {
+        const std::string& name = material.material.name;
+        const NamedTable table = {name, join_path({"materials", name}), material.place};
+        material.material.law = read_soil_law({values, table, material.material, findings});
+    }
+}
+
 } // namespace
 
 SceneReading read_scene_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
@@ -241,7 +249,6 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
 
     SceneValues values = check_document(scene_key_table(), *document, findings);
     check_references(values, findings);
-    check_skeleton_laws(values, findings);
     SceneReading reading;
     Scene& scene = reading.scene;
     scene.file = file;
@@ -252,7 +259,7 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     fill_ground(values, scene);
     fill_run(values, scene);
     scene.boundaries = read_boundaries(values, file.parent_path(), findings);
-    read_ubcsand_materials(values, scene, findings);
+    read_soil_laws(values, scene, findings);
     scene.base_motion = read_motion(values, file.parent_path(), findings);
     scene.verification = read_verification(values, findings);
     static_cast<void>(read_figures(values, findings)); // drawn from the results, so only checked here

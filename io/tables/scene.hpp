@@ -4,7 +4,6 @@
 #include "io/keys/source_place.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/run/simulation.hpp"
-#include "solver/ubcsand/ubcsand_parameters.hpp"
 #include "solver/verification/studies/study.hpp"
 
 #include <filesystem>
@@ -29,7 +28,6 @@ struct SceneMaterial {
     Material material;
     double saturation_above_water = 0.0; // share of the pores filled above the phreatic line [-]
     SourcePlace place;
-    std::optional<UbcSandParameters> ubcsand = std::nullopt; // of the law, when it is UBCSAND
 };
 
 struct SceneRegion {

@@ -1,11 +1,11 @@
 #include "io/keys/scene_schema.hpp"
+#include "io/laws/soil_laws.hpp"
 #include "io/tables/boundary_keys.hpp"
 #include "io/tables/figure_keys.hpp"
 #include "io/tables/motion_keys.hpp"
-#include "io/tables/ubcsand_keys.hpp"
 #include "solver/verification/studies/study.hpp"
 
-#include <array>
+#include <utility>
 
 namespace quicksand {
 
@@ -17,16 +17,6 @@ constexpr Interval positive{.lower = 0.0, .lower_open = true};
 constexpr Interval not_negative{.lower = 0.0};
 constexpr Interval fraction{.lower = 0.0, .upper = 1.0, .lower_open = true, .upper_open = true};
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> volumetric_strain_of_model = {
-    {{"linear_elastic", "particle"},
-     {"mohr_coulomb", "cell"},
-     {"ubcsand", "particle"},
-     {"neo_hookean", "particle"}}};
-
-const Condition elastic_models{"model", {"linear_elastic", "mohr_coulomb", "neo_hookean"}};
-const Condition mohr_coulomb_only{"model", {"mohr_coulomb"}};
-const Condition ubcsand_only{"model", {"ubcsand"}};
-const Condition frictional_models{"model", {"mohr_coulomb", "ubcsand"}};
 const Condition manufactured_only{"problem", {"axis_aligned", "largest_vortex", "vortex"}};
 const std::vector<std::string_view> coupled_only{"coupled"}, with_pressure{"coupled", "undrained"};
 const Condition water_with_pressure{"flow", with_pressure};
@@ -130,36 +120,31 @@ std::vector<SceneKey> ground_keys()
     };
 }
 
-/// A soil and the law of its skeleton, but for what UBCSAND has for itself.
+std::vector<std::string_view> words_of_laws()
+{
+    std::vector<std::string_view> words;
+    for (const SoilLaw& law : soil_laws()) words.push_back(law.word);
+    return words;
+}
+
+std::vector<std::pair<std::string_view, std::string_view>> volumetric_strains_of_laws()
+{
+    std::vector<std::pair<std::string_view, std::string_view>> choices;
+    for (const SoilLaw& law : soil_laws()) choices.emplace_back(law.word, flows_at_constant_volume(law.form) ? "cell" : "particle");
+    return choices;
+}
+
+/// A soil, but for the keys of its law.
 std::vector<SceneKey> skeleton_keys()
 {
+    static const auto volumetric_strain_of_model = volumetric_strains_of_laws();
     return {
         {.pattern = "materials", .type = named_tables, .required = true, .doc = "The soils."},
         {.pattern = "materials.*", .type = table, .doc = "One soil, under a name of your choice."},
         {.pattern = "materials.*.model", .type = word, .required = true,
-         .words = {"linear_elastic", "mohr_coulomb", "ubcsand", "neo_hookean"},
+         .words = words_of_laws(),
          .doc = "Stress-strain law of the grain skeleton: elastic, elastic with the strength of friction and "
                 "cohesion, sand that liquefies, or elastic at large strain and free of stress as drawn (for verification)."},
-        {.pattern = "materials.*.shear_modulus", .dimension = Dimension::pressure, .required = true,
-         .allowed = positive, .plausible = {1e5, 1e10}, .when = elastic_models,
-         .doc = "Shear modulus G of the skeleton."},
-        {.pattern = "materials.*.poisson_ratio", .required = true,
-         .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.0, 0.49},
-         .when = elastic_models, .doc = "Drained Poisson's ratio of the skeleton."},
-        {.pattern = "materials.*.cohesion", .dimension = Dimension::pressure, .default_value = 0.0,
-         .allowed = not_negative, .plausible = {0.0, 1e6}, .when = frictional_models,
-         .doc = "Effective cohesion c; with friction_angle = 0 the undrained strength."},
-        {.pattern = "materials.*.friction_angle", .dimension = Dimension::angle, .required = true,
-         .allowed = {.lower = 0.0, .upper = 90.0, .upper_open = true}, .plausible = {0.0, 50.0},
-         .when = mohr_coulomb_only, .doc = "Effective angle of friction phi."},
-        {.pattern = "materials.*.dilation_angle", .dimension = Dimension::angle, .default_value = 0.0,
-         .allowed = {.lower = 0.0, .upper = 90.0, .upper_open = true}, .plausible = {0.0, 20.0},
-         .when = mohr_coulomb_only,
-         .doc = "Angle of dilation psi, at most the angle of friction; 0 flows at constant volume."},
-        {.pattern = "materials.*.tension_strength", .dimension = Dimension::pressure,
-         .default_note = "the tip of the surface, cohesion / tan(friction_angle)",
-         .allowed = not_negative, .plausible = {0.0, 1e6}, .when = mohr_coulomb_only,
-         .doc = "Largest tension the soil bears; 0 for soil that cracks."},
         {.pattern = "materials.*.volumetric_strain", .type = word,
          .derived = {.sibling = "model", .choices = volumetric_strain_of_model}, .words = {"cell", "particle"},
          .doc = "Whether stress follows the volume change of the cell, which keeps flow at constant volume "
@@ -192,47 +177,6 @@ std::vector<SceneKey> phase_keys()
          .default_value = "constant", .words = {"constant", "kozeny_carman", "specific_volume_squared"},
          .doc = "How k follows the porosity: not, as n^3/(1-n)^2, or as 1/(1-n)^2."},
     };
-}
-
-/// What runs need of UBCSAND besides its parameters.
-std::vector<SceneKey> sand_run_keys()
-{
-    return {
-        {.pattern = "materials.*.static_poisson_ratio",
-         .default_value = UbcSandParameters().static_poisson_ratio,
-         .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.2, 0.45},
-         .when = ubcsand_only,
-         .doc = "Poisson's ratio in the relaxation; level ground settles to K0 = nu / (1 - nu), 1/3 to 0.5."},
-        {.pattern = "materials.*.ripple_strain", .default_value = UbcSandRunSettings().ripple_strain,
-         .allowed = not_negative, .plausible = {0.0, 3e-4}, .when = ubcsand_only,
-         .doc = "Reversals of less shear strain are ripples of the run, no half cycles; below it sand keeps its "
-                "volume [Dobry et al. 1982]."},
-        {.pattern = "materials.*.largest_porosity", .default_note = "e_max = e + 0.376 relative_density",
-         .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true}, .plausible = {0.38, 0.6},
-         .when = ubcsand_only,
-         .doc = "Porosity of the loosest sand, which no longer dilates; once its grains have parted it bears nothing "
-                "until they touch again."},
-        {.pattern = "materials.*.smallest_porosity", .default_note = "e_min = e - 0.376 (1 - relative_density)",
-         .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.2, 0.45},
-         .when = ubcsand_only, .doc = "Porosity of the densest sand, which no longer contracts."},
-        {.pattern = "materials.*.resolved_floors", .default_value = UbcSandRunSettings().resolved_floors,
-         .allowed = not_negative, .plausible = {0.0, 40.0}, .when = ubcsand_only,
-         .doc = "Below this multiple of stress_floor substeps are as long as there, which speeds liquefied sand up."},
-    };
-}
-
-/// The keys of UBCSAND with the substeps of runs, but for the cohesion that Mohr-Coulomb has too.
-std::vector<SceneKey> sand_keys()
-{
-    std::vector<SceneKey> keys = ubcsand_keys();
-    std::erase_if(keys, [](const SceneKey& key) { return last_part(key.pattern) == "cohesion"; });
-    for (SceneKey& key : keys) {
-        if (last_part(key.pattern) == "largest_ratio_step")
-            key.default_value = UbcSandRunSettings().largest_ratio_step;
-        if (last_part(key.pattern) == "largest_stress_step")
-            key.default_value = UbcSandRunSettings().largest_stress_step;
-    }
-    return keys;
 }
 
 std::vector<SceneKey> region_keys()
@@ -355,8 +299,8 @@ std::vector<SceneKey> all_keys()
          .doc = "Keys whose warnings you have read and accept, as [\"materials.sand.porosity\"]."},
     };
     for (const auto& part : {geometry_keys(), analysis_keys(), ground_keys(), skeleton_keys(), phase_keys(),
-                             sand_run_keys(), sand_keys(), region_keys(), boundary_keys(), initial_keys(),
-                             motion_keys(), run_keys(), figure_keys(), verification_keys()}) {
+                             soil_law_keys(), region_keys(), boundary_keys(), initial_keys(), motion_keys(),
+                             run_keys(), figure_keys(), verification_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
     return keys;

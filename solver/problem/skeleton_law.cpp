@@ -1,6 +1,62 @@
 #include "solver/problem/skeleton_law.hpp"
 
+#include "solver/base/failure.hpp"
+
+#include <utility>
+
 namespace quicksand {
+
+namespace {
+
+template <std::size_t... Index>
+std::vector<SkeletonLaw> named_laws(std::index_sequence<Index...>)
+{
+    std::vector<SkeletonLaw> laws;
+    const auto add = [&](const auto& law) {
+        if (!name_of(law).empty()) laws.emplace_back(law);
+    };
+    (add(std::variant_alternative_t<Index, SkeletonLaw>()), ...);
+    return laws;
+}
+
+} // namespace
+
+std::vector<SkeletonLaw> laws_of_scenes()
+{
+    return named_laws(std::make_index_sequence<std::variant_size_v<SkeletonLaw>>());
+}
+
+void set_value(SkeletonLaw& law, std::size_t key, double value)
+{
+    std::visit(
+        [&](auto& any) {
+            const auto keys = keys_of(std::as_const(any));
+            ENSURE(key < keys.size());
+            any.*keys[key].member = keys[key].factor * value;
+        },
+        law);
+}
+
+std::string_view name_of(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) { return name_of(any); }, law);
+}
+
+std::vector<LawKeyText> keys_of(const SkeletonLaw& law)
+{
+    std::vector<LawKeyText> texts;
+    std::visit(
+        [&](const auto& any) {
+            for (const auto& key : keys_of(any)) texts.push_back(key.text);
+        },
+        law);
+    return texts;
+}
+
+bool flows_at_constant_volume(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) { return flows_at_constant_volume(any); }, law);
+}
 
 LawMemory memory_of(const SkeletonLaw& law)
 {
@@ -26,6 +82,11 @@ SkeletonLaw settling_form(const SkeletonLaw& law, double cell_weight)
 bool yields(const SkeletonLaw& law)
 {
     return std::visit([](const auto& any) { return yields(any); }, law);
+}
+
+bool bears_stress_as_drawn(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) { return bears_stress_as_drawn(any); }, law);
 }
 
 bool has_strength(const SkeletonLaw& law)

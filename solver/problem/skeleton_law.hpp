@@ -9,19 +9,32 @@
 #include "solver/ubcsand/settling_sand.hpp"
 #include "solver/ubcsand/ubcsand_particles.hpp"
 
+#include <cstddef>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 namespace quicksand {
 
-using SkeletonLaw = std::variant<LinearElastic, NeoHookean, MohrCoulomb, UbcSand, SettlingSand>;
+using SkeletonLaw = std::variant<LinearElastic, MohrCoulomb, UbcSand, NeoHookean, SettlingSand>;
+
+/// One of every law that users can choose.
+std::vector<SkeletonLaw> laws_of_scenes();
+
+/// Put a number, in the unit of the law's key `key`, into the law.
+void set_value(SkeletonLaw& law, std::size_t key, double value);
 
 // The functions of law_interface.hpp for whichever law it is.
+std::string_view name_of(const SkeletonLaw& law);
+std::vector<LawKeyText> keys_of(const SkeletonLaw& law);
+bool flows_at_constant_volume(const SkeletonLaw& law);
 LawMemory memory_of(const SkeletonLaw& law);
 std::size_t start_memory(const SkeletonLaw& law, std::size_t first, std::size_t last, Particles& particles);
 std::size_t count_at_failure(const SkeletonLaw& law, std::size_t first, std::size_t last,
                              const Particles& particles);
 SkeletonLaw settling_form(const SkeletonLaw& law, double cell_weight);
 bool yields(const SkeletonLaw& law);
+bool bears_stress_as_drawn(const SkeletonLaw& law);
 bool has_strength(const SkeletonLaw& law);
 SkeletonLaw reduced(const SkeletonLaw& law, double factor);
 void hold_water(SkeletonLaw& law, double dry_share);

@@ -5,10 +5,12 @@
 //   particle_moduli(law, first, last, particles)       their moduli, for waves
 //   constrained_modulus(law), shear_modulus(law)       where no particle is at hand [Pa]
 // and those here, which answer for the laws that do not give an answer of their own. A new law is a file pair
-// with these functions and a place in SkeletonLaw (skeleton_law.hpp).
+// with these functions and a place in SkeletonLaw (skeleton_law.hpp); scenes know it by its name and its
+// keys.
 #pragma once
 
 #include "solver/particles/particles.hpp"
+#include "solver/soil/law_key.hpp"
 
 #include <cstddef>
 #include <cstdint>
@@ -27,9 +29,10 @@ enum class Component : std::uint8_t {
 /// A number that a law remembers of every particle.
 struct MemoryNumber {
     std::string_view name; // "half_cycles"
-    std::string_view unit; // "" without
+    std::string_view unit; // "-" without one
     std::string_view meaning;
     Component component = Component::scalar;
+    bool shown = false; // in results; others serve the law alone
 };
 using LawMemory = std::span<const MemoryNumber>; // in the order of the columns of Particles::memory
 
@@ -39,6 +42,28 @@ inline std::size_t column_of(LawMemory memory, std::string_view name)
     std::size_t column = 0;
     while (column < memory.size() && memory[column].name != name) ++column;
     return column;
+}
+
+/// The word for the law in scenes; "" for one that users do not choose.
+template <class Law>
+std::string_view name_of(const Law&)
+{
+    return "";
+}
+
+/// The parameters that users give; none where a reader of its own makes the law.
+template <class Law>
+std::span<const LawKey<Law>> keys_of(const Law&)
+{
+    return {};
+}
+
+/// Whether the soil flows at constant volume: its strain is then best averaged over the cell, which keeps it
+/// free of locking.
+template <class Law>
+bool flows_at_constant_volume(const Law&)
+{
+    return false;
 }
 
 /// What the law remembers while the soil is shaken.
@@ -73,6 +98,14 @@ Law settling_form(const Law& law, double)
 /// Whether the soil flows at a strength: its stress then hangs on the path, not on the shape.
 template <class Law>
 bool yields(const Law&)
+{
+    return true;
+}
+
+/// Whether the soil bears a stress in the shape as drawn; else its stress is that of its shape alone, and
+/// every new reference takes it away.
+template <class Law>
+bool bears_stress_as_drawn(const Law&)
 {
     return true;
 }

@@ -1,6 +1,9 @@
 #include "solver/soil/linear_elastic.hpp"
 
 #include "solver/base/lanes.hpp"
+#include "solver/soil/elastic_keys.hpp"
+
+#include <array>
 
 namespace quicksand {
 
@@ -41,6 +44,15 @@ void update_stress(const LinearElastic& law, double dt, std::size_t first, std::
         stress.zz[p] += volumetric;
         stress.xy[p] += G * dt * (L.xy[p] + L.yx[p]);
     }
+}
+
+std::span<const LawKey<LinearElastic>> keys_of(const LinearElastic&)
+{
+    static constexpr std::array<LawKey<LinearElastic>, 2> keys = {{
+        {shear_modulus_key, &LinearElastic::shear_modulus},
+        {poisson_ratio_key, &LinearElastic::poisson_ratio},
+    }};
+    return keys;
 }
 
 } // namespace quicksand

@@ -4,8 +4,11 @@
 
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
+#include "solver/soil/law_key.hpp"
 
 #include <cstddef>
+#include <span>
+#include <string_view>
 
 namespace quicksand {
 
@@ -30,6 +33,13 @@ ParticleModuli particle_moduli(const LinearElastic& law, std::size_t first, std:
 /// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
 void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles);
+
+inline std::string_view name_of(const LinearElastic&)
+{
+    return "linear_elastic";
+}
+
+std::span<const LawKey<LinearElastic>> keys_of(const LinearElastic& law);
 
 inline bool yields(const LinearElastic&)
 {

@@ -1,9 +1,12 @@
 #include "solver/soil/mohr_coulomb_parameters.hpp"
 
+#include "solver/soil/elastic_keys.hpp"
 #include "solver/soil/linear_elastic.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace quicksand {
 
@@ -36,6 +39,46 @@ double constrained_modulus(const MohrCoulomb& law)
 double shear_modulus(const MohrCoulomb& law)
 {
     return law.shear_modulus;
+}
+
+std::span<const LawKey<MohrCoulomb>> keys_of(const MohrCoulomb&)
+{
+    constexpr double radians = std::numbers::pi / 180.0; // per degree
+    constexpr Interval angles = {.lower = 0.0, .upper = 90.0, .upper_open = true};
+    static constexpr std::array<LawKey<MohrCoulomb>, 6> keys = {{
+        {shear_modulus_key, &MohrCoulomb::shear_modulus},
+        {poisson_ratio_key, &MohrCoulomb::poisson_ratio},
+        {{.name = "cohesion",
+          .unit = "Pa",
+          .meaning = "Effective cohesion c; with friction_angle = 0 the undrained strength.",
+          .allowed = {.lower = 0.0},
+          .usual = {0.0, 1e6},
+          .standard = 0.0},
+         &MohrCoulomb::cohesion},
+        {{.name = "friction_angle",
+          .unit = "deg",
+          .meaning = "Effective angle of friction phi.",
+          .allowed = angles,
+          .usual = {0.0, 50.0}},
+         &MohrCoulomb::friction_angle,
+         radians},
+        {{.name = "dilation_angle",
+          .unit = "deg",
+          .meaning = "Angle of dilation psi, at most the angle of friction; 0 flows at constant volume.",
+          .allowed = angles,
+          .usual = {0.0, 20.0},
+          .standard = 0.0},
+         &MohrCoulomb::dilation_angle,
+         radians},
+        {{.name = "tension_strength",
+          .unit = "Pa",
+          .meaning = "Largest tension the soil bears; 0 for soil that cracks.",
+          .allowed = {.lower = 0.0},
+          .usual = {0.0, 1e6},
+          .absent = "the tip of the surface, cohesion / tan(friction_angle)"},
+         &MohrCoulomb::tension_strength},
+    }};
+    return keys;
 }
 
 } // namespace quicksand

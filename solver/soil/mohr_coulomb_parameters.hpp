@@ -1,7 +1,11 @@
 // Strength and stiffness of a Mohr-Coulomb soil.
 #pragma once
 
+#include "solver/soil/law_key.hpp"
+
 #include <limits>
+#include <span>
+#include <string_view>
 
 namespace quicksand {
 
@@ -21,6 +25,18 @@ double surface_tip(const MohrCoulomb& law);
 /// The law with cohesion and tan(friction) divided by `factor`, and what has to follow: the dilation angle is
 /// at most the friction angle. The tension strength is cohesion's kin and is divided, too.
 MohrCoulomb reduced(const MohrCoulomb& law, double factor);
+
+inline std::string_view name_of(const MohrCoulomb&)
+{
+    return "mohr_coulomb";
+}
+
+std::span<const LawKey<MohrCoulomb>> keys_of(const MohrCoulomb& law);
+
+inline bool flows_at_constant_volume(const MohrCoulomb&)
+{
+    return true;
+}
 
 inline bool has_strength(const MohrCoulomb&)
 {

@@ -1,9 +1,11 @@
 #include "solver/soil/neo_hookean.hpp"
 
+#include "solver/soil/elastic_keys.hpp"
 #include "solver/soil/linear_elastic.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace quicksand {
@@ -58,6 +60,15 @@ void update_stress(const NeoHookean& law, double, std::size_t first, std::size_t
         particles.stress.zz[p] = volumetric / J;
         particles.stress.xy[p] = mu * B(0, 1) / J;
     }
+}
+
+std::span<const LawKey<NeoHookean>> keys_of(const NeoHookean&)
+{
+    static constexpr std::array<LawKey<NeoHookean>, 2> keys = {{
+        {shear_modulus_key, &NeoHookean::shear_modulus},
+        {poisson_ratio_key, &NeoHookean::poisson_ratio},
+    }};
+    return keys;
 }
 
 } // namespace quicksand

@@ -6,8 +6,11 @@
 
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
+#include "solver/soil/law_key.hpp"
 
 #include <cstddef>
+#include <span>
+#include <string_view>
 
 namespace quicksand {
 
@@ -28,7 +31,19 @@ ParticleModuli particle_moduli(const NeoHookean& law, std::size_t first, std::si
 void update_stress(const NeoHookean& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles);
 
+inline std::string_view name_of(const NeoHookean&)
+{
+    return "neo_hookean";
+}
+
+std::span<const LawKey<NeoHookean>> keys_of(const NeoHookean& law);
+
 inline bool yields(const NeoHookean&)
+{
+    return false;
+}
+
+inline bool bears_stress_as_drawn(const NeoHookean&)
 {
     return false;
 }

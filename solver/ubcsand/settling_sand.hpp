@@ -14,6 +14,7 @@
 #include "solver/ubcsand/ubcsand.hpp"
 
 #include <cstddef>
+#include <string_view>
 
 namespace quicksand {
 
@@ -28,6 +29,11 @@ SettlingSand reduced(const SettlingSand& law, double factor);
 inline bool has_strength(const SettlingSand&)
 {
     return true;
+}
+
+inline std::string_view name_of(const UbcSand&)
+{
+    return "ubcsand";
 }
 
 /// UBCSAND while it settles, and its strength, which is reduced in this form.

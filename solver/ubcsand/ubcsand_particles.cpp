@@ -11,21 +11,22 @@ namespace quicksand {
 namespace {
 
 constexpr std::array<MemoryNumber, 15> memory = {{
-    {"eta_max", "", "largest stress ratio so far"},
-    {"branch", "", "0 just reversed, 0.5 strain too, 1 far from there, 1.5 in a ripple, 2 loading"},
-    {"peak_x", "", "stress ratio where the stress last turned, (sigma_x - sigma_y)/2 over s", Component::x},
-    {"peak_y", "", "the same, tau_xy over s", Component::y},
-    {"origin_x", "", "stress ratio at the last turn that was no ripple's", Component::x},
-    {"origin_y", "", "the same, tau_xy over s", Component::y},
-    {"leg_x", "", "strain from where it last turned to its farthest point, eps_x - eps_y", Component::x},
-    {"leg_y", "", "the same, gamma_xy", Component::y},
-    {"back_x", "", "strain back from the farthest point, eps_x - eps_y", Component::x},
-    {"back_y", "", "the same, gamma_xy", Component::y},
-    {"last_leg", "", "length of the leg before, squared"},
-    {"waiting", "", "1 a reversal of the strain for loading, -1 loading for a reversal, 0 none"},
-    {"half_cycles", "", "reversals that were followed by loading"},
-    {"dilation", "", "plastic shear strain in dilation"},
-    {"active_dilation", "", "its value at the last counted half cycle"},
+    {"eta_max", "-", "largest stress ratio so far", Component::scalar, true},
+    {"branch", "-", "0 just reversed, 0.5 strain too, 1 far from there, 1.5 in a ripple, 2 loading",
+     Component::scalar, true},
+    {"peak_x", "-", "stress ratio where the stress last turned, (sigma_x - sigma_y)/2 over s", Component::x},
+    {"peak_y", "-", "the same, tau_xy over s", Component::y},
+    {"origin_x", "-", "stress ratio at the last turn that was no ripple's", Component::x},
+    {"origin_y", "-", "the same, tau_xy over s", Component::y},
+    {"leg_x", "-", "strain from where it last turned to its farthest point, eps_x - eps_y", Component::x},
+    {"leg_y", "-", "the same, gamma_xy", Component::y},
+    {"back_x", "-", "strain back from the farthest point, eps_x - eps_y", Component::x},
+    {"back_y", "-", "the same, gamma_xy", Component::y},
+    {"last_leg", "-", "length of the leg before, squared"},
+    {"waiting", "-", "1 a reversal of the strain for loading, -1 loading for a reversal, 0 none"},
+    {"half_cycles", "-", "reversals that were followed by loading", Component::scalar, true},
+    {"dilation", "-", "plastic shear strain in dilation", Component::scalar, true},
+    {"active_dilation", "-", "its value at the last counted half cycle"},
 }};
 
 UbcSandState at_one_atmosphere()

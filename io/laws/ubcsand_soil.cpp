@@ -1,7 +1,9 @@
-#include "io/tables/scene_ubcsand.hpp"
+#include "io/laws/ubcsand_soil.hpp"
 
-#include "io/tables/ubcsand_keys.hpp"
+#include "solver/element/cyclic_laboratory.hpp"
 #include "solver/ubcsand/ubcsand.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +12,11 @@
 namespace quicksand {
 
 namespace {
+
+std::string three_digits(double number)
+{
+    return fmt::format("{:.3g}", number);
+}
 
 /// K0 outside ((1 - sin phi_f)/(1 + sin phi_f), its inverse) is a stress that sand without cohesion cannot
 /// bear.
@@ -77,22 +84,36 @@ void bound_volumes(const NamedTable& table, double grain_density, SceneValues& v
 
 } // namespace
 
-void read_ubcsand_materials(SceneValues& values, Scene& scene, Diagnostics& findings)
+SkeletonLaw read_ubcsand(const LawSource& source)
 {
-    for (SceneMaterial& material : scene.materials) {
-        const NamedTable table = {material.material.name, join_path({"materials", material.material.name}),
-                                  material.place};
-        if (values.text(table.path + ".model") != "ubcsand") continue;
-        UbcSandParameters parameters = resolve_ubcsand(table, values, findings);
-        parameters.static_poisson_ratio = values.number(table.path + ".static_poisson_ratio");
-        parameters.integration = UbcSandRunSettings().integration;
-        parameters.ripple_strain = values.number(table.path + ".ripple_strain");
-        parameters.resolved_floors = values.number(table.path + ".resolved_floors");
-        bound_volumes(table, material.material.grain_density, values, parameters, findings);
-        check_k0(values, table, parameters, findings);
-        material.ubcsand = parameters;
-        if (!findings.has_errors()) material.material.law = make_ubcsand(parameters);
-    }
+    SceneValues& values = source.values;
+    const NamedTable& table = source.table;
+    UbcSandParameters parameters = resolve_ubcsand(table, values, source.findings);
+    parameters.static_poisson_ratio = values.number(table.path + ".static_poisson_ratio");
+    parameters.integration = UbcSandRunSettings().integration;
+    parameters.ripple_strain = values.number(table.path + ".ripple_strain");
+    parameters.resolved_floors = values.number(table.path + ".resolved_floors");
+    bound_volumes(table, source.material.grain_density, values, parameters, source.findings);
+    check_k0(values, table, parameters, source.findings);
+    return source.findings.has_errors() ? UbcSand() : make_ubcsand(parameters);
+}
+
+std::string describe_ubcsand(const Material& material, double k0)
+{
+    const auto& law = std::get<UbcSand>(material.law);
+    const double sine = law.eta_f, least_k0 = (1.0 - sine) / (1.0 + sine);
+    std::string text =
+        fmt::format("  {:<16}shear modulus {} MPa, drained bulk modulus {} MPa at 100 kPa\n", material.name,
+                    three_digits(1e-6 * shear_modulus(law)), three_digits(1e-6 * law.B_atm));
+    text += fmt::format("  {:<16}bears K0 from {} to {}; settles to K0 = {} below level ground\n", "",
+                        three_digits(least_k0), three_digits(1.0 / least_k0),
+                        three_digits(law.static_poisson / (1.0 - law.static_poisson)));
+    const auto csr = csr_to_ru_95(law, {atmospheric_pressure, k0, 0.0}, 15.0);
+    const std::string strength =
+        csr ? "in 15 cycles of simple shear at a stress ratio of " + three_digits(*csr)
+            : std::string("at no stress ratio from 0.01 to 2 in 15 cycles of simple shear");
+    return text + fmt::format("  {:<16}liquefies (ru = 0.95) {}, at 100 kPa and K0 = {}\n", "", strength,
+                              three_digits(k0));
 }
 
 } // namespace quicksand

@@ -1,4 +1,4 @@
-#include "io/tables/ubcsand_keys.hpp"
+#include "io/laws/ubcsand_keys.hpp"
 
 #include "solver/base/failure.hpp"
 
@@ -11,7 +11,6 @@ namespace quicksand {
 
 namespace {
 
-const Condition ubcsand_only{"model", {"ubcsand"}};
 constexpr Interval positive{.lower = 0.0, .lower_open = true};
 constexpr Interval not_negative{.lower = 0.0};
 constexpr Interval exponent{.lower = 0.0, .upper = 1.0};
@@ -93,14 +92,14 @@ std::vector<SceneKey> density_keys_of_sand()
 {
     return {
         {.pattern = "materials.*.n1_60", .default_note = "one of n1_60, relative_density, preset is required",
-         .allowed = {.lower = 0.0, .upper = 50.0, .lower_open = true}, .plausible = {3.0, 35.0}, .when = ubcsand_only,
+         .allowed = {.lower = 0.0, .upper = 50.0, .lower_open = true}, .plausible = {3.0, 35.0},
          .doc = "Clean-sand blow count (N1)60; gives the generic set of Beaty and Byrne (2011)."},
         {.pattern = "materials.*.relative_density", .default_note = "one of n1_60, relative_density, preset is required",
-         .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true}, .plausible = {0.25, 0.9}, .when = ubcsand_only,
+         .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true}, .plausible = {0.25, 0.9},
          .doc = "Relative density Dr; gives (N1)60 = 46 Dr^2 (Idriss and Boulanger 2008)."},
         {.pattern = "materials.*.preset", .type = ValueType::word,
          .default_note = "one of n1_60, relative_density, preset is required",
-         .words = {"nevada_sand_dr55"}, .when = ubcsand_only,
+         .words = {"nevada_sand_dr55"},
          .doc = "A named sand: Nevada sand at Dr = 55 %, (N1)60 = 13.915."},
     };
 }
@@ -111,21 +110,21 @@ std::vector<SceneKey> stiffness_keys()
     const UbcSandParameters m;
     return {
         {.pattern = "materials.*.elastic_shear_number", .default_note = "434 (N1)60^(1/3)", .allowed = positive,
-         .plausible = {100.0, 5000.0}, .when = ubcsand_only,
+         .plausible = {100.0, 5000.0},
          .doc = "K_G^e: G = K_G^e Pa (s/Pa)^ne, s the in-plane mean effective stress [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.elastic_bulk_number", .default_note = "0.7 elastic_shear_number", .allowed = positive,
-         .plausible = {50.0, 5000.0}, .caution = "this is the drained stiffness, not the pore water's", .when = ubcsand_only,
+         .plausible = {50.0, 5000.0}, .caution = "this is the drained stiffness, not the pore water's",
          .doc = "K_B^e: drained bulk modulus B = K_B^e Pa (s/Pa)^me [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.elastic_shear_exponent", .default_value = m.elastic_shear_exponent, .allowed = exponent,
-         .plausible = {0.3, 0.7}, .when = ubcsand_only, .doc = "ne [Beaty and Byrne 2011]."},
+         .plausible = {0.3, 0.7}, .doc = "ne [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.elastic_bulk_exponent", .default_value = m.elastic_bulk_exponent, .allowed = exponent,
-         .plausible = {0.3, 0.7}, .when = ubcsand_only, .doc = "me [Beaty and Byrne 2011]."},
+         .plausible = {0.3, 0.7}, .doc = "me [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.plastic_shear_number",
          .default_note = "0.003 elastic_shear_number (N1)60^2 + 100", .allowed = positive,
-         .plausible = {50.0, 20000.0}, .when = ubcsand_only,
+         .plausible = {50.0, 20000.0},
          .doc = "K_G^p: plastic modulus K_G^p Pa (s/Pa)^np (1 - R_f eta/eta_f)^2 [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.plastic_shear_exponent", .default_value = m.plastic_shear_exponent, .allowed = exponent,
-         .plausible = {0.2, 0.7}, .when = ubcsand_only, .doc = "np [Beaty and Byrne 2011]."},
+         .plausible = {0.2, 0.7}, .doc = "np [Beaty and Byrne 2011]."},
     };
 }
 
@@ -135,16 +134,16 @@ std::vector<SceneKey> strength_keys()
     const UbcSandParameters m;
     return {
         {.pattern = "materials.*.failure_ratio", .default_note = "1.1 (N1)60^-0.15, at most 0.99",
-         .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.5, 0.99}, .when = ubcsand_only,
+         .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.5, 0.99},
          .doc = "R_f: stress ratio at failure over that of the hyperbola's asymptote [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.constant_volume_friction_deg", .default_value = m.constant_volume_friction_deg,
-         .allowed = friction, .plausible = {25.0, 38.0}, .when = ubcsand_only,
+         .allowed = friction, .plausible = {25.0, 38.0},
          .doc = "phi_cv in degrees: below its sine the sand contracts, above it dilates [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.peak_friction_deg",
          .default_note = "phi_cv + (N1)60/10 + max(0, ((N1)60 - 15)/5)", .allowed = friction,
-         .plausible = {28.0, 48.0}, .when = ubcsand_only, .doc = "phi_f in degrees, the failure limit [Beaty and Byrne 2011]."},
+         .plausible = {28.0, 48.0}, .doc = "phi_f in degrees, the failure limit [Beaty and Byrne 2011]."},
         {.pattern = "materials.*.cohesion", .dimension = Dimension::pressure, .default_value = m.cohesion,
-         .allowed = not_negative, .plausible = {0.0, 1e5}, .when = ubcsand_only, .doc = "c of the failure limit."},
+         .allowed = not_negative, .plausible = {0.0, 1e5}, .doc = "c of the failure limit."},
     };
 }
 
@@ -154,22 +153,22 @@ std::vector<SceneKey> memory_keys()
     const UbcSandParameters m;
     return {
         {.pattern = "materials.*.virgin_factor", .default_value = m.virgin_factor, .allowed = positive,
-         .plausible = {0.2, 5.0}, .when = ubcsand_only, .doc = "h1 on the plastic modulus, in all loading."},
+         .plausible = {0.2, 5.0}, .doc = "h1 on the plastic modulus, in all loading."},
         {.pattern = "materials.*.secondary_factor", .default_value = m.secondary_factor, .allowed = positive,
-         .plausible = {0.1, 5.0}, .when = ubcsand_only,
+         .plausible = {0.1, 5.0},
          .doc = "h2 in h1 h2 (s0 + s1 n) below the largest ratio so far; calibrated to the triggering curve."},
         {.pattern = "materials.*.secondary_start", .default_value = m.secondary_start, .allowed = positive,
-         .plausible = {1.0, 10.0}, .when = ubcsand_only, .doc = "s0, the stiffening of the first reloading."},
+         .plausible = {1.0, 10.0}, .doc = "s0, the stiffening of the first reloading."},
         {.pattern = "materials.*.secondary_growth", .default_value = m.secondary_growth, .allowed = not_negative,
-         .plausible = {0.0, 2.0}, .when = ubcsand_only,
+         .plausible = {0.0, 2.0},
          .doc = "s1, its growth per half cycle n; larger makes the cyclic strength curve flatter."},
         {.pattern = "materials.*.reversal_tolerance", .default_value = m.reversal_tolerance, .allowed = not_negative,
-         .plausible = {0.0, 0.1}, .when = ubcsand_only, .doc = "Smallest change of the stress ratio that is a reversal; below it reloading is elastic."},
+         .plausible = {0.0, 0.1}, .doc = "Smallest change of the stress ratio that is a reversal; below it reloading is elastic."},
         {.pattern = "materials.*.dilation_softening", .default_value = m.dilation_softening, .allowed = not_negative,
-         .plausible = {0.0, 5000.0}, .when = ubcsand_only,
+         .plausible = {0.0, 5000.0},
          .doc = "The plastic modulus falls by exp(-dilation_softening times shear strain in dilation)."},
         {.pattern = "materials.*.softened_factor", .default_value = m.softened_factor, .allowed = positive,
-         .plausible = {0.005, 1.0}, .when = ubcsand_only,
+         .plausible = {0.005, 1.0},
          .doc = "Least factor after dilation; 1 is no softening, and such a sand never reaches ru = 1."},
     };
 }
@@ -180,12 +179,37 @@ std::vector<SceneKey> substep_keys()
     const UbcSandParameters m;
     return {
         {.pattern = "materials.*.largest_ratio_step", .default_value = m.largest_ratio_step, .allowed = positive,
-         .plausible = {0.0005, 0.2}, .when = ubcsand_only, .doc = "Elastic change of the stress ratio in a substep."},
+         .plausible = {0.0005, 0.2}, .doc = "Elastic change of the stress ratio in a substep."},
         {.pattern = "materials.*.largest_stress_step", .default_value = m.largest_stress_step, .allowed = positive,
-         .plausible = {0.001, 0.2}, .when = ubcsand_only, .doc = "Relative elastic change of the mean stress in a substep."},
+         .plausible = {0.001, 0.2}, .doc = "Relative elastic change of the mean stress in a substep."},
         {.pattern = "materials.*.stress_floor", .dimension = Dimension::pressure, .default_value = m.stress_floor,
-         .allowed = positive, .plausible = {10.0, 5000.0}, .when = ubcsand_only,
+         .allowed = positive, .plausible = {10.0, 5000.0},
          .doc = "Least in-plane mean effective stress, of liquefied sand."},
+    };
+}
+
+/// What runs need besides the parameters.
+std::vector<SceneKey> sand_run_keys()
+{
+    return {
+        {.pattern = "materials.*.static_poisson_ratio",
+         .default_value = UbcSandParameters().static_poisson_ratio,
+         .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.2, 0.45},
+         .doc = "Poisson's ratio in the relaxation; level ground settles to K0 = nu / (1 - nu), 1/3 to 0.5."},
+        {.pattern = "materials.*.ripple_strain", .default_value = UbcSandRunSettings().ripple_strain,
+         .allowed = not_negative, .plausible = {0.0, 3e-4},
+         .doc = "Reversals of less shear strain are ripples of the run, no half cycles; below it sand keeps its "
+                "volume [Dobry et al. 1982]."},
+        {.pattern = "materials.*.largest_porosity", .default_note = "e_max = e + 0.376 relative_density",
+         .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true}, .plausible = {0.38, 0.6},
+         .doc = "Porosity of the loosest sand, which no longer dilates; once its grains have parted it bears nothing "
+                "until they touch again."},
+        {.pattern = "materials.*.smallest_porosity", .default_note = "e_min = e - 0.376 (1 - relative_density)",
+         .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.2, 0.45},
+         .doc = "Porosity of the densest sand, which no longer contracts."},
+        {.pattern = "materials.*.resolved_floors", .default_value = UbcSandRunSettings().resolved_floors,
+         .allowed = not_negative, .plausible = {0.0, 40.0},
+         .doc = "Below this multiple of stress_floor substeps are as long as there, which speeds liquefied sand up."},
     };
 }
 
@@ -199,6 +223,20 @@ std::vector<SceneKey> ubcsand_keys()
     for (const auto& part :
          {density_keys_of_sand(), stiffness_keys(), strength_keys(), memory_keys(), substep_keys()})
         keys.insert(keys.end(), part.begin(), part.end());
+    return keys;
+}
+
+std::vector<SceneKey> ubcsand_scene_keys()
+{
+    std::vector<SceneKey> keys = ubcsand_keys();
+    for (SceneKey& key : keys) {
+        if (last_part(key.pattern) == "largest_ratio_step")
+            key.default_value = UbcSandRunSettings().largest_ratio_step;
+        if (last_part(key.pattern) == "largest_stress_step")
+            key.default_value = UbcSandRunSettings().largest_stress_step;
+    }
+    const std::vector<SceneKey> of_runs = sand_run_keys();
+    keys.insert(keys.end(), of_runs.begin(), of_runs.end());
     return keys;
 }
 

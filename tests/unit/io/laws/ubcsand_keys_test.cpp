@@ -1,4 +1,4 @@
-#include "io/tables/ubcsand_keys.hpp"
+#include "io/laws/ubcsand_keys.hpp"
 
 #include <gtest/gtest.h>
 

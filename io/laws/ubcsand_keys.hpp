@@ -1,4 +1,4 @@
-// The keys of a material with model = "ubcsand", the same in scenes and element tests.
+// The keys of a material with model = "ubcsand" in scenes and element tests.
 #pragma once
 
 #include "io/keys/scene_check.hpp"
@@ -9,8 +9,12 @@
 
 namespace quicksand {
 
-/// The rows of the key table below [materials.NAME], which has the key `model`.
+/// The rows of the key table below [materials.NAME]: the parameters of the law, with the substeps of element
+/// tests.
 std::vector<SceneKey> ubcsand_keys();
+
+/// The same with the substeps of runs, and what runs need besides.
+std::vector<SceneKey> ubcsand_scene_keys();
 
 /// The parameters of a material. One of n1_60, relative_density and preset gives the generic set, in which
 /// the keys given replace their value; what the set derives from K_G^e and phi_cv follows those given. The

@@ -1,0 +1,160 @@
+#include "io/laws/soil_laws.hpp"
+
+#include "io/laws/mohr_coulomb_soil.hpp"
+#include "io/laws/ubcsand_soil.hpp"
+#include "solver/base/failure.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <deque>
+#include <string>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+/// "linear_elastic, mohr_coulomb or ubcsand"
+std::string laws_that_settle()
+{
+    std::vector<std::string_view> words;
+    for (const SoilLaw& law : soil_laws())
+        if (bears_stress_as_drawn(law.form)) words.push_back(law.word);
+    const std::string_view last = words.back();
+    words.pop_back();
+    return fmt::format("{} or {}", fmt::join(words, ", "), last);
+}
+
+/// The settled stress would be gone with the reference that the shaking starts from.
+void refuse_settling(const LawSource& source)
+{
+    const std::string& path = source.table.path;
+    source.findings.add(error_at(source.values.place(path + ".model"), "conflict",
+                                 path + ".model = \"" + source.values.text(path + ".model") +
+                                     "\" cannot settle in [relaxation]: its stress is that of its shape, and "
+                                     "the shaking starts from the settled shape without any",
+                                 laws_that_settle() + " beside [relaxation]",
+                                 "remove [relaxation]: gravity is then switched on at once"));
+}
+
+/// The dimension of a law's unit, which is an SI unit or the degree.
+Dimension dimension_of(std::string_view unit)
+{
+    using enum Dimension;
+    for (const Dimension dimension :
+         {length, time, frequency, acceleration, velocity, density, pressure, angle})
+        if (si_symbol(dimension) == unit) return dimension;
+    ENSURE(unit == "-");
+    return none;
+}
+
+std::vector<SceneKey> rows_of(const SkeletonLaw& law)
+{
+    static std::deque<std::string> patterns; // that the rows look at
+    std::vector<SceneKey> rows;
+    for (const LawKeyText& key : keys_of(law)) {
+        SceneKey row;
+        row.pattern = patterns.emplace_back("materials.*." + std::string(key.name));
+        row.dimension = dimension_of(key.unit);
+        row.required = !key.standard && key.absent.empty();
+        if (key.standard) row.default_value = *key.standard;
+        row.default_note = key.absent;
+        row.allowed = key.allowed;
+        row.plausible = key.usual;
+        row.doc = key.meaning;
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+/// The laws that do not leave all to their keys.
+std::vector<SoilLaw> particular_laws()
+{
+    return {
+        {.form = MohrCoulomb(), .check = check_mohr_coulomb},
+        {.form = UbcSand(), .keys = ubcsand_scene_keys(), .read = read_ubcsand, .describe = describe_ubcsand},
+    };
+}
+
+std::vector<SoilLaw> list_laws()
+{
+    std::vector<SoilLaw> laws;
+    for (const SkeletonLaw& form : laws_of_scenes()) {
+        SoilLaw law{.form = form};
+        for (const SoilLaw& particular : particular_laws())
+            if (particular.form.index() == form.index()) law = particular;
+        law.word = name_of(form);
+        if (law.keys.empty()) law.keys = rows_of(form);
+        laws.push_back(std::move(law));
+    }
+    return laws;
+}
+
+/// The law whose members are filled by its keys.
+SkeletonLaw read_keys(const SoilLaw& law, const LawSource& source)
+{
+    SkeletonLaw result = law.form;
+    for (std::size_t k = 0; k < law.keys.size(); ++k) {
+        const std::string path = source.table.path + "." + std::string(last_part(law.keys[k].pattern));
+        if (const auto value = source.values.find<double>(path)) set_value(result, k, *value);
+    }
+    return result;
+}
+
+} // namespace
+
+std::span<const SoilLaw> soil_laws()
+{
+    static const std::vector<SoilLaw> laws = list_laws();
+    return laws;
+}
+
+std::vector<SceneKey> soil_law_keys()
+{
+    std::vector<SceneKey> keys;
+    for (const SoilLaw& law : soil_laws()) {
+        for (SceneKey key : law.keys) {
+            const auto known = std::find_if(keys.begin(), keys.end(), [&](const SceneKey& other) {
+                return other.pattern == key.pattern;
+            });
+            if (known == keys.end()) {
+                key.when = {"model", {law.word}};
+                keys.push_back(std::move(key));
+                continue;
+            }
+            ENSURE(known->type == key.type && known->dimension == key.dimension &&
+                   known->required == key.required);
+            known->when.words.push_back(law.word);
+        }
+    }
+    return keys;
+}
+
+const SoilLaw& soil_law(std::string_view word)
+{
+    const auto laws = soil_laws();
+    const auto found =
+        std::find_if(laws.begin(), laws.end(), [&](const SoilLaw& law) { return law.word == word; });
+    return found == laws.end() ? laws.front() : *found;
+}
+
+const SoilLaw& soil_law(const SkeletonLaw& form)
+{
+    const auto laws = soil_laws();
+    const auto found = std::find_if(laws.begin(), laws.end(),
+                                    [&](const SoilLaw& law) { return law.form.index() == form.index(); });
+    ENSURE(found != laws.end());
+    return *found;
+}
+
+SkeletonLaw read_soil_law(const LawSource& source)
+{
+    const SoilLaw& law = soil_law(source.values.text(source.table.path + ".model"));
+    if (!bears_stress_as_drawn(law.form) && source.values.has_table("relaxation")) refuse_settling(source);
+    if (law.check != nullptr) law.check(source);
+    return law.read != nullptr ? law.read(source) : read_keys(law, source);
+}
+
+} // namespace quicksand

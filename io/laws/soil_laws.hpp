@@ -1,0 +1,26 @@
+// The soil laws as scenes name them, one row each. A law is a file pair here and one below solver/soil.
+#pragma once
+
+#include "io/laws/soil_law.hpp"
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace quicksand {
+
+std::span<const SoilLaw> soil_laws();
+
+/// The rows of all laws, each with its condition; a key that several laws have is one row.
+std::vector<SceneKey> soil_law_keys();
+
+/// The law of materials.*.model = `word`; the first one for an unknown word, which has been reported.
+const SoilLaw& soil_law(std::string_view word);
+
+/// Read the law of a material. Reports, beside what the law does, a soil that cannot settle where it is to.
+SkeletonLaw read_soil_law(const LawSource& source);
+
+/// The law of that form.
+const SoilLaw& soil_law(const SkeletonLaw& form);
+
+} // namespace quicksand

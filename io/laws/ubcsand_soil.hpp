@@ -1,0 +1,16 @@
+// Sand of the law UBCSAND in a scene.
+#pragma once
+
+#include "io/laws/soil_law.hpp"
+#include "io/laws/ubcsand_keys.hpp"
+
+namespace quicksand {
+
+/// The resolved keys get the numbers of the generic set. What is wrong is reported, also an initial stress
+/// beyond the failure limit.
+SkeletonLaw read_ubcsand(const LawSource& source);
+
+/// Moduli, the stresses it bears and its cyclic strength.
+std::string describe_ubcsand(const Material& material, double k0);
+
+} // namespace quicksand
