@@ -128,7 +128,10 @@ void add_keys(CLI::App& program, Commands& commands)
         add_command<KeysChoice>(program, commands, "keys", "List the keys of a scene", list_keys);
     parser->add_option("PATTERN", choice->pattern, "Only keys that contain this text");
     parser->add_flag("--markdown", choice->markdown, "As the reference page");
-    parser->add_flag("--element", choice->of_element_tests, "The keys of element tests");
+    CLI::Option* element =
+        parser->add_flag("--element", choice->of_element_tests, "The keys of element tests");
+    parser->add_flag("--results", choice->of_results, "The quantities and files of results")
+        ->excludes(element);
 }
 
 void add_element(CLI::App& program, Commands& commands)

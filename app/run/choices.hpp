@@ -51,6 +51,7 @@ struct KeysChoice {
     std::string pattern; // part of a key, empty: all
     bool markdown = false;
     bool of_element_tests = false; // instead of a scene's
+    bool of_results = false;       // the quantities in results instead of keys
 };
 
 struct ElementChoice {

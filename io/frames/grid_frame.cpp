@@ -1,5 +1,7 @@
 #include "io/frames/grid_frame.hpp"
 
+#include "io/frames/frame_array.hpp"
+
 #include <array>
 #include <utility>
 
@@ -49,24 +51,24 @@ Renumbering add_cells(const BackgroundGrid& grid, const Scalars& volume, Frame& 
     return renumbering;
 }
 
-void add_scalar(std::string name, std::string unit, const Scalars& values,
-                const std::vector<std::size_t>& nodes, Frame& frame)
+/// The values of a quantity at the nodes that are used; vectors have z = 0.
+FrameArray array_of(const NodalField& field, const std::vector<std::size_t>& nodes)
 {
-    if (values.empty()) return;
-    std::vector<double> taken;
-    taken.reserve(nodes.size());
-    for (const std::size_t node : nodes) taken.push_back(values[node]);
-    frame.point_data.push_back({std::move(name), std::move(unit), {}, std::move(taken)});
+    FrameArray array = frame_array(*field.quantity);
+    const std::size_t width = array.component_count();
+    std::vector<double> taken(width * nodes.size(), 0.0);
+    for (std::size_t c = 0; c < field.components.size(); ++c)
+        for (std::size_t k = 0; k < nodes.size(); ++k) taken[width * k + c] = field.components[c][nodes[k]];
+    array.values = std::move(taken);
+    return array;
 }
 
-void add_vector(std::string name, std::string unit, const Vectors& values,
-                const std::vector<std::size_t>& nodes, Frame& frame)
+FrameArray volume_array(const Scalars& volume, const std::vector<std::size_t>& nodes)
 {
-    if (values.x.empty()) return;
     std::vector<double> taken;
-    taken.reserve(3 * nodes.size());
-    for (const std::size_t node : nodes) taken.insert(taken.end(), {values.x[node], values.y[node], 0.0});
-    frame.point_data.push_back({std::move(name), std::move(unit), {"X", "Y", "Z"}, std::move(taken)});
+    taken.reserve(nodes.size());
+    for (const std::size_t node : nodes) taken.push_back(volume[node]);
+    return {"soil_volume", "m3/m", {}, std::move(taken)};
 }
 
 } // namespace
@@ -81,17 +83,8 @@ Frame grid_frame(const Problem& problem, const NodalFields& fields, double time)
         frame.points.push_back(problem.grid.node_position(node));
         identifiers.push_back(static_cast<std::int32_t>(node));
     }
-    add_vector("displacement", "m", fields.displacement, nodes, frame);
-    add_vector("velocity_solid", "m/s", fields.velocity_solid, nodes, frame);
-    add_vector("velocity_fluid", "m/s", fields.velocity_fluid, nodes, frame);
-    add_scalar("pore_pressure", "Pa", fields.pore_pressure, nodes, frame);
-    add_scalar("excess_pore_pressure", "Pa", fields.excess_pore_pressure, nodes, frame);
-    add_scalar("ru", "-", fields.ru, nodes, frame);
-    add_scalar("mean_effective_stress", "Pa", fields.mean_effective_stress, nodes, frame);
-    add_scalar("vertical_effective_stress", "Pa", fields.vertical_effective_stress, nodes, frame);
-    add_scalar("shear_stress_xy", "Pa", fields.shear_stress_xy, nodes, frame);
-    add_scalar("porosity", "-", fields.porosity, nodes, frame);
-    add_scalar("soil_volume", "m3/m", fields.volume, nodes, frame);
+    for (const NodalField& field : fields.fields) frame.point_data.push_back(array_of(field, nodes));
+    frame.point_data.push_back(volume_array(fields.volume, nodes));
     frame.point_data.push_back({"node_id", "-", {}, std::move(identifiers)});
     return frame;
 }

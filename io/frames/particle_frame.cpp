@@ -1,86 +1,41 @@
 #include "io/frames/particle_frame.hpp"
 
-#include "io/frames/particle_quantities.hpp"
+#include "io/frames/frame_array.hpp"
 #include "solver/interpolation/cut_domains.hpp"
 
-#include <Eigen/LU>
+#include <limits>
+#include <string>
 #include <utility>
 
 namespace quicksand {
 
 namespace {
 
-/// Cell array of one value a particle; `value(p)` gives it.
-template <class Value>
-FrameArray scalar(std::string name, std::string unit, std::size_t count, Value&& value)
+/// Cell array of a quantity, in single precision; vectors have z = 0.
+FrameArray array_of(const Quantity& quantity, const Problem& problem, const Particles& particles)
 {
-    std::vector<float> values(count);
-    for (std::size_t p = 0; p < count; ++p) values[p] = static_cast<float>(value(p));
-    return {std::move(name), std::move(unit), {}, std::move(values)};
-}
-
-/// Cell array of vectors with z = 0; `value(p)` gives a Vector2.
-template <class Value>
-FrameArray vector(std::string name, std::string unit, std::size_t count, Value&& value)
-{
-    std::vector<float> values(3 * count, 0.0F);
-    for (std::size_t p = 0; p < count; ++p) {
-        const Vector2 v = value(p);
-        values[3 * p] = static_cast<float>(v.x());
-        values[3 * p + 1] = static_cast<float>(v.y());
+    const std::size_t known = component_count(quantity.form);
+    FrameArray array = frame_array(quantity);
+    std::vector<float> values(array.component_count() * particles.size(), 0.0F);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const QuantityValues of_particle = quantity.value(problem, particles, p);
+        for (std::size_t c = 0; c < known; ++c)
+            values[array.component_count() * p + c] = static_cast<float>(of_particle[c]);
     }
-    return {std::move(name), std::move(unit), {"X", "Y", "Z"}, std::move(values)};
+    array.values = std::move(values);
+    return array;
 }
 
-FrameArray stress_array(const SymmetricTensors& stress)
+/// Cell array of what soil laws remember; NaN where the particle's law has no such number.
+FrameArray array_of(const RememberedQuantity& quantity, const Particles& particles)
 {
-    const std::size_t count = stress.xx.size();
-    std::vector<float> values(4 * count);
-    for (std::size_t p = 0; p < count; ++p) {
-        values[4 * p] = static_cast<float>(stress.xx[p]);
-        values[4 * p + 1] = static_cast<float>(stress.yy[p]);
-        values[4 * p + 2] = static_cast<float>(stress.zz[p]);
-        values[4 * p + 3] = static_cast<float>(stress.xy[p]);
+    std::vector<float> values(particles.size(), std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const std::int32_t column = quantity.column[static_cast<std::size_t>(particles.material[p])];
+        if (column >= 0)
+            values[p] = static_cast<float>(particles.memory[static_cast<std::size_t>(column)][p]);
     }
-    return {"stress", "Pa", {"XX", "YY", "ZZ", "XY"}, std::move(values)};
-}
-
-void add_fluid(const Problem& problem, const Particles& particles, std::vector<FrameArray>& arrays)
-{
-    const std::size_t count = particles.size();
-    if (!particles.velocity_fluid.x.empty())
-        arrays.push_back(vector("velocity_fluid", "m/s", count,
-                                [&](std::size_t p) { return particles.velocity_fluid[p]; }));
-    arrays.push_back(scalar("pore_pressure", "Pa", count,
-                            [&](std::size_t p) { return total_pore_pressure(problem, particles, p); }));
-    arrays.push_back(scalar("excess_pore_pressure", "Pa", count,
-                            [&](std::size_t p) { return risen_pore_pressure(problem, particles, p); }));
-    arrays.push_back(scalar("ru", "-", count,
-                            [&](std::size_t p) { return excess_pressure_ratio(problem, particles, p); }));
-    arrays.push_back(scalar("porosity", "-", count, [&](std::size_t p) { return particles.porosity[p]; }));
-}
-
-void add_solid(const Particles& particles, std::vector<FrameArray>& arrays)
-{
-    const std::size_t count = particles.size();
-    const SymmetricTensors& stress = particles.stress;
-    arrays.push_back(
-        vector("displacement", "m", count, [&](std::size_t p) { return displacement(particles, p); }));
-    arrays.push_back(
-        vector("velocity_solid", "m/s", count, [&](std::size_t p) { return particles.velocity_solid[p]; }));
-    arrays.push_back(scalar("mean_effective_stress", "Pa", count,
-                            [&](std::size_t p) { return mean_effective_stress(stress, p); }));
-    arrays.push_back(
-        scalar("vertical_effective_stress", "Pa", count, [&](std::size_t p) { return -stress.yy[p]; }));
-    arrays.push_back(scalar("deviatoric_stress", "Pa", count,
-                            [&](std::size_t p) { return deviatoric_stress(stress, p); }));
-    arrays.push_back(stress_array(stress));
-    arrays.push_back(scalar("shear_strain", "-", count, [&](std::size_t p) {
-        return greatest_shear_strain(deformation_gradient(particles, p));
-    }));
-    arrays.push_back(scalar("volumetric_strain", "-", count, [&](std::size_t p) {
-        return deformation_gradient(particles, p).determinant() - 1.0;
-    }));
+    return {std::string(quantity.name), std::string(quantity.unit), {}, std::move(values)};
 }
 
 FrameText material_names(const Problem& problem)
@@ -109,8 +64,11 @@ Frame particle_frame(const Problem& problem, const State& state)
         }
         frame.cells.add(numbers);
     }
-    add_solid(particles, frame.cell_data);
-    if (particles.has_fluid()) add_fluid(problem, particles, frame.cell_data);
+    for (const Quantity* quantity : quantities_of(on_particles))
+        if (have(particles, *quantity)) frame.cell_data.push_back(array_of(*quantity, problem, particles));
+    if (!particles.memory.empty())
+        for (const RememberedQuantity& quantity : remembered_quantities(problem))
+            frame.cell_data.push_back(array_of(quantity, particles));
     frame.cell_data.push_back({"material", "-", {}, particles.material});
     frame.cell_data.push_back({"region", "-", {}, particles.region});
     frame.cell_data.push_back({"particle_id", "-", {}, particles.identifier});

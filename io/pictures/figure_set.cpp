@@ -26,7 +26,7 @@ constexpr std::size_t isochrone_count = 8;
 /// What a length, velocity or acceleration is multiplied by in the figure.
 double factor_of(const SceneFigure& figure)
 {
-    return figure.quantity->sign * std::pow(figure.scale, figure.quantity->length_power);
+    return figure.quantity->sign * std::pow(figure.scale, figure.quantity->quantity->length_power);
 }
 
 std::vector<double> times(double factor, const std::vector<double>& values)
@@ -64,11 +64,12 @@ std::vector<Series> series_of(const SceneFigure& figure, const std::vector<Figur
     std::vector<Series> all;
     for (const FigureProbe& probe : probes) {
         const auto* time = probe.table.find("time_s");
-        const auto* values = probe.table.find(figure.quantity->column);
+        const auto* values = probe.table.find(figure.quantity->column());
         if (time == nullptr || values == nullptr || largest_of(*values) < 0.0) continue;
         Series series{probe.name, times(figure.scale, *time), times(factor_of(figure), *values)};
         if (figure.quantity->name == "excess_pore_pressure")
-            series.limit = first_value(probe.table.find("vertical_effective_stress_Pa"));
+            series.limit =
+                first_value(probe.table.find(probe_column(quantity_named("vertical_effective_stress"), 0)));
         all.push_back(std::move(series));
     }
     return all;
@@ -160,7 +161,7 @@ std::optional<LinePlot> history_figure(const SceneFigure& figure, const std::vec
         if (std::isfinite(series.limit)) magnitude = std::max(magnitude, std::abs(series.limit));
     }
     if (magnitude < 0.0) return std::nullopt;
-    const DisplayUnit unit = display_unit(figure.quantity->unit, magnitude);
+    const DisplayUnit unit = display_unit(drawn_unit(*figure.quantity->quantity), magnitude);
     PlotPanel panel{"Time [s]", label_with_unit(figure.quantity->label, unit), {}, true};
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Series& series = all[k];
@@ -183,12 +184,12 @@ std::optional<LinePlot> isochrone_figure(const SceneFigure& figure, const Figure
     const bool upright = is_upright(table);
     const auto* rows = table.find("time_s");
     const auto* places = table.find(upright ? "y_m" : "distance_m");
-    const auto* values = table.find(figure.quantity->column);
+    const auto* values = table.find(figure.quantity->column());
     if (rows == nullptr || rows->empty() || places == nullptr || values == nullptr ||
         largest_of(*values) < 0.0)
         return std::nullopt;
-    const DisplayUnit unit =
-        display_unit(figure.quantity->unit, std::abs(factor_of(figure)) * largest_of(*values));
+    const DisplayUnit unit = display_unit(drawn_unit(*figure.quantity->quantity),
+                                          std::abs(factor_of(figure)) * largest_of(*values));
     PlotPanel panel{label_with_unit(figure.quantity->label, unit),
                     upright ? "Height y [m]" : "Distance along the profile [m]",
                     {},

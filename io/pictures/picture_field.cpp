@@ -1,42 +1,19 @@
 #include "io/pictures/picture_field.hpp"
 
+#include "solver/measure/quantities.hpp"
+
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
-#include <string_view>
 
 namespace quicksand {
 namespace {
 
-struct FieldLabel {
-    std::string_view name;
-    std::string_view label;
-};
-
-// Only where the name with spaces is not label enough.
-constexpr std::array labels{
-    FieldLabel{"displacement_x", "Horizontal displacement"},
-    FieldLabel{"displacement_y", "Vertical displacement, up"},
-    FieldLabel{"velocity_solid", "Velocity of the grains"},
-    FieldLabel{"velocity_solid_x", "Horizontal velocity of the grains"},
-    FieldLabel{"velocity_solid_y", "Vertical velocity of the grains, up"},
-    FieldLabel{"velocity_fluid", "Velocity of the water"},
-    FieldLabel{"velocity_fluid_x", "Horizontal velocity of the water"},
-    FieldLabel{"velocity_fluid_y", "Vertical velocity of the water, up"},
-    FieldLabel{"ru", "Excess pore pressure ratio ru"},
-    FieldLabel{"shear_strain", "Greatest shear strain"},
-    FieldLabel{"stress_xx", "Effective stress xx, tension positive"},
-    FieldLabel{"stress_yy", "Effective stress yy, tension positive"},
-    FieldLabel{"stress_zz", "Effective stress zz, tension positive"},
-    FieldLabel{"stress_xy", "Shear stress xy"},
-};
-
+/// In words: as the table of quantities has it; what a soil law remembers by its name.
 std::string label_of(const std::string& name)
 {
-    const auto found = std::find_if(labels.begin(), labels.end(),
-                                    [&name](const FieldLabel& entry) { return entry.name == name; });
-    if (found != labels.end()) return std::string(found->label);
+    const QuantityComponent known = find_component(name);
+    if (known.quantity != nullptr) return component_label(*known.quantity, known.component);
     std::string label = name;
     std::replace(label.begin(), label.end(), '_', ' ');
     if (!label.empty())
@@ -44,10 +21,11 @@ std::string label_of(const std::string& name)
     return label;
 }
 
-std::string unit_of(const ParticleFrame& frame, const std::string& scalar, const std::string& name)
+std::string unit_of(const ParticleFrame& frame, const std::string& name)
 {
-    if (name.ends_with("_strain")) return "%";
-    const auto found = frame.units.find(scalar);
+    const QuantityComponent known = find_component(name);
+    if (known.quantity != nullptr) return std::string(drawn_unit(*known.quantity));
+    const auto found = frame.units.find(name);
     return found == frame.units.end() || found->second == "-" ? "" : found->second;
 }
 
@@ -81,10 +59,11 @@ std::optional<DrawnField> drawn_field(const ParticleFrame& frame, const std::str
     if (scalar != frame.scalars.end()) {
         const ColourMap colours =
             takes_both_signs(scalar->second) ? ColourMap::diverging : ColourMap::sequential;
-        return DrawnField{label_of(name), unit_of(frame, name, name), colours, scalar->second};
+        return DrawnField{label_of(name), unit_of(frame, name), colours, scalar->second};
     }
     if (x == frame.scalars.end() || y == frame.scalars.end()) return std::nullopt;
-    return DrawnField{label_of(name), unit_of(frame, x->first, name), ColourMap::sequential,
+    const Quantity& vector = *find_component(x->first).quantity;
+    return DrawnField{std::string(vector.label), std::string(drawn_unit(vector)), ColourMap::sequential,
                       magnitudes(x->second, y->second)};
 }
 

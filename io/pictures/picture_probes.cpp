@@ -2,9 +2,12 @@
 
 #include "io/pictures/picture_isochrones.hpp"
 #include "io/pictures/picture_ticks.hpp"
+#include "solver/measure/body_quantities.hpp"
+#include "solver/measure/quantities.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace quicksand {
 namespace {
@@ -24,23 +27,40 @@ struct PanelPlan {
     std::vector<PanelColumn> columns;
 };
 
-const std::vector<PanelPlan> probe_plan{
-    {"Excess pore pressure", "Pa", {{"excess_pore_pressure_Pa", ""}}},
-    {"Excess pore pressure ratio ru", "", {{"ru", ""}}},
-    {"Displacement", "m", {{"ux_m", "horizontal"}, {"uy_m", "vertical, up"}}},
-    {"Velocity", "m/s", {{"vx_m_s", "horizontal"}, {"vy_m_s", "vertical, up"}}},
-    {"Acceleration", "m/s²", {{"ax_m_s2", "horizontal"}, {"ay_m_s2", "vertical, up"}}},
-};
+/// Of a quantity at probes.
+PanelPlan plan_of(const char* name)
+{
+    const Quantity& quantity = quantity_named(name);
+    PanelPlan plan{std::string(quantity.label), std::string(drawn_unit(quantity)), {}};
+    if (quantity.form == QuantityForm::scalar) {
+        plan.columns = {{probe_column(quantity, 0), ""}};
+    } else {
+        plan.columns = {{probe_column(quantity, 0), "horizontal"},
+                        {probe_column(quantity, 1), "vertical, up"}};
+    }
+    return plan;
+}
 
-const PanelPlan dry_plan{"Mean effective stress", "Pa", {{"mean_effective_stress_Pa", ""}}};
+std::vector<PanelPlan> probe_plan()
+{
+    std::vector<PanelPlan> plans;
+    for (const char* name : {"excess_pore_pressure", "ru", "displacement", "velocity_solid", "acceleration"})
+        plans.push_back(plan_of(name));
+    return plans;
+}
 
-const std::vector<PanelPlan> history_plan{
-    {"Base acceleration", "m/s²", {{"base_acceleration_m_s2", ""}}},
-    {"Crest settlement", "m", {{"crest_settlement_m", ""}}},
-    {"Kinetic energy of both phases", "J/m", {{"kinetic_energy_J", ""}}},
-    {"Largest excess pore pressure", "Pa", {{"max_excess_pore_pressure_Pa", ""}}},
-    {"Largest excess pore pressure ratio ru", "", {{"max_ru", ""}}},
-};
+std::vector<PanelPlan> history_plan()
+{
+    std::vector<PanelPlan> plans;
+    for (const BodyQuantity& quantity : all_body_quantities()) {
+        if (quantity.label.empty()) continue;
+        const std::string_view si = quantity.unit == "-" ? "" : quantity.unit;
+        plans.push_back({std::string(quantity.label),
+                         std::string(quantity.drawn.empty() ? si : quantity.drawn),
+                         {{column_name(quantity), ""}}});
+    }
+    return plans;
+}
 
 /// None where the table has no values for it.
 std::optional<PlotPanel> make_panel(const PanelPlan& plan, const PictureTable& table)
@@ -98,9 +118,10 @@ std::vector<ProbeTable> read_probes(const std::filesystem::path& folder)
 std::optional<LinePlot> probe_plot(const PictureTable& table, const std::string& name)
 {
     if (table.find("distance_m") != nullptr) return isochrone_plot(table, name);
-    std::vector<PlotPanel> panels = make_panels(probe_plan, table);
+    std::vector<PlotPanel> panels = make_panels(probe_plan(), table);
     if (table.find("excess_pore_pressure_Pa") == nullptr)
-        if (auto stress = make_panel(dry_plan, table)) panels.insert(panels.begin(), std::move(*stress));
+        if (auto stress = make_panel(plan_of("mean_effective_stress"), table))
+            panels.insert(panels.begin(), std::move(*stress));
     if (panels.empty()) return std::nullopt;
     return LinePlot{"Probe " + name, place_of(table, name), std::move(panels), PlotArrangement::stacked};
 }
@@ -135,7 +156,7 @@ std::optional<LinePlot> comparison_plot(const std::vector<ProbeTable>& probes)
 
 std::optional<LinePlot> history_plot(const PictureTable& table)
 {
-    std::vector<PlotPanel> panels = make_panels(history_plan, table);
+    std::vector<PlotPanel> panels = make_panels(history_plan(), table);
     if (panels.empty()) return std::nullopt;
     return LinePlot{"History of the whole section",
                     "settlement positive downward; sums per metre of thickness", std::move(panels),

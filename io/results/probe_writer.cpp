@@ -40,28 +40,42 @@ std::string description(const SceneProbe& probe, std::int32_t identifier)
     return probe.name;
 }
 
+/// What is written of a sample. A dry scene has no columns of the water.
+std::vector<const Quantity*> columns_of(bool saturated)
+{
+    std::vector<const Quantity*> columns = quantities_of(at_probes);
+    if (!saturated)
+        std::erase_if(columns, [](const Quantity* each) { return each->of != QuantityOf::any_soil; });
+    return columns;
+}
+
+void append_cells(const PointSample& sample, bool saturated, CsvRow& row)
+{
+    for (const Quantity* quantity : columns_of(saturated))
+        for (std::size_t c = 0; c < component_count(quantity->form); ++c)
+            row.push_back(csv_number(sample[quantity->name][c]));
+}
+
 std::vector<std::string> probe_comments(const SceneProbe& probe, std::int32_t identifier,
                                         const RunLabel& label, const Problem& problem)
 {
     std::vector<std::string> comments = run_comments(label);
     comments.push_back("probe: " + description(probe, identifier));
-    comments.insert(
-        comments.end(),
-        {"u displacement since shaking began, v velocity and a acceleration of the grains, all relative to "
-         "the base; y is up",
-         "a: change of v over the probe interval; empty in the first row",
-         "mean and vertical effective stress: compression positive; shear_stress_xy: of the tensor that is "
-         "positive in tension",
-         "shear_strain_xy: engineering shear strain du_x/dy + du_y/dx"});
-    if (problem.water)
-        comments.insert(
-            comments.end(),
-            {"pore_pressure: static plus excess, compression positive",
-             fmt::format(
-                 "ru: excess pore pressure / initial vertical effective stress, which is {}",
-                 probe.kind == ProbeKind::material || probe.kind == ProbeKind::surface
-                     ? fmt::format("empty where the latter is below {:.4g} Pa", ru_stress_threshold(problem))
-                     : fmt::format("taken as {:.4g} Pa at least", ru_stress_threshold(problem)))});
+    for (const Quantity* quantity : columns_of(problem.water.has_value())) {
+        const bool scalar = quantity->form == QuantityForm::scalar;
+        const std::string_view name = scalar ? quantity->name : quantity->symbol;
+        if (!name.empty()) comments.push_back(fmt::format("{}: {}", name, quantity->meaning));
+    }
+    if (problem.water) {
+        const bool of_particle = probe.kind == ProbeKind::material || probe.kind == ProbeKind::surface;
+        comments.push_back(
+            of_particle
+                ? fmt::format(
+                      "ru is empty where the vertical effective stress at the start is below {:.4g} Pa",
+                      ru_stress_threshold(problem))
+                : fmt::format("for ru the vertical effective stress at the start is {:.4g} Pa at least",
+                              ru_stress_threshold(problem)));
+    }
     comments.push_back("an empty cell: no soil or no value");
     return comments;
 }
@@ -70,8 +84,9 @@ std::vector<std::string> probe_columns(const SceneProbe& probe, bool saturated)
 {
     std::vector<std::string> columns{"time_s"};
     if (probe.kind == ProbeKind::profile) columns.emplace_back("distance_m");
-    const std::vector<std::string> sampled = sample_columns(saturated);
-    columns.insert(columns.end(), sampled.begin(), sampled.end());
+    for (const Quantity* quantity : columns_of(saturated))
+        for (std::size_t c = 0; c < component_count(quantity->form); ++c)
+            columns.push_back(probe_column(*quantity, c));
     return columns;
 }
 
@@ -131,13 +146,14 @@ ProbeWriter::Probe ProbeWriter::open_probe(const SceneProbe& scene_probe, const 
                 identifier,
                 resume ? CsvFile::resume(path, comments, columns, state.time)
                        : CsvFile::begin(path, comments, columns),
-                ProbeSample::none,
+                PointSample::none,
                 {}};
     // The numbers in the file read back exactly, so accelerations go on as if there had been no stop.
     if (const auto last = probe.file.last_time()) probe.previous_time = *last;
+    const Quantity& velocity = quantity_named("velocity_solid");
     for (const CsvRow& row : probe.file.last_rows())
-        probe.previous_velocities.emplace_back(probe.file.value(row, "vx_m_s"),
-                                               probe.file.value(row, "vy_m_s"));
+        probe.previous_velocities.emplace_back(probe.file.value(row, probe_column(velocity, 0)),
+                                               probe.file.value(row, probe_column(velocity, 1)));
     return probe;
 }
 
@@ -149,7 +165,7 @@ void ProbeWriter::observe(const Problem& problem, const State& state, const Step
     clock_.advance();
 }
 
-std::vector<ProbeSample> ProbeWriter::sample(const Probe& probe, const Problem& problem, const State& state,
+std::vector<PointSample> ProbeWriter::sample(const Probe& probe, const Problem& problem, const State& state,
                                              const NodalFields& fields) const
 {
     const Particles& particles = state.particles;
@@ -161,34 +177,37 @@ std::vector<ProbeSample> ProbeWriter::sample(const Probe& probe, const Problem& 
     case ProbeKind::surface: {
         const double x = probe.scene.at->x();
         const SurfacePoint surface = surface_point(problem, particles, x);
-        if (!surface.found) return {ProbeSample{}};
-        ProbeSample sample = sample_particle(problem, particles, surface.particle);
-        sample.position = {x, surface.height};
+        if (!surface.found) return {PointSample()};
+        PointSample sample = sample_particle(problem, particles, surface.particle);
+        sample["position"] = {x, surface.height};
         return {sample};
     }
     case ProbeKind::profile:
         break;
     }
-    std::vector<ProbeSample> samples;
+    std::vector<PointSample> samples;
     for (const Vector2& point : points_of(probe.scene))
         samples.push_back(sample_point(problem, fields, point));
     return samples;
 }
 
-void ProbeWriter::write(Probe& probe, double time, std::vector<ProbeSample> samples) const
+void ProbeWriter::write(Probe& probe, double time, std::vector<PointSample> samples) const
 {
     if (probe.previous_time >= time) return;
-    if (probe.previous_velocities.size() == samples.size())
-        for (std::size_t k = 0; k < samples.size(); ++k)
-            samples[k].acceleration =
-                (samples[k].velocity - probe.previous_velocities[k]) / (time - probe.previous_time);
+    if (probe.previous_velocities.size() == samples.size()) {
+        for (std::size_t k = 0; k < samples.size(); ++k) {
+            const Vector2 change = samples[k].vector("velocity_solid") - probe.previous_velocities[k];
+            const Vector2 acceleration = change / (time - probe.previous_time);
+            samples[k]["acceleration"] = {acceleration.x(), acceleration.y()};
+        }
+    }
     probe.previous_time = time;
     probe.previous_velocities.clear();
-    for (const ProbeSample& sample : samples) {
-        probe.previous_velocities.push_back(sample.velocity);
+    for (const PointSample& sample : samples) {
+        probe.previous_velocities.push_back(sample.vector("velocity_solid"));
         CsvRow row{csv_number(time)};
         if (probe.scene.kind == ProbeKind::profile)
-            row.push_back(csv_number((sample.position - *probe.scene.at).norm()));
+            row.push_back(csv_number((sample.vector("position") - *probe.scene.at).norm()));
         append_cells(sample, saturated_, row);
         probe.file.add_row(row);
     }

@@ -3,9 +3,9 @@
 
 #include "io/files/csv_file.hpp"
 #include "io/frames/observation_clock.hpp"
-#include "io/results/probe_sample.hpp"
 #include "io/results/run_label.hpp"
 #include "io/tables/scene.hpp"
+#include "solver/measure/point_sample.hpp"
 #include "solver/run/simulation.hpp"
 
 #include <cstdint>
@@ -31,15 +31,15 @@ private:
         SceneProbe scene;
         std::int32_t identifier = -1; // of the particle a material probe rides with
         CsvFile file;
-        double previous_time = ProbeSample::none;
+        double previous_time = PointSample::none;
         std::vector<Vector2> previous_velocities; // one a point, at previous_time [m/s]
     };
 
     Probe open_probe(const SceneProbe& scene_probe, const Problem& problem, const State& state,
                      const RunLabel& label, const std::filesystem::path& results, bool resume) const;
-    std::vector<ProbeSample> sample(const Probe& probe, const Problem& problem, const State& state,
+    std::vector<PointSample> sample(const Probe& probe, const Problem& problem, const State& state,
                                     const NodalFields& fields) const;
-    void write(Probe& probe, double time, std::vector<ProbeSample> samples) const;
+    void write(Probe& probe, double time, std::vector<PointSample> samples) const;
 
     bool saturated_;
     std::vector<Vector2> fixed_points_; // of all fixed probes and profiles [m]

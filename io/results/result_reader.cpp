@@ -7,6 +7,7 @@
 #include "io/keys/diagnostics.hpp"
 #include "io/results/results_folder.hpp"
 #include "solver/base/failure.hpp"
+#include "solver/measure/quantities.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -77,10 +78,7 @@ std::vector<FieldComponent> select(const std::vector<FrameArray>& arrays,
 /// "displacement_y_m", "ru": the unit as part of a column's name.
 std::string column_name(const FieldComponent& field)
 {
-    if (field.unit == "-") return field.name;
-    std::string unit = field.unit;
-    std::replace(unit.begin(), unit.end(), '/', '_');
-    return field.name + "_" + unit;
+    return field.name + unit_suffix(field.unit);
 }
 
 /// Looks at a frame and returns the wanted values; nothing where the point is not in the soil.

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <array>
 #include <ctime>
 #include <fstream>
 
@@ -70,7 +71,60 @@ double particle_steps_per_second(const RunManifest& manifest)
     return static_cast<double>(manifest.particles) * static_cast<double>(manifest.steps) / manifest.wall_time;
 }
 
+using Json = nlohmann::ordered_json;
+
+/// What stands in the file.
+struct Field {
+    std::string_view name, meaning;
+    Json (*value)(const RunManifest&);
+};
+
+constexpr std::string_view resumed_at = "resumed_at_s";
+
+Json hashes_of(const RunManifest& manifest)
+{
+    Json hashes = Json::object();
+    for (const InputFile& input : manifest.inputs) hashes[input.key] = input.hash;
+    return hashes;
+}
+
+// One row, one field: the formatter would make it three lines.
+// clang-format off
+const std::array fields = {
+    Field{"program", "Quicksand", [](const RunManifest&) { return Json("Quicksand"); }},
+    Field{"version", "of the program", [](const RunManifest&) { return Json(program_version()); }},
+    Field{"status", "running, finished, failed or stopped", [](const RunManifest& m) { return Json(name_of(m.status)); }},
+    Field{"exit_reason", "one line; empty while the run goes on", [](const RunManifest& m) { return Json(m.exit_reason); }},
+    Field{"scene_file", "the scene that was run", [](const RunManifest& m) { return Json(m.scene_file.string()); }},
+    Field{"scene_hash", "of its text and the overrides", [](const RunManifest& m) { return Json(m.scene_hash); }},
+    Field{"scene_hash_kind", "how it is computed", [](const RunManifest&) { return Json("FNV-1a 64 of the text and the overrides"); }},
+    Field{"overrides", "keys replaced with --set", [](const RunManifest& m) { return Json(m.overrides); }},
+    Field{"input_hashes", "of the files that keys of the scene name", hashes_of},
+    Field{"threads", "of the run", [](const RunManifest& m) { return Json(m.threads); }},
+    Field{resumed_at, "time of the checkpoint that the run went on from; left out where it did not", [](const RunManifest& m) { return Json(m.resumed_at.value_or(0.0)); }},
+    Field{"start_time", "UTC", [](const RunManifest& m) { return Json(m.start_time); }},
+    Field{"end_time", "UTC; empty while the run goes on", [](const RunManifest& m) { return Json(m.end_time); }},
+    Field{"wall_time_s", "of this process", [](const RunManifest& m) { return Json(m.wall_time); }},
+    Field{"simulated_time_s", "time that the run has reached", [](const RunManifest& m) { return Json(m.simulated_time); }},
+    Field{"steps", "taken by this process", [](const RunManifest& m) { return Json(m.steps); }},
+    Field{"particles", "computed", [](const RunManifest& m) { return Json(m.particles); }},
+    Field{"particle_steps_per_s", "particles times steps over the wall time", [](const RunManifest& m) { return Json(particle_steps_per_second(m)); }},
+    Field{"compiler", "that built the program", [](const RunManifest&) { return Json(compiler_name()); }},
+    Field{"build_type", "of the program", [](const RunManifest&) { return Json(QUICKSAND_BUILD_TYPE); }},
+    Field{"processor", "of the machine", [](const RunManifest&) { return Json(processor_name()); }},
+    Field{"host", "name of the machine", [](const RunManifest&) { return Json(host_name()); }},
+    Field{"outputs", "files that the run writes, relative to the folder", [](const RunManifest& m) { return Json(m.outputs); }},
+};
+// clang-format on
+
 } // namespace
+
+std::vector<DocumentedName> manifest_fields()
+{
+    std::vector<DocumentedName> names;
+    for (const Field& field : fields) names.push_back({field.name, field.meaning});
+    return names;
+}
 
 std::string program_version()
 {
@@ -170,30 +224,10 @@ std::optional<RunStatus> read_run_status(const std::filesystem::path& path)
 void write_run_manifest(const std::filesystem::path& path, const RunManifest& manifest)
 {
     nlohmann::ordered_json json;
-    json["program"] = "Quicksand";
-    json["version"] = program_version();
-    json["status"] = name_of(manifest.status);
-    json["exit_reason"] = manifest.exit_reason;
-    json["scene_file"] = manifest.scene_file.string();
-    json["scene_hash"] = manifest.scene_hash;
-    json["scene_hash_kind"] = "FNV-1a 64 of the text and the overrides";
-    json["overrides"] = manifest.overrides;
-    json["input_hashes"] = nlohmann::ordered_json::object();
-    for (const InputFile& input : manifest.inputs) json["input_hashes"][input.key] = input.hash;
-    json["threads"] = manifest.threads;
-    if (manifest.resumed_at) json["resumed_at_s"] = *manifest.resumed_at;
-    json["start_time"] = manifest.start_time;
-    json["end_time"] = manifest.end_time;
-    json["wall_time_s"] = manifest.wall_time;
-    json["simulated_time_s"] = manifest.simulated_time;
-    json["steps"] = manifest.steps;
-    json["particles"] = manifest.particles;
-    json["particle_steps_per_s"] = particle_steps_per_second(manifest);
-    json["compiler"] = compiler_name();
-    json["build_type"] = QUICKSAND_BUILD_TYPE;
-    json["processor"] = processor_name();
-    json["host"] = host_name();
-    json["outputs"] = manifest.outputs;
+    for (const Field& field : fields) {
+        if (field.name != resumed_at || manifest.resumed_at)
+            json[std::string(field.name)] = field.value(manifest);
+    }
     // A file name need not be UTF-8; that must not end a run.
     write_atomically(path, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

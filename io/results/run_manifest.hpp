@@ -1,6 +1,7 @@
 // What a run was and how it ended, as run_manifest.json: enough to repeat it and to trust its results.
 #pragma once
 
+#include "io/results/documented_name.hpp"
 #include "io/scene/scene_file.hpp"
 #include "io/tables/scene.hpp"
 
@@ -63,6 +64,9 @@ struct RunManifest {
     std::size_t particles = 0;
     std::vector<std::string> outputs; // relative to the results folder
 };
+
+/// What stands in the manifest, in its order.
+std::vector<DocumentedName> manifest_fields();
 
 /// The manifest at the start of a run: what is known then.
 RunManifest begin_manifest(const Scene& scene, const std::vector<std::string>& overrides, int threads,

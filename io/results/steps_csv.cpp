@@ -1,21 +1,43 @@
 #include "io/results/steps_csv.hpp"
 
-#include "io/results/probe_sample.hpp"
+#include "solver/measure/point_sample.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
+#include <vector>
 
 namespace quicksand {
 
 namespace {
 
-std::vector<std::string> column_names(const Problem& problem)
+constexpr std::string_view max_ru = "max_ru";
+
+constexpr std::array columns = {
+    DocumentedName{"time_s", "time since the shaking began"},
+    DocumentedName{"step", "steps since the shaking began or the run was resumed"},
+    DocumentedName{"dt_s", "the last time step that was not shortened to hit an output time"},
+    DocumentedName{"dt_limiter", "what limits it"},
+    DocumentedName{"dt_material", "the material that does"},
+    DocumentedName{"wall_s", "time since the run began, over all its processes"},
+    DocumentedName{"eta_s", "estimate of the time that is left"},
+    DocumentedName{"mass_kg", "mass of both phases"},
+    DocumentedName{"mass_error", "its change since the first row, relative"},
+    DocumentedName{"momentum_x_N_s", "horizontal momentum of both phases, relative to the base"},
+    DocumentedName{"momentum_y_N_s", "vertical momentum of both phases, upward"},
+    DocumentedName{"kinetic_J", "kinetic energy of both phases"},
+    DocumentedName{"max_velocity_m_s", "largest velocity of the grains"},
+    DocumentedName{max_ru, "largest excess pore pressure / initial vertical effective stress, with water"},
+};
+
+/// Those of the scene.
+std::vector<DocumentedName> columns_of(const Problem& problem)
 {
-    std::vector<std::string> names{"time_s",          "step",           "dt_s",           "dt_limiter",
-                                   "dt_material",     "wall_s",         "eta_s",          "mass_kg",
-                                   "mass_error",      "momentum_x_N_s", "momentum_y_N_s", "kinetic_J",
-                                   "max_velocity_m_s"};
-    if (problem.water) names.emplace_back("max_ru");
-    return names;
+    std::vector<DocumentedName> found(columns.begin(), columns.end());
+    if (!problem.water) std::erase_if(found, [](const auto& column) { return column.name == max_ru; });
+    return found;
 }
 
 /// A name as a cell: what would break the row or the line is replaced, since rows are read by their commas.
@@ -32,16 +54,21 @@ CsvFile open_file(const Problem& problem, double time, const RunLabel& label,
                   const std::filesystem::path& path, bool resume)
 {
     std::vector<std::string> comments = run_comments(label);
-    comments.insert(comments.end(),
-                    {"dt: the last time step that was not shortened to hit an output time",
-                     "wall: time since the run began, over all its processes; eta: estimate of what is left",
-                     "mass: of both phases; mass_error: its change since the first row, relative",
-                     "sums are per metre of thickness; velocities are relative to the base"});
-    return resume ? CsvFile::resume(path, comments, column_names(problem), time)
-                  : CsvFile::begin(path, comments, column_names(problem));
+    comments.emplace_back("sums are per metre of thickness");
+    std::vector<std::string> names;
+    for (const DocumentedName& column : columns_of(problem)) {
+        names.emplace_back(column.name);
+        comments.push_back(fmt::format("{}: {}", column.name, column.meaning));
+    }
+    return resume ? CsvFile::resume(path, comments, names, time) : CsvFile::begin(path, comments, names);
 }
 
 } // namespace
+
+std::vector<DocumentedName> step_columns()
+{
+    return {columns.begin(), columns.end()};
+}
 
 StepsWriter::StepsWriter(const Scene& scene, const Problem& problem, const State& state,
                          const RunLabel& label, const std::filesystem::path& path, bool resume)
@@ -69,7 +96,7 @@ double StepsWriter::wall_time() const
 double StepsWriter::time_left(double time) const
 {
     const double done = time - start_time_;
-    return done > 0.0 ? wall_time() * (end_time_ - time) / done : ProbeSample::none;
+    return done > 0.0 ? wall_time() * (end_time_ - time) / done : PointSample::none;
 }
 
 void StepsWriter::observe(const Problem& problem, const State& state, const StepReport& report)

@@ -3,6 +3,7 @@
 
 #include "io/files/csv_file.hpp"
 #include "io/frames/observation_clock.hpp"
+#include "io/results/documented_name.hpp"
 #include "io/results/run_label.hpp"
 #include "io/tables/scene.hpp"
 #include "solver/run/simulation.hpp"
@@ -12,6 +13,9 @@
 #include <optional>
 
 namespace quicksand {
+
+/// All columns of steps.csv.
+std::vector<DocumentedName> step_columns();
 
 class StepsWriter : public Observer {
 public:

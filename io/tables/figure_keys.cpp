@@ -10,7 +10,7 @@ std::vector<SceneKey> figure_keys()
     const Condition of_probes{"kind", {"history", "isochrones"}};
     const Condition field_only{"kind", {"field"}};
     std::vector<std::string_view> quantities;
-    for (const ProbeQuantity& quantity : probe_quantities) quantities.push_back(quantity.name);
+    for (const FigureQuantity& quantity : figure_quantities()) quantities.push_back(quantity.name);
     // One row, one key: the formatter would make it ten lines.
     // clang-format off
     return {

@@ -66,7 +66,43 @@ void check_name(const NamedTable& table, Diagnostics& findings)
                           "none of / \\ : * ? \" < > |, no leading dot"));
 }
 
+/// "velocity" of velocity_solid: the grains' is the one that probes have.
+std::string moving_part(std::string_view name)
+{
+    return std::string(name.substr(0, name.find('_')));
+}
+
+std::vector<FigureQuantity> list_figure_quantities()
+{
+    std::vector<FigureQuantity> all;
+    for (const Quantity* quantity : quantities_of(at_probes)) {
+        if (quantity->found_by == FoundBy::place) continue;
+        const bool scalar = quantity->form == QuantityForm::scalar;
+        for (std::size_t c = 0; c < component_count(quantity->form); ++c) {
+            const std::string name =
+                scalar ? std::string(quantity->name)
+                       : (c == 0 ? "horizontal_" : "vertical_") + moving_part(quantity->name);
+            all.push_back({name, quantity, c, 1.0, component_label(*quantity, c)});
+        }
+        if (quantity->name == "displacement") all.push_back({"settlement", quantity, 1, -1.0, "Settlement"});
+    }
+    return all;
+}
+
 } // namespace
+
+const std::vector<FigureQuantity>& figure_quantities()
+{
+    static const std::vector<FigureQuantity> all = list_figure_quantities();
+    return all;
+}
+
+const FigureQuantity* find_figure_quantity(std::string_view name)
+{
+    for (const FigureQuantity& known : figure_quantities())
+        if (known.name == name) return &known;
+    return nullptr;
+}
 
 std::vector<SceneFigure> read_figures(const SceneValues& values, Diagnostics& findings)
 {
@@ -79,9 +115,7 @@ std::vector<SceneFigure> read_figures(const SceneValues& values, Diagnostics& fi
         figure.title = values.text(key("title"));
         figure.probes =
             values.find<std::vector<std::string>>(key("probes")).value_or(std::vector<std::string>());
-        for (const ProbeQuantity& quantity : probe_quantities) {
-            if (quantity.name == values.text(key("quantity"))) figure.quantity = &quantity;
-        }
+        figure.quantity = find_figure_quantity(values.text(key("quantity")));
         figure.scale = values.find<double>(key("scale")).value_or(1.0);
         figure.times = values.find<std::vector<double>>(key("times")).value_or(std::vector<double>());
         figure.field = values.text(key("field"));

@@ -1,7 +1,6 @@
 #include "solver/measure/nodal_fields.hpp"
 
 #include "solver/interpolation/cpdi.hpp"
-#include "solver/measure/monitors.hpp"
 #include "solver/particles/cell_lists.hpp"
 
 #include <algorithm>
@@ -9,56 +8,11 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace quicksand {
 
 namespace {
-
-/// Call visit(array) for every averaged array, in one fixed order.
-template <class Visit>
-void for_each_field(NodalFields& fields, std::optional<WaterFlow> flow, Visit&& visit)
-{
-    visit(fields.displacement.x);
-    visit(fields.displacement.y);
-    visit(fields.velocity_solid.x);
-    visit(fields.velocity_solid.y);
-    visit(fields.mean_effective_stress);
-    visit(fields.vertical_effective_stress);
-    visit(fields.shear_stress_xy);
-    if (!flow) return;
-    visit(fields.pore_pressure);
-    visit(fields.excess_pore_pressure);
-    visit(fields.ru);
-    visit(fields.porosity);
-    if (flow != WaterFlow::coupled) return;
-    visit(fields.velocity_fluid.x);
-    visit(fields.velocity_fluid.y);
-}
-
-constexpr std::size_t most_fields = 13;
-
-/// The particle's values in the order of for_each_field.
-void particle_values(const Problem& problem, const Particles& particles, std::size_t p, double* values)
-{
-    const SymmetricTensors& stress = particles.stress;
-    *values++ = particles.position.x[p] - particles.reference_position.x[p];
-    *values++ = particles.position.y[p] - particles.reference_position.y[p];
-    *values++ = particles.velocity_solid.x[p];
-    *values++ = particles.velocity_solid.y[p];
-    *values++ = -(stress.xx[p] + stress.yy[p] + stress.zz[p]) / 3.0;
-    *values++ = -stress.yy[p];
-    *values++ = stress.xy[p];
-    if (!particles.has_fluid()) return;
-    const double excess = risen_pore_pressure(problem, particles, p);
-    const double initial = particles.initial_vertical_effective_stress[p];
-    *values++ = static_water_pressure(problem, particles.position.y[p]) + excess_pore_pressure(particles, p);
-    *values++ = excess;
-    *values++ = excess / std::max(initial, ru_stress_threshold(problem));
-    *values++ = particles.porosity[p];
-    if (particles.velocity_fluid.x.empty()) return;
-    *values++ = particles.velocity_fluid.x[p];
-    *values++ = particles.velocity_fluid.y[p];
-}
 
 /// The cell of a point wherever it may lie; the grid's upper and right edges belong to the last cells.
 std::optional<PlaceInCell> find_cell(const BackgroundGrid& grid, const Vector2& point)
@@ -149,24 +103,47 @@ void evaluate_anywhere(const BackgroundGrid& grid, const PresentDomain& domain, 
     patch.row -= rows;
 }
 
+NodalFields empty_fields(const BackgroundGrid& grid, const Particles& particles)
+{
+    NodalFields fields;
+    fields.volume.assign(grid.node_count(), 0.0);
+    for (const Quantity* quantity : quantities_of(on_nodes)) {
+        if (!have(particles, *quantity)) continue;
+        fields.fields.push_back({quantity, std::vector<Scalars>(component_count(quantity->form),
+                                                                Scalars(grid.node_count(), 0.0))});
+    }
+    return fields;
+}
+
+/// A particle's values of all fields, one after the other.
+void take_values(const NodalFields& fields, const Problem& problem, const Particles& particles, std::size_t p,
+                 std::vector<double>& values)
+{
+    values.clear();
+    for (const NodalField& field : fields.fields) {
+        const Quantity& quantity = *field.quantity;
+        const ParticleValue value = quantity.averaged != nullptr ? quantity.averaged : quantity.value;
+        const QuantityValues of_particle = value(problem, particles, p);
+        values.insert(values.end(), of_particle.begin(),
+                      of_particle.begin() + static_cast<std::ptrdiff_t>(field.components.size()));
+    }
+}
+
 NodalFields average(const Problem& problem, const Particles& particles, const NodeMask& wanted)
 {
     const BackgroundGrid& grid = problem.grid;
-    NodalFields fields;
-    fields.volume.assign(grid.node_count(), 0.0);
+    NodalFields fields = empty_fields(grid, particles);
     std::vector<Scalars*> arrays;
-    for_each_field(fields, carried_flow(particles), [&](Scalars& field) {
-        field.assign(grid.node_count(), 0.0);
-        arrays.push_back(&field);
-    });
+    for (NodalField& field : fields.fields)
+        for (Scalars& component : field.components) arrays.push_back(&component);
 
     NodePatch patch;
-    double values[most_fields];
+    std::vector<double> values;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const PresentDomain domain = present_domain(problem, particles, p);
         if (!may_reach(grid, domain, wanted)) continue;
         evaluate_anywhere(grid, domain, patch);
-        particle_values(problem, particles, p, values);
+        take_values(fields, problem, particles, p, values);
         for (int k = 0; k < patch.width * patch.height; ++k) {
             const int i = patch.column + k % patch.width, j = patch.row + k / patch.width;
             if (i < 0 || j < 0 || i >= grid.nodes_x() || j >= grid.nodes_y()) continue;
@@ -185,6 +162,18 @@ NodalFields average(const Problem& problem, const Particles& particles, const No
 }
 
 } // namespace
+
+const NodalField* NodalFields::find(std::string_view name) const
+{
+    const auto found = std::find_if(fields.begin(), fields.end(),
+                                    [&](const NodalField& field) { return field.quantity->name == name; });
+    return found == fields.end() ? nullptr : &*found;
+}
+
+NodalField* NodalFields::find(std::string_view name)
+{
+    return const_cast<NodalField*>(std::as_const(*this).find(name));
+}
 
 NodalFields nodal_fields(const Problem& problem, const Particles& particles)
 {

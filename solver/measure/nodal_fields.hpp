@@ -2,27 +2,29 @@
 // the connected picture of the state for output and for probes at fixed points.
 #pragma once
 
+#include "solver/measure/quantities.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 
+#include <string_view>
 #include <vector>
 
 namespace quicksand {
 
-/// One entry per node of the grid with its rim; zero where `volume` is zero. Arrays of water are empty in a
-/// dry scene, its velocity in all but coupled flow.
+/// A quantity at the nodes, component by component; one entry per node of the grid with its rim, zero where
+/// the volume is zero.
+struct NodalField {
+    const Quantity* quantity = nullptr;
+    std::vector<Scalars> components;
+};
+
 struct NodalFields {
-    Scalars volume;               // V_i, soil volume carried by the node [m3/m]
-    Vectors displacement;         // since the reference [m]
-    Vectors velocity_solid;       // [m/s]
-    Vectors velocity_fluid;       // [m/s]
-    Scalars pore_pressure;        // total: static plus excess [Pa]
-    Scalars excess_pore_pressure; // [Pa]
-    Scalars ru; // excess pore pressure / initial vertical effective stress, at least ru_stress_threshold [-]
-    Scalars mean_effective_stress;     // compression positive, (xx + yy + zz)/3 [Pa]
-    Scalars vertical_effective_stress; // compression positive [Pa]
-    Scalars shear_stress_xy;           // [Pa]
-    Scalars porosity;                  // [-]
+    Scalars volume;                 // V_i, soil volume carried by the node [m3/m]
+    std::vector<NodalField> fields; // of what the particles have of the quantities on nodes
+
+    /// None where there is no such field, as of the water in a dry scene.
+    const NodalField* find(std::string_view name) const;
+    NodalField* find(std::string_view name);
 };
 
 NodalFields nodal_fields(const Problem& problem, const Particles& particles);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <regex>
+#include <set>
 
 namespace quicksand {
 
@@ -164,6 +165,46 @@ TEST(Keys, TheReferencePageIsUpToDate)
     EXPECT_EQ(outcome.code, 0);
     EXPECT_TRUE(outcome.output == read_file(QUICKSAND_SOURCE_DIR "/io/SCENE.md"))
         << "make it anew: quicksand keys --markdown > io/SCENE.md";
+    const Outcome results = run_program("keys --results --markdown");
+    EXPECT_EQ(results.code, 0);
+    EXPECT_TRUE(results.output == read_file(QUICKSAND_SOURCE_DIR "/io/RESULTS.md"))
+        << "make it anew: quicksand keys --results --markdown > io/RESULTS.md";
+}
+
+TEST(Keys, LookQuantitiesOfResultsUp)
+{
+    const Outcome found = run_program("keys --results settlement");
+    EXPECT_EQ(found.code, 0);
+    EXPECT_TRUE(found.output.starts_with("crest_settlement_m\n")) << found.output;
+    const Outcome stress = run_program("keys --results vertical_effective_stress");
+    EXPECT_NE(stress.output.find("\n    -sigma'_yy, compression positive\n"), std::string::npos)
+        << stress.output;
+}
+
+/// Every file of a run has a row in io/RESULTS.md, and every row a file.
+TEST(Results, AreThoseOfTheReference)
+{
+    const WorkFolder folder;
+    const Outcome run =
+        run_program("run " + example("column") + " --until 1e-5 -o " + (folder / "r").string());
+    ASSERT_EQ(run.code, 0) << run.output;
+    const std::string page = read_file(QUICKSAND_SOURCE_DIR "/io/RESULTS.md");
+    std::set<std::string> written;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "r")) {
+        if (!entry.is_regular_file()) continue;
+        std::string name = std::filesystem::relative(entry.path(), folder / "r").string();
+        if (name.ends_with(".vtu")) name = name.substr(0, name.find('/')) + "/*.vtu";
+        if (name.starts_with("probes/")) name = "probes/NAME.csv";
+        written.insert(name);
+    }
+    for (const std::string& name : written)
+        EXPECT_TRUE(page.find("`" + name + "`") != std::string::npos ||
+                    page.find(", " + name + "`") != std::string::npos ||
+                    page.find("`" + name + ",") != std::string::npos)
+            << name;
+    for (const char* name : {"fields.pvd", "grid.pvd", "probes/NAME.csv", "history.csv", "steps.csv",
+                             "checkpoint/state.h5", "run_manifest.json", "scene.toml", "log.txt"})
+        EXPECT_TRUE(written.contains(name)) << name;
 }
 
 TEST(Check, SaysThatASlopeDoesNotStartInEquilibriumAndWhatLiesAboveTheWater)

@@ -2,7 +2,6 @@
 #include "io/assembly/probe_places.hpp"
 #include "io/frames/particle_frame.hpp"
 #include "io/frames/vtk_frame.hpp"
-#include "io/results/probe_sample.hpp"
 #include "io/results/result_reader.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
 #include "solver/boundaries/surface_loads.hpp"

@@ -33,7 +33,9 @@ TEST(GridFrame, CarriesNodalValuesAndNodeNumbers)
         if (array.name != "vertical_effective_stress") continue;
         const auto& values = std::get<std::vector<double>>(array.values);
         for (std::size_t k = 0; k < nodes.size(); ++k)
-            EXPECT_EQ(values[k], fields.vertical_effective_stress[static_cast<std::size_t>(nodes[k])]);
+            EXPECT_EQ(
+                values[k],
+                fields.find("vertical_effective_stress")->components[0][static_cast<std::size_t>(nodes[k])]);
     }
     for (std::size_t k = 0; k < nodes.size(); ++k)
         EXPECT_EQ(frame.points[k], problem.grid.node_position(static_cast<std::size_t>(nodes[k])));

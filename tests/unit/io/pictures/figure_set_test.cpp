@@ -8,18 +8,10 @@
 namespace quicksand {
 namespace {
 
-const ProbeQuantity* quantity(std::string_view name)
-{
-    for (const ProbeQuantity& known : probe_quantities) {
-        if (known.name == name) return &known;
-    }
-    return nullptr;
-}
-
 SceneFigure figure_of(std::string_view name, double scale)
 {
     SceneFigure figure;
-    figure.quantity = quantity(name);
+    figure.quantity = find_figure_quantity(name);
     figure.scale = scale;
     return figure;
 }

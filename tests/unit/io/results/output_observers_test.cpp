@@ -3,8 +3,8 @@
 #include "io/results/checkpoint.hpp"
 #include "io/results/output_names.hpp"
 #include "io/results/output_observers.hpp"
-#include "io/results/probe_sample.hpp"
 #include "io/results/result_reader.hpp"
+#include "solver/measure/quantities.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -112,7 +112,9 @@ TEST(OutputObservers, ExtractionFromTheGridAgreesWithTheFixedProbe)
     const HistoryTable table = extract_history(
         folder.path(), {*scene.probes[1].at, {"pore_pressure", "velocity_solid_x"}, ProbeKind::fixed});
     std::vector<std::string> columns{"time_s"};
-    for (const std::string& column : sample_columns(true)) columns.push_back(column);
+    for (const Quantity* quantity : quantities_of(at_probes))
+        for (std::size_t c = 0; c < component_count(quantity->form); ++c)
+            columns.push_back(probe_column(*quantity, c));
     for (const auto& row : table.rows) {
         const TemporaryFolder copy;
         std::filesystem::copy_file(folder / "probes/point.csv", copy / "point.csv");

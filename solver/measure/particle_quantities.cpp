@@ -1,4 +1,4 @@
-#include "io/frames/particle_quantities.hpp"
+#include "solver/measure/particle_quantities.hpp"
 
 #include "solver/measure/monitors.hpp"
 
@@ -24,6 +24,12 @@ double excess_pressure_ratio(const Problem& problem, const Particles& particles,
     const double initial = particles.initial_vertical_effective_stress[p];
     return initial < ru_stress_threshold(problem) ? std::numeric_limits<double>::quiet_NaN()
                                                   : risen_pore_pressure(problem, particles, p) / initial;
+}
+
+double bounded_pressure_ratio(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    const double initial = particles.initial_vertical_effective_stress[p];
+    return risen_pore_pressure(problem, particles, p) / std::max(initial, ru_stress_threshold(problem));
 }
 
 double mean_effective_stress(const SymmetricTensors& stress, std::size_t p)

@@ -1,5 +1,5 @@
 #include "io/assembly/probe_places.hpp"
-#include "io/results/probe_sample.hpp"
+#include "solver/measure/point_sample.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 namespace quicksand {
 
-TEST(ProbeSample, NearestParticleGoesByTheStartAndTheLowestNumber)
+TEST(PointSample, NearestParticleGoesByTheStartAndTheLowestNumber)
 {
     const Problem problem = fixtures::small_problem(true);
     State state = fixtures::small_state(problem);
@@ -23,7 +23,7 @@ TEST(ProbeSample, NearestParticleGoesByTheStartAndTheLowestNumber)
     EXPECT_EQ(state.particles.identifier[nearest_particle(state.particles, {0.5, 0.5})], expected);
 }
 
-TEST(ProbeSample, SurfaceIsTheHighestDomainOverTheLine)
+TEST(PointSample, SurfaceIsTheHighestDomainOverTheLine)
 {
     const Problem problem = fixtures::small_problem(true);
     State state = fixtures::small_state(problem);
@@ -38,7 +38,7 @@ TEST(ProbeSample, SurfaceIsTheHighestDomainOverTheLine)
     EXPECT_FALSE(surface_point(problem, particles, 7.0).found);
 }
 
-TEST(ProbeSample, ASurfaceIsFoundWhereDomainsMeetButForRounding)
+TEST(PointSample, ASurfaceIsFoundWhereDomainsMeetButForRounding)
 {
     const Problem problem = fixtures::small_problem(true);
     State state = fixtures::small_state(problem);
@@ -53,24 +53,24 @@ TEST(ProbeSample, ASurfaceIsFoundWhereDomainsMeetButForRounding)
     EXPECT_FALSE(surface_point(problem, particles, 1.001 * edge).found);
 }
 
-TEST(ProbeSample, FixedPointInterpolatesLinearFieldsExactly)
+TEST(PointSample, FixedPointInterpolatesLinearFieldsExactly)
 {
     const Problem problem = fixtures::small_problem(true);
     State state = fixtures::small_state(problem);
     NodalFields fields = nodal_fields(problem, state.particles);
     for (std::size_t node = 0; node < problem.grid.node_count(); ++node) {
         const Vector2 place = problem.grid.node_position(node);
-        fields.displacement.x[node] = 0.01 * place.x() + 0.03 * place.y();
-        fields.displacement.y[node] = 0.02 * place.x() - 0.01 * place.y();
-        fields.excess_pore_pressure[node] = 100.0 * place.y();
+        fields.find("displacement")->components[0][node] = 0.01 * place.x() + 0.03 * place.y();
+        fields.find("displacement")->components[1][node] = 0.02 * place.x() - 0.01 * place.y();
+        fields.find("excess_pore_pressure")->components[0][node] = 100.0 * place.y();
     }
-    const ProbeSample sample = sample_point(problem, fields, {1.1, 0.7});
-    EXPECT_NEAR(sample.displacement.x(), 0.032, 1e-14);
-    EXPECT_NEAR(sample.excess_pore_pressure, 70.0, 1e-11);
-    EXPECT_NEAR(sample.shear_strain_xy, 0.05, 1e-14);
+    const PointSample sample = sample_point(problem, fields, {1.1, 0.7});
+    EXPECT_NEAR(sample["displacement"][0], 0.032, 1e-14);
+    EXPECT_NEAR(sample["excess_pore_pressure"][0], 70.0, 1e-11);
+    EXPECT_NEAR(sample["shear_strain_xy"][0], 0.05, 1e-14);
 }
 
-TEST(ProbeSample, NodesAroundThePointsAloneGiveTheSameBits)
+TEST(PointSample, NodesAroundThePointsAloneGiveTheSameBits)
 {
     const Problem problem = fixtures::small_problem(true);
     State state = fixtures::small_state(problem);
@@ -89,34 +89,34 @@ TEST(ProbeSample, NodesAroundThePointsAloneGiveTheSameBits)
         left_out += all.volume[node] > 0.0 && some.volume[node] == 0.0;
     EXPECT_GT(left_out, 5u);
     for (const Vector2& point : points) {
-        const ProbeSample expected = sample_point(problem, all, point);
-        const ProbeSample found = sample_point(problem, some, point);
-        if (std::isnan(expected.velocity.x())) {
-            EXPECT_TRUE(std::isnan(found.velocity.x()));
+        const PointSample expected = sample_point(problem, all, point);
+        const PointSample found = sample_point(problem, some, point);
+        if (std::isnan(expected["velocity_solid"][0])) {
+            EXPECT_TRUE(std::isnan(found["velocity_solid"][0]));
             continue;
         }
-        EXPECT_EQ(found.velocity, expected.velocity);
-        EXPECT_EQ(found.excess_pore_pressure, expected.excess_pore_pressure);
-        EXPECT_EQ(found.shear_strain_xy, expected.shear_strain_xy);
+        EXPECT_EQ(found.vector("velocity_solid"), expected.vector("velocity_solid"));
+        EXPECT_EQ(found["excess_pore_pressure"][0], expected["excess_pore_pressure"][0]);
+        EXPECT_EQ(found["shear_strain_xy"][0], expected["shear_strain_xy"][0]);
     }
 }
 
-TEST(ProbeSample, OutsideTheSoilThereIsNoValue)
+TEST(PointSample, OutsideTheSoilThereIsNoValue)
 {
     const Problem problem = fixtures::small_problem(true);
     const NodalFields fields = nodal_fields(problem, fixtures::small_state(problem).particles);
-    const ProbeSample sample = sample_point(problem, fields, {1.0, 2.4});
-    EXPECT_EQ(sample.position, Vector2(1.0, 2.4));
-    EXPECT_TRUE(std::isnan(sample.velocity.x()));
-    EXPECT_TRUE(std::isnan(sample.pore_pressure));
+    const PointSample sample = sample_point(problem, fields, {1.0, 2.4});
+    EXPECT_EQ(sample.vector("position"), Vector2(1.0, 2.4));
+    EXPECT_TRUE(std::isnan(sample["velocity_solid"][0]));
+    EXPECT_TRUE(std::isnan(sample["pore_pressure"][0]));
 }
 
-TEST(ProbeSample, AParticlesShearStrainFollowsItsEdges)
+TEST(PointSample, AParticlesShearStrainFollowsItsEdges)
 {
     const Problem problem = fixtures::small_problem(true);
     State state = fixtures::small_state(problem);
     state.particles.half_edge_2.x[3] += 0.02 * state.particles.half_edge_2.y[3];
-    EXPECT_NEAR(sample_particle(problem, state.particles, 3).shear_strain_xy, 0.02, 1e-14);
+    EXPECT_NEAR(sample_particle(problem, state.particles, 3)["shear_strain_xy"][0], 0.02, 1e-14);
 }
 
 } // namespace quicksand

@@ -1,5 +1,5 @@
-#include "io/frames/particle_quantities.hpp"
 #include "solver/interpolation/cpdi2.hpp"
+#include "solver/measure/particle_quantities.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// What is written of a particle, derived from its state: pressures, stress measures, strains.
+// What results tell of a particle, derived from its state: pressures, stress measures, strains.
 #pragma once
 
 #include "solver/particles/particles.hpp"
@@ -16,6 +16,9 @@ double total_pore_pressure(const Problem& problem, const Particles& particles, s
 
 /// r_u = excess pore pressure / sigma'_v0; NaN where sigma'_v0 is below ru_stress_threshold [-].
 double excess_pressure_ratio(const Problem& problem, const Particles& particles, std::size_t p);
+
+/// The same for averages, with sigma'_v0 at least ru_stress_threshold [-].
+double bounded_pressure_ratio(const Problem& problem, const Particles& particles, std::size_t p);
 
 /// p' = -(xx + yy + zz) / 3, compression positive [Pa].
 double mean_effective_stress(const SymmetricTensors& stress, std::size_t p);

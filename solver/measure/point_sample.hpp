@@ -1,0 +1,34 @@
+// What a probe records at one moment, from a particle or from the nodal fields.
+#pragma once
+
+#include "solver/measure/nodal_fields.hpp"
+#include "solver/measure/quantities.hpp"
+
+#include <cstddef>
+#include <limits>
+#include <string_view>
+#include <vector>
+
+namespace quicksand {
+
+/// Values of one point of the quantities at probes, in their order; NaN means none, as outside the soil.
+class PointSample {
+public:
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+    PointSample();
+    /// Of a quantity at probes, by its name.
+    const QuantityValues& operator[](std::string_view name) const;
+    QuantityValues& operator[](std::string_view name);
+    Vector2 vector(std::string_view name) const { return {(*this)[name][0], (*this)[name][1]}; }
+
+    std::vector<QuantityValues> values;
+};
+
+/// The particle's own values.
+PointSample sample_particle(const Problem& problem, const Particles& particles, std::size_t p);
+
+/// Bilinear values of the nodal fields at a point; only the position where there is no soil.
+PointSample sample_point(const Problem& problem, const NodalFields& fields, const Vector2& point);
+
+} // namespace quicksand
