@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Whether the house is in order: python3 tests/structure.py includes|sizes|format|spelling [root]
+"""Whether the house is in order: python3 tests/structure.py includes|sizes|format|spelling|version [root]
 
 includes  Folders stand on each other as solver < geometry < io < app, and in each the rooms as their
           CMakeLists.txt adds them. A file includes its own room and lower ones; of other people's libraries those
@@ -7,6 +7,7 @@ includes  Folders stand on each other as solver < geometry < io < app, and in ea
 sizes     No file has more than 400 lines, no folder more than 30 sources.
 format    clang-format, of the version in packages.txt, has nothing to change.
 spelling  codespell finds no word that is spelt wrongly (.codespellrc says which are spelt so on purpose).
+version   CMakeLists.txt, CITATION.cff and the newest dated heading of CHANGELOG.md name the same version and date.
 """
 import re
 import subprocess
@@ -135,8 +136,30 @@ def check_spelling(root):
     yield from run.stdout.splitlines()
 
 
+def check_version(root):
+    places = {  # where the version and its date stand
+        "CHANGELOG.md": (r"^## \[(\d\S*)\] - ", r"^## \[\d\S*\] - (\d{4}-\d\d-\d\d)$"),
+        "CMakeLists.txt": (r"^project\(\S+ VERSION ([\d.]+)", r"^set\(QUICKSAND_RELEASE_DATE (\S+)\)"),
+        "CITATION.cff": (r"^version: (\S+)$", r"^date-released: (\S+)$"),
+    }
+    found = {}
+    for file, patterns in places.items():
+        text = (root / file).read_text()
+        matches = [re.search(pattern, text, re.MULTILINE) for pattern in patterns]
+        if not all(matches):
+            yield f"{file}: no version with its date, of the form {' and '.join(patterns)}"
+            return
+        found[file] = " of ".join(match[1] for match in matches)
+    if len(set(found.values())) > 1:
+        yield "not one version: " + ", ".join(f"{file} has {what}" for file, what in found.items())
+    headings = re.findall(r"^## .*$", (root / "CHANGELOG.md").read_text(), re.MULTILINE)
+    if headings[0] != "## [Unreleased]":
+        yield "CHANGELOG.md: begins with ## [Unreleased], which holds what comes after the newest version"
+
+
 def main():
-    checks = {"includes": check_includes, "sizes": check_sizes, "format": check_format, "spelling": check_spelling}
+    checks = {"includes": check_includes, "sizes": check_sizes, "format": check_format, "spelling": check_spelling,
+              "version": check_version}
     if len(sys.argv) not in (2, 3) or sys.argv[1] not in checks:
         sys.exit(__doc__)
     root = Path(sys.argv[2] if len(sys.argv) == 3 else Path(__file__).parent.parent).resolve()

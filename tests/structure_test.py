@@ -9,6 +9,9 @@ from pathlib import Path
 SCRIPT = Path(__file__).with_name("structure.py")
 HOUSE = {
     "packages.txt": "clang-format-14\n",
+    "CMakeLists.txt": "project(House VERSION 1.2.0)\nset(QUICKSAND_RELEASE_DATE 2026-11-23)\n",
+    "CITATION.cff": "version: 1.2.0\ndate-released: 2026-11-23\n",
+    "CHANGELOG.md": "## [Unreleased]\n\n## [1.2.0] - 2026-11-23\n\n## [1.1.0] - 2026-01-31\n",
     ".clang-format": "BasedOnStyle: LLVM\n",
     "solver/CMakeLists.txt": "add_subdirectory(base)\nadd_subdirectory(water)\n",
     "solver/base/units.hpp": "#include <vector>\n",
@@ -36,7 +39,7 @@ class House(unittest.TestCase):
             return run.stdout
 
     def test_a_house_in_order_has_no_findings(self):
-        for check in ["includes", "sizes", "format", "spelling"]:
+        for check in ["includes", "sizes", "format", "spelling", "version"]:
             self.assertEqual(self.findings(check, {}), "")
 
     def test_no_room_looks_up(self):
@@ -72,6 +75,16 @@ class House(unittest.TestCase):
 
     def test_spelling(self):
         self.assertIn("teh ==> the", self.findings("spelling", {"README.md": "teh dike\n"}))
+
+    def test_one_version_and_date(self):
+        cite = "version: 1.1.0\ndate-released: 2026-11-23\n"
+        self.assertIn("not one version", self.findings("version", {"CITATION.cff": cite}))
+        earlier = "## [Unreleased]\n\n## [1.2.0] - 2026-11-22\n"
+        self.assertIn("CHANGELOG.md has 1.2.0 of 2026-11-22", self.findings("version", {"CHANGELOG.md": earlier}))
+        found = self.findings("version", {"CHANGELOG.md": "## [1.2.0] - 2026-11-23\n"})
+        self.assertIn("begins with ## [Unreleased]", found)
+        undated = self.findings("version", {"CHANGELOG.md": "## [Unreleased]\n\n## [1.2.0]\n"})
+        self.assertIn("CHANGELOG.md: no version with its date", undated)
 
 
 unittest.main()

@@ -33,6 +33,15 @@ TEST(CommandLine, EveryCommandHasHelp)
     }
 }
 
+TEST(CommandLine, TheVersionIsTheNewestOfTheChangelog)
+{
+    const std::string changelog = read_file(QUICKSAND_SOURCE_DIR "/CHANGELOG.md");
+    const std::size_t begin = changelog.find("\n## [", changelog.find("## [Unreleased]")) + 6;
+    const std::string newest = changelog.substr(begin, changelog.find(']', begin) - begin);
+    EXPECT_EQ(run_program("version").output, "Quicksand " + newest + "\n");
+    EXPECT_EQ(run_program("--version").output, "Quicksand " + newest + "\n");
+}
+
 TEST(CommandLine, AMisspeltCommandIsGuessed)
 {
     const Outcome outcome = run_program("chek examples/dike");
