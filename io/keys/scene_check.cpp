@@ -57,11 +57,6 @@ std::string header(const KeyPath& path, const SceneKey* key = nullptr)
     return "[" + join_path(path) + (named ? ".NAME" : "") + "]";
 }
 
-bool is_table(const SceneKey& key)
-{
-    return key.type == ValueType::table || key.type == ValueType::named_tables;
-}
-
 KeyPath operator+(KeyPath path, std::string_view part)
 {
     path.emplace_back(part);

@@ -84,6 +84,18 @@ std::string use_text(const SceneKey& key)
     return text;
 }
 
+template <class Number>
+std::string list_of(const std::vector<Number>& numbers)
+{
+    std::string list;
+    for (const Number value : numbers) {
+        list += (list.empty() ? "" : ", ") + number_text(static_cast<double>(value));
+    }
+    return "[" + list + "]";
+}
+
+} // namespace
+
 std::string shown_path(std::string_view pattern)
 {
     std::string path(pattern);
@@ -96,23 +108,9 @@ bool is_table(const SceneKey& key)
     return key.type == ValueType::table || key.type == ValueType::named_tables;
 }
 
-template <class Number>
-std::string list_of(const std::vector<Number>& numbers)
+std::vector<KeyProperty> key_properties(const SceneKey& key)
 {
-    std::string list;
-    for (const Number value : numbers) {
-        list += (list.empty() ? "" : ", ") + number_text(static_cast<double>(value));
-    }
-    return "[" + list + "]";
-}
-
-struct Property {
-    std::string name, text;
-};
-
-std::vector<Property> properties(const SceneKey& key)
-{
-    std::vector<Property> list;
+    std::vector<KeyProperty> list;
     const auto add = [&](std::string name, std::string text) {
         if (!text.empty()) list.push_back({std::move(name), std::move(text)});
     };
@@ -124,8 +122,6 @@ std::vector<Property> properties(const SceneKey& key)
     add("usual", is_bounded(key.plausible) ? describe(key.plausible, key.dimension) : "");
     return list;
 }
-
-} // namespace
 
 std::string describe(const Interval& interval, Dimension dimension)
 {
@@ -210,7 +206,7 @@ std::string describe_keys(const KeyTable& table, std::string_view pattern)
             continue;
         }
         text += path + "\n    " + std::string(key.doc) + "\n";
-        for (const Property& property : properties(key)) {
+        for (const KeyProperty& property : key_properties(key)) {
             text +=
                 "    " + property.name + std::string(9 - property.name.size(), ' ') + property.text + "\n";
         }
@@ -231,7 +227,7 @@ std::string keys_markdown(const KeyTable& table)
             continue;
         }
         std::map<std::string, std::string> cells;
-        for (const Property& property : properties(key)) cells[property.name] = property.text;
+        for (const KeyProperty& property : key_properties(key)) cells[property.name] = property.text;
         if (!cells["used"].empty()) cells["default"] += " (" + cells["used"] + ")";
         text += "| `" + std::string(last_part(key.pattern)) + "` | " + cells["is"] + " | " +
                 cells["default"] + " | " + cells["range"] + " | " + cells["usual"] + " | " +

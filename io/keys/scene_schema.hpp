@@ -118,6 +118,20 @@ std::string describe(const Interval& interval, Dimension dimension);
 /// The value as text, in SI, without unit.
 std::string value_text(const SceneValue& value);
 
+/// The pattern as the reference shows it: "materials.NAME.porosity".
+std::string shown_path(std::string_view pattern);
+
+/// Whether the row is a table, which has keys and no value.
+bool is_table(const SceneKey& key);
+
+struct KeyProperty {
+    std::string name; // "is", "default", "used", "range" or "usual"
+    std::string text; // "number in Pa"
+};
+
+/// What the reference says of a key besides its line: the properties that it has, in a fixed order.
+std::vector<KeyProperty> key_properties(const SceneKey& key);
+
 /// The reference as aligned text, of the keys whose pattern contains `pattern` ("" for all).
 std::string describe_keys(const KeyTable& table, std::string_view pattern);
 

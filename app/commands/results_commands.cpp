@@ -1,0 +1,87 @@
+#include "app/commands/command.hpp"
+#include "app/commands/commands.hpp"
+#include "app/commands/number_check.hpp"
+
+namespace quicksand {
+
+namespace {
+
+void add_probe(CLI::App& program, Commands& commands)
+{
+    struct Words {
+        std::vector<double> at;
+        std::string kind = "fixed";
+    };
+    CLI::App* parser = program.add_subcommand("probe", "Take a history at a point out of written frames");
+    auto choice = std::make_shared<ProbeChoice>();
+    auto words = std::make_shared<Words>();
+    parser->add_option("RESULTS", choice->results, "Results folder of a run")->required();
+    parser->add_option("--at", words->at, "Place in m")
+        ->check(number_in(any_number))
+        ->delimiter(',')
+        ->expected(2)
+        ->allow_extra_args(false)
+        ->required()
+        ->type_name("X,Y");
+    parser->add_option("--fields", choice->fields, "Fields, as excess_pore_pressure,ru")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->required()
+        ->type_name("A,B");
+    parser->add_option("--kind", words->kind, "fixed in space, or riding with the material")
+        ->check(CLI::IsMember({"fixed", "material"}));
+    parser->add_option("-o,--output", choice->file, "CSV file to write")->required()->type_name("FILE");
+    commands.push_back({parser, [choice, words] {
+                            choice->at = {words->at[0], words->at[1]};
+                            choice->rides_with_soil = words->kind == "material";
+                            return extract_probe(*choice);
+                        }});
+}
+
+void add_picture(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<PictureChoice>(
+        program, commands, "picture", "Draw the results of a run as PNG files, no display needed",
+        draw_pictures);
+    parser->add_option("RESULTS", choice->results, "Results folder of a run")->required();
+    parser
+        ->add_option("-o,--output", choice->output,
+                     "A .png file or a folder; RESULTS/pictures when not given")
+        ->type_name("FILE");
+    parser->add_option("--field", choice->field, "Only this field, as excess_pore_pressure or displacement")
+        ->type_name("NAME");
+    parser
+        ->add_option("--time", choice->time, "Time in s, the nearest frame is drawn; the last when not given")
+        ->check(number_in(any_number))
+        ->type_name("T");
+    parser->add_option("--range", choice->range, "Limits of the colours, in the SI unit of the field")
+        ->type_name("LOW:HIGH");
+    parser->add_option("--exaggeration", choice->exaggeration, "Factor on the displacements drawn")
+        ->check(number_in(positive_number))
+        ->type_name("F");
+}
+
+void add_figures(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<FiguresChoice>(
+        program, commands, "figures", "Draw the figures that a scene asks for from its finished run",
+        draw_scene_figures);
+    parser->add_option("SOURCE", choice->source, "Scene, its folder, or the results folder of a run")
+        ->required();
+    parser->add_option("--results", choice->results, "Results of the scene; results/<scene> when not given")
+        ->type_name("DIR");
+    parser
+        ->add_option("-o,--output", choice->output, "Folder of the PNG files; RESULTS/figures when not given")
+        ->type_name("DIR");
+}
+
+} // namespace
+
+void add_results_commands(CLI::App& program, Commands& commands)
+{
+    add_probe(program, commands);
+    add_picture(program, commands);
+    add_figures(program, commands);
+}
+
+} // namespace quicksand

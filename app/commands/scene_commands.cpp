@@ -1,0 +1,111 @@
+#include "app/commands/command.hpp"
+#include "app/commands/commands.hpp"
+#include "app/commands/number_check.hpp"
+
+namespace quicksand {
+
+namespace {
+
+void add_scene(CLI::App& parser, SceneChoice& choice)
+{
+    parser.add_option("SCENE", choice.scene, "Scene file, or a folder that holds scene.toml")->required();
+    add_threads(parser, choice.threads);
+    parser.add_option("--until", choice.until, "End of the run in s, in place of run.end_time")
+        ->check(number_in(positive_number))
+        ->type_name("T");
+    add_overrides(parser, choice.overrides);
+}
+
+void add_run(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] =
+        add_command<RunChoice>(program, commands, "run", "Run a scene and write its results", run_scene);
+    add_scene(*parser, choice->scene);
+    parser->add_option("-o,--output", choice->directory, "Results folder; results/<scene> when not given")
+        ->type_name("DIR");
+    CLI::Option* overwrite =
+        parser->add_flag("--overwrite", choice->overwrite, "Replace the results of a former run");
+    parser->add_flag("--resume", choice->resume, "Go on from the last checkpoint")->excludes(overwrite);
+}
+
+void add_check(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<CheckChoice>(
+        program, commands, "check", "Say what a run of the scene will be, and write its initial frame",
+        check_scene);
+    add_scene(*parser, choice->scene);
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Folder of the frame; results/<scene>-check when not given")
+        ->type_name("DIR");
+}
+
+void add_stability(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<StabilityChoice>(
+        program, commands, "stability",
+        "Find the factor of safety of a slope by reducing its strength, with the way it fails",
+        assess_stability);
+    add_scene(*parser, choice->scene);
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Results folder; results/<scene>-stability when not given")
+        ->type_name("DIR");
+    parser->add_option("--tolerance", choice->tolerance, "Width of the bracket over the factor; 0.005")
+        ->check(number_in({.lower = 1e-4, .upper = 0.5}))
+        ->type_name("W");
+    parser
+        ->add_option("--seismic-coefficient", choice->seismic_coefficient,
+                     "Horizontal force over weight, positive towards +x (pseudo-static)")
+        ->check(number_in({.lower = -2.0, .upper = 2.0}))
+        ->type_name("K");
+}
+
+void add_new(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<NewChoice>(
+        program, commands, "new", "Make a folder with a commented scene and drawing to start from",
+        create_scene);
+    parser->add_option("KIND", choice->example, "dike or column")->required();
+    parser->add_option("NAME", choice->folder, "The folder to make")->required();
+}
+
+void add_element(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<ElementChoice>(
+        program, commands, "element", "Test a soil in the element laboratory: simple shear and others",
+        run_element_tests);
+    parser->add_option("TEST", choice->file, "File of tests, or a folder that holds test.toml")->required();
+    add_overrides(*parser, choice->overrides, "Replace a key of the file: --set materials.sand.n1_60=10");
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Results folder, replaced if there; results/<file> when not given")
+        ->type_name("DIR");
+}
+
+} // namespace
+
+void add_threads(CLI::App& parser, int& threads)
+{
+    parser.add_option("--threads", threads, "Threads; all of the machine's when not given")
+        ->check(number_in(thread_number))
+        ->type_name("N");
+}
+
+void add_overrides(CLI::App& parser, std::vector<std::string>& overrides, const std::string& about)
+{
+    parser.add_option("--set", overrides, about)
+        ->type_name("KEY=VALUE")
+        ->allow_extra_args(false); // the word after it may be a scene
+}
+
+void add_scene_commands(CLI::App& program, Commands& commands)
+{
+    add_run(program, commands);
+    add_check(program, commands);
+    add_stability(program, commands);
+    add_new(program, commands);
+    add_element(program, commands);
+}
+
+} // namespace quicksand
