@@ -27,7 +27,8 @@ std::filesystem::path find_scene_file(const std::filesystem::path& scene);
 /// --set words for cells of another size over the section that a grid covers.
 std::vector<std::string> on_cells_of(double cell_size, const BackgroundGrid& grid);
 
-/// results/<folder of the scene>; of a scene that is not called scene.toml, results/<its name>.
+/// results/NAME with the name of the scene's folder; of a scene that is not called scene.toml, with its own
+/// name.
 std::filesystem::path default_results(const std::filesystem::path& scene_file);
 
 /// The folder that was chosen for a command's report; when that is empty, default_results() and the command's
