@@ -1,4 +1,5 @@
 """The table of numbers, numbers.toml: read, compared with what a run gives, rewritten."""
+import datetime
 import math
 import re
 import tomllib
@@ -38,16 +39,25 @@ class NumberTable:
         tolerance = self.tolerances[row["tolerance"]]
         return max(tolerance.get("relative", 0.0) * abs(expected), tolerance.get("absolute", 0.0))
 
-    def rewrite(self, values):
-        """Put new values into the file, each in the line of its number; all else stays as it is."""
-        lines, run = self.file.read_text().splitlines(keepends=True), None
+    def rewrite(self, run, values):
+        """Put a run's new values into the file, and the day where it says one; all else stays as it is."""
+        lines, heading = self.file.read_text().splitlines(keepends=True), ""
         for k, line in enumerate(lines):
-            if heading := re.match(r"\[(.+)\]", line):
-                run = heading[1].removeprefix("numbers.") if heading[1].startswith("numbers.") else None
-            elif run and (found := re.match(r"(\w+) *= *\{ *value *= *", line)) and f"{run}.{found[1]}" in values:
-                rest = re.sub(r"^(\[[^\]]*\]|[^,}]*[^,} ])", "", line[found.end():])
-                lines[k] = found[0] + written(values[f"{run}.{found[1]}"]) + rest
+            if line.startswith("["):
+                heading = line.strip("[]\n")
+            elif heading == f"runs.{run}" and line.startswith("taken_over = "):
+                lines[k] = f'taken_over = "{datetime.date.today()}"\n'
+            elif heading.startswith("numbers."):
+                lines[k] = with_value(line, heading.removeprefix("numbers."), values)
         self.file.write_text("".join(lines))
+
+
+def with_value(line, run, values):
+    """The line of a number with its new value, if there is one."""
+    found = re.match(r"(\w+) = \{ value = (\[[^\]]*\]|[^,}]*[^,} ])", line)
+    if not found or f"{run}.{found[1]}" not in values:
+        return line
+    return f"{found[1]} = {{ value = {written(values[f'{run}.{found[1]}'])}{line[found.end():]}"
 
 
 def written(value):

@@ -66,13 +66,13 @@ def findings(table, documents, values):
                    f"  Is the change meant? Then: tests/regression/regression.py --update {row['run']}")
 
 
-def update(table, values):
+def update(table, run, values):
     """Take the numbers of a run over, all of them, and tell those that were out of tolerance."""
     found = {name: got for name, got in values.items() if not isinstance(got, str)}
     for name, got in found.items():
         if differs(table, table.numbers[name], got):
             print(f"{name}: {written(table.numbers[name]['value'])} -> {written(got)}")
-    table.rewrite(found)
+    table.rewrite(run, found)
 
 
 def arguments():
@@ -110,7 +110,7 @@ def main():
                 table, run, given.program.resolve())
             print(f"{run}: {len(values)} numbers", flush=True)
             if given.update:
-                update(table, values)
+                update(table, run, values)
                 values = {name: got for name, got in values.items() if isinstance(got, str)}
             found += findings(table, documents, values)
         if given.update:

@@ -1,5 +1,7 @@
 #!/usr/bin/env python3
 """The tools of this folder find what they are there to find: results, a table and documents of a few lines."""
+import argparse
+import datetime
 import math
 import tempfile
 import unittest
@@ -26,6 +28,7 @@ commands = ["./qs run examples/dike"]
 measured = "once"
 [runs.grids]
 long = true
+taken_over = "before all"
 [runs.grids_short]
 part_of = "grids"
 [numbers.dike]
@@ -118,9 +121,21 @@ class Regression(unittest.TestCase):
         self.assertEqual(self.table.chosen_runs(long=False), ["dike", "grids_short"])
         self.assertEqual(self.table.chosen_runs(long=True), ["dike", "grids", "grids_short"])
 
-    def test_an_update_changes_values_alone(self):
-        self.table.rewrite({"dike.settlement": 3.1234567, "grids.errors": [4.1, 1.2]})
+    def test_a_run_has_to_end_well_and_leave_its_files(self):
+        self.table.runs["dike"] = {"commands": ["echo gone wrong; false"]}
+        with self.assertRaisesRegex(SystemExit, "dike: 'echo gone wrong; false' ends with 1:\ngone wrong"):
+            regression.values_of(self.table, "dike", Path("/bin/false"))
+        self.table.runs["dike"] = {"commands": ["./qs --version"], "files": ["picture.png"]}
+        with self.assertRaisesRegex(SystemExit, "dike: there is no picture.png"):
+            regression.values_of(self.table, "dike", Path("/bin/true"))
+        with self.assertRaisesRegex(SystemExit, "no run is named dike_costs, dyke; there are dike, grids, grids_short"):
+            regression.chosen(self.table, argparse.Namespace(runs=["dike_costs", "dyke"], long=False))
+
+    def test_an_update_changes_values_and_the_day_alone(self):
+        self.table.rewrite("dike", {"dike.settlement": 3.1234567})
+        self.table.rewrite("grids", {"grids.errors": [4.1, 1.2]})
         expected = TABLE.replace("value = 3,", "value = 3.12346,").replace("[4.0, 1.0]", "[4.1, 1.2]")
+        expected = expected.replace("before all", f"{datetime.date.today()}")
         self.assertEqual((self.root / "numbers.toml").read_text(), expected)
 
     def test_a_number_needs_a_run_and_a_tolerance(self):
