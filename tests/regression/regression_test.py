@@ -161,6 +161,9 @@ class Regression(unittest.TestCase):
         said = "\n".join(self.documents().findings())
         self.assertIn("README.md: does not say 'settles by 3 mm in 1m15s'", said)
         self.assertIn("tables/nowhere.md: 0 documents have its table, not one", said)
+        self.change("README.md", "regression:dike", "regression:dyke")
+        with self.assertRaisesRegex(SystemExit, "README.md: there is no tests/regression/tables/dyke.md"):
+            list(self.documents().findings())
 
     def test_a_document_shows_files_as_they_are(self):
         (self.root / "a.geo").write_text("Point(1);\n")
