@@ -18,10 +18,10 @@ FOLDERS = ["solver", "geometry", "io", "app"]  # each may include those before i
 LIBRARIES = {  # besides the standard library and the system's
     "solver": ["Eigen/", "omp.h"],
     "geometry": ["Eigen/", "CGAL/", "gmsh", "nlohmann/", "fmt/"],
-    "io": ["Eigen/", "vtk", "hdf5", "toml++/", "nlohmann/", "fmt/", "cairo"],
+    "io": ["Eigen/", "vtk", "hdf5", "toml++/", "nlohmann/", "fmt/"],
     "app": ["Eigen/", "CLI/", "fmt/"],
 }
-THEIRS = re.compile(r"^(Eigen/|omp\.h|CGAL/|gmsh|nlohmann/|fmt/|vtk|hdf5|H5|toml|cairo|CLI/|boost/|gtest/)")
+THEIRS = re.compile(r"^(Eigen/|omp\.h|CGAL/|gmsh|nlohmann/|fmt/|vtk|hdf5|H5|toml|CLI/|boost/|gtest/)")
 INCLUDE = re.compile(r'^\s*#include\s+([<"])([^>"]+)[>"]')
 MOST_LINES, MOST_SOURCES = 400, 30
 

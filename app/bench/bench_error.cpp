@@ -147,8 +147,9 @@ LinePlot work_plot(const std::string& problem, const std::vector<WorkPoint>& poi
     PlotPanel panel;
     panel.x_label = "run time on one thread [s]";
     panel.y_label = "largest relative error";
-    panel.key_beside = true;
-    panel.scale = PlotScale::logarithmic;
+    panel.key = KeyPlace::beside;
+    panel.x_scale = AxisScale::logarithmic;
+    panel.y_scale = AxisScale::logarithmic;
     std::vector<std::string> names;
     for (const WorkPoint& point : points) {
         if (names.empty() || names.back() != point.setting) names.push_back(point.setting);
@@ -225,8 +226,8 @@ ExitCode measure_all(const BenchChoice& choice, Journal& journal)
         if (!points || points->empty()) continue;
         for (const std::vector<WorkPoint>& part : by_problem(*points)) {
             const std::string& name = part.front().problem;
-            draw_line_plot(work_plot(name, part),
-                           choice.directory / ("error_" + file_name_of(name) + ".png"));
+            const std::filesystem::path png = choice.directory / ("error_" + file_name_of(name) + ".png");
+            draw_pictures({plot_drawing(work_plot(name, part), png)});
             advice += '\n' + name;
             for (const double wanted : {0.05, 0.01, 0.001}) advice += '\n' + recommendation(part, wanted);
         }

@@ -176,7 +176,7 @@ LinePlot histories_of(const ComparedQuantity& quantity, const std::string& title
         PlotPanel panel;
         panel.x_label = "time [s]";
         panel.y_label = fmt::format("{}: {} [{}]", probe.probe, quantity.name, quantity.unit);
-        panel.key_beside = true;
+        panel.key = KeyPlace::beside;
         for (std::size_t k = 0; k < runs.size(); ++k) {
             const PictureTable* same = find_probe(runs[k].probes, probe.probe);
             if (same == nullptr) continue;
@@ -209,11 +209,13 @@ void report(const std::string& title, const std::vector<GridRun>& runs, const fs
             journal.say(run.setting.name + ": " + text_of(error));
     }
     write_atomically(folder / "grid.csv", csv_of(runs));
+    std::vector<Drawing> drawings;
     for (const ComparedQuantity& quantity : compared_quantities) {
         const LinePlot plot = histories_of(quantity, title, runs);
         if (!plot.panels.empty())
-            draw_line_plot(plot, folder / ("grid_" + file_name_of(quantity.name) + ".png"));
+            drawings.push_back(plot_drawing(plot, folder / ("grid_" + file_name_of(quantity.name) + ".png")));
     }
+    draw_pictures(drawings);
     journal.say("\nTable and figures: " + folder.string());
 }
 

@@ -101,6 +101,7 @@ void complain(const VerificationRun& run, Journal& journal)
 
 struct Outcome {
     std::vector<Convergence> results;
+    std::vector<Drawing> figures;
     bool failed = false; // a run went bad
 };
 
@@ -120,7 +121,8 @@ Outcome evaluate(const std::vector<VerificationRun>& runs, const fs::path& direc
         check_quantities(runs[first]);
         const std::vector<Convergence> results = collect(runs, first, last);
         if (last - first > 1) {
-            draw_line_plot(convergence_plot(results), directory / (runs[first].problem + ".png"));
+            outcome.figures.push_back(
+                plot_drawing(convergence_plot(results), directory / (runs[first].problem + ".png")));
         }
         outcome.results.insert(outcome.results.end(), results.begin(), results.end());
     }
@@ -141,6 +143,7 @@ ExitCode verify_problems(const VerifyChoice& choice)
     const Outcome outcome = evaluate(runs, choice.directory, journal);
     journal.say('\n' + describe_convergence(outcome.results));
     write_verification_csv(choice.directory / "verification.csv", outcome.results);
+    draw_pictures(outcome.figures);
     const auto missed = std::count_if(outcome.results.begin(), outcome.results.end(),
                                       [](const Convergence& result) { return !meets_requirements(result); });
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -63,13 +63,13 @@ double cycle(const ElementPoint& point)
     return point.cycle;
 }
 
-SheetCurve path_curve(const ElementRun& run, const std::string& name, const Colour& colour, Coordinate x,
-                      Coordinate y)
+PlotCurve path_curve(const ElementRun& run, const std::string& name, const Colour& colour, Coordinate x,
+                     Coordinate y)
 {
-    SheetCurve curve{{name, colour, {}, {}}, SheetMark::line};
+    PlotCurve curve{name, colour, {}, {}};
     for (const ElementPoint& point : run.result.path) {
-        curve.curve.x.push_back(x(point));
-        curve.curve.y.push_back(y(point));
+        curve.x.push_back(x(point));
+        curve.y.push_back(y(point));
     }
     return curve;
 }
@@ -111,10 +111,10 @@ std::vector<const ElementRun*> shown_runs(const ElementOutcome& outcome)
     return few;
 }
 
-SheetPanel curves_of(const std::vector<const ElementRun*>& runs, const ElementOutcome& outcome, Coordinate x,
-                     Coordinate y)
+PlotPanel curves_of(const std::vector<const ElementRun*>& runs, const ElementOutcome& outcome, Coordinate x,
+                    Coordinate y)
 {
-    SheetPanel panel;
+    PlotPanel panel;
     for (std::size_t k = 0; k < runs.size(); ++k) {
         panel.curves.push_back(
             path_curve(*runs[k], run_label(outcome, *runs[k]), curve_colour(k, runs.size()), x, y));
@@ -122,8 +122,8 @@ SheetPanel curves_of(const std::vector<const ElementRun*>& runs, const ElementOu
     return panel;
 }
 
-SheetPanel labelled(SheetPanel panel, const char* heading, const char* x_label, const char* y_label,
-                    KeyCorner key = KeyCorner::upper_left)
+PlotPanel labelled(PlotPanel panel, const char* heading, const char* x_label, const char* y_label,
+                   KeyPlace key = KeyPlace::upper_left)
 {
     panel.heading = heading;
     panel.x_label = x_label;
@@ -134,7 +134,7 @@ SheetPanel labelled(SheetPanel panel, const char* heading, const char* x_label, 
 
 /// The failure limit of each sand, up and for cyclic tests down: shear stress = sin phi_f (x + a) [kPa].
 void add_failure(const std::vector<const ElementRun*>& runs, const ElementOutcome& outcome, double end,
-                 const char* name, bool downward, SheetPanel& panel)
+                 const char* name, bool downward, PlotPanel& panel)
 {
     std::vector<double> drawn;
     for (std::size_t k = 0; k < runs.size(); ++k) {
@@ -142,40 +142,42 @@ void add_failure(const std::vector<const ElementRun*>& runs, const ElementOutcom
         if (std::find(drawn.begin(), drawn.end(), law.eta_f) != drawn.end()) continue;
         const double slope = law.eta_f, at_zero = 1e-3 * law.eta_f * law.a;
         const Colour colour = drawn.empty() ? guide_grey : curve_colour(k, runs.size());
-        panel.curves.push_back(
-            {{drawn.empty() ? name : "", colour, {0.0, end}, {at_zero, at_zero + slope * end}},
-             SheetMark::guide});
+        panel.curves.push_back({drawn.empty() ? name : "",
+                                colour,
+                                {0.0, end},
+                                {at_zero, at_zero + slope * end},
+                                CurveStyle::dashed});
         if (downward) {
             panel.curves.push_back(
-                {{"", colour, {0.0, end}, {-at_zero, -at_zero - slope * end}}, SheetMark::guide});
+                {"", colour, {0.0, end}, {-at_zero, -at_zero - slope * end}, CurveStyle::dashed});
         }
         drawn.push_back(slope);
     }
 }
 
-double largest_x(const SheetPanel& panel)
+double largest_x(const PlotPanel& panel)
 {
     double largest = 0.0;
-    for (const SheetCurve& curve : panel.curves)
-        for (const double x : curve.curve.x) largest = std::max(largest, x);
+    for (const PlotCurve& curve : panel.curves)
+        for (const double x : curve.x) largest = std::max(largest, x);
     return largest;
 }
 
 /// A level that is asked for, across the panel.
-void add_level(double level, SheetPanel& panel)
+void add_level(double level, PlotPanel& panel)
 {
-    panel.curves.push_back({{"", guide_grey, {0.0, largest_x(panel)}, {level, level}}, SheetMark::guide});
+    panel.curves.push_back({"", guide_grey, {0.0, largest_x(panel)}, {level, level}, CurveStyle::dashed});
 }
 
-SheetPanel shear_path(const std::vector<const ElementRun*>& runs, const ElementOutcome& outcome, bool cyclic)
+PlotPanel shear_path(const std::vector<const ElementRun*>& runs, const ElementOutcome& outcome, bool cyclic)
 {
-    SheetPanel panel = labelled(curves_of(runs, outcome, sigma_v_kpa, tau_kpa), "Stress path",
-                                "Vertical effective stress σ'v [kPa]", "Shear stress τ [kPa]");
-    if (cyclic) panel.curves.front().curve.name.clear(); // it is that of the loops
+    PlotPanel panel = labelled(curves_of(runs, outcome, sigma_v_kpa, tau_kpa), "Stress path",
+                               "Vertical effective stress σ'v [kPa]", "Shear stress τ [kPa]");
+    if (cyclic) panel.curves.front().name.clear(); // it is that of the loops
     double end = largest_x(panel);
     if (cyclic) { // the guides need not go far beyond the loops
         double tau = 0.0;
-        for (const double y : panel.curves.front().curve.y) tau = std::max(tau, std::abs(y));
+        for (const double y : panel.curves.front().y) tau = std::max(tau, std::abs(y));
         end = std::min(end, 2.5 * tau);
     }
     add_failure(runs, outcome, end, "failure, τ = sin φf σ'v", cyclic, panel);
@@ -183,61 +185,61 @@ SheetPanel shear_path(const std::vector<const ElementRun*>& runs, const ElementO
 }
 
 /// The largest shear strain so far, which grows from cycle to cycle.
-SheetPanel strain_panel(const std::vector<const ElementRun*>& shown, const ElementOutcome& outcome)
+PlotPanel strain_panel(const std::vector<const ElementRun*>& shown, const ElementOutcome& outcome)
 {
-    SheetPanel panel =
+    PlotPanel panel =
         labelled(curves_of(shown, outcome, cycle, gamma_percent), "Shear strain", "Number of cycles N",
-                 "Largest shear strain so far [%]", KeyCorner::lower_right);
-    for (SheetCurve& curve : panel.curves) {
+                 "Largest shear strain so far [%]", KeyPlace::lower_right);
+    for (PlotCurve& curve : panel.curves) {
         double largest = 0.0;
-        for (double& gamma : curve.curve.y) {
+        for (double& gamma : curve.y) {
             largest = std::max(largest, std::abs(gamma));
             gamma = largest > 0.0 ? largest : std::nan("");
         }
     }
-    panel.y_axis = SheetAxis::logarithmic;
-    panel.y_range = {0.001, 20.0};
+    panel.y_scale = AxisScale::logarithmic;
+    panel.y_range = PlotRange{0.001, 20.0};
     add_level(3.0, panel);
     return panel;
 }
 
-SheetPanel ru_panel(const std::vector<const ElementRun*>& shown, const ElementOutcome& outcome)
+PlotPanel ru_panel(const std::vector<const ElementRun*>& shown, const ElementOutcome& outcome)
 {
-    SheetPanel panel = labelled(curves_of(shown, outcome, cycle, ru), "Pore pressure", "Number of cycles N",
-                                "Excess pore pressure ratio ru", KeyCorner::lower_right);
+    PlotPanel panel = labelled(curves_of(shown, outcome, cycle, ru), "Pore pressure", "Number of cycles N",
+                               "Excess pore pressure ratio ru", KeyPlace::lower_right);
     add_level(0.95, panel);
     return panel;
 }
 
-SheetPanel loops_panel(const ElementRun& run, const ElementOutcome& outcome)
+PlotPanel loops_panel(const ElementRun& run, const ElementOutcome& outcome)
 {
-    SheetPanel panel = labelled(curves_of({&run}, outcome, gamma_percent, tau_kpa), "", "Shear strain γ [%]",
-                                "Shear stress τ [kPa]");
+    PlotPanel panel = labelled(curves_of({&run}, outcome, gamma_percent, tau_kpa), "", "Shear strain γ [%]",
+                               "Shear stress τ [kPa]");
     const auto cycles = cycles_to_liquefaction(outcome, run);
     panel.heading = "Loops: " + run_label(outcome, run) +
                     (cycles ? ", liquefaction at N = " + short_text(cycles, 4) : "");
-    panel.curves.front().curve.name.clear();
+    panel.curves.front().name.clear();
     return panel;
 }
 
-SheetPanel strength_panel(const ElementOutcome& outcome)
+PlotPanel strength_panel(const ElementOutcome& outcome)
 {
-    SheetPanel panel = labelled({}, "Cyclic strength", "Number of cycles N", "Cyclic stress ratio CSR",
-                                KeyCorner::upper_right);
-    panel.x_axis = SheetAxis::logarithmic;
+    PlotPanel panel = labelled({}, "Cyclic strength", "Number of cycles N", "Cyclic stress ratio CSR",
+                               KeyPlace::upper_right);
+    panel.x_scale = AxisScale::logarithmic;
     const std::size_t count = outcome.test.specimens.size();
     double most = 30.0, largest = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
         const std::string& label = outcome.test.specimens[k].label;
-        SheetCurve curve{{label.empty() ? "UBCSAND" : label, curve_colour(k, count), {}, {}},
-                         SheetMark::line_with_points};
+        PlotCurve curve{
+            label.empty() ? "UBCSAND" : label, curve_colour(k, count), {}, {}, CurveStyle::line_with_points};
         for (const ElementRun* run : runs_of(outcome, k)) {
             const auto cycles = cycles_to_liquefaction(outcome, *run);
             if (!cycles || *cycles <= 0.0) continue;
-            curve.curve.x.push_back(*cycles);
-            curve.curve.y.push_back(std::get<StressCycles>(outcome.loading(*run)).csr);
+            curve.x.push_back(*cycles);
+            curve.y.push_back(std::get<StressCycles>(outcome.loading(*run)).csr);
             most = std::max(most, *cycles);
-            largest = std::max(largest, curve.curve.y.back());
+            largest = std::max(largest, curve.y.back());
         }
         panel.curves.push_back(std::move(curve));
     }
@@ -249,16 +251,18 @@ SheetPanel strength_panel(const ElementOutcome& outcome)
                 if (datum.value && *datum.value == outcome.test.specimens[k].value)
                     colour = curve_colour(k, count);
             }
-            panel.curves.push_back(
-                {{named ? "" : outcome.test.data->label, colour, {datum.cycles}, {datum.csr}},
-                 SheetMark::points});
+            panel.curves.push_back({named ? "" : outcome.test.data->label,
+                                    colour,
+                                    {datum.cycles},
+                                    {datum.csr},
+                                    CurveStyle::points});
             named = true;
             most = std::max(most, datum.cycles);
             largest = std::max(largest, datum.csr);
         }
     }
-    panel.x_range = {0.4, 1.3 * most};
-    panel.y_range = {0.0, 1.15 * largest};
+    panel.x_range = PlotRange{0.4, 1.3 * most};
+    panel.y_range = PlotRange{0.0, 1.15 * largest};
     if (largest == 0.0) panel.y_range.reset();
     return panel;
 }
@@ -274,16 +278,19 @@ std::vector<NamedPanel> stress_cycle_panels(const ElementOutcome& outcome)
             {"csr_n", strength_panel(outcome)}};
 }
 
-SheetPanel summary_panel(const ElementOutcome& outcome, double CycleSummary::*member, double factor)
+PlotPanel summary_panel(const ElementOutcome& outcome, double CycleSummary::*member, double factor)
 {
-    SheetPanel panel;
+    PlotPanel panel;
     const std::vector<const ElementRun*> shown = shown_runs(outcome);
     for (std::size_t k = 0; k < shown.size(); ++k) {
-        SheetCurve curve{{run_label(outcome, *shown[k]), curve_colour(k, shown.size()), {}, {}},
-                         SheetMark::line_with_points};
+        PlotCurve curve{run_label(outcome, *shown[k]),
+                        curve_colour(k, shown.size()),
+                        {},
+                        {},
+                        CurveStyle::line_with_points};
         for (const CycleSummary& summary : summarize_cycles(shown[k]->result.path)) {
-            curve.curve.x.push_back(summary.cycle);
-            curve.curve.y.push_back(factor * (summary.*member));
+            curve.x.push_back(summary.cycle);
+            curve.y.push_back(factor * (summary.*member));
         }
         panel.curves.push_back(std::move(curve));
     }
@@ -299,9 +306,9 @@ std::vector<NamedPanel> strain_cycle_panels(const ElementOutcome& outcome)
         {"stress_path", shear_path(one, outcome, true)},
         {"ru", ru_panel(shown, outcome)},
         {"modulus", labelled(summary_panel(outcome, &CycleSummary::secant_modulus, 1e-6), "Secant modulus",
-                             "Cycle", "Secant shear modulus [MPa]", KeyCorner::upper_right)},
+                             "Cycle", "Secant shear modulus [MPa]", KeyPlace::upper_right)},
         {"damping", labelled(summary_panel(outcome, &CycleSummary::damping_ratio, 100.0), "Damping", "Cycle",
-                             "Damping ratio [%]", KeyCorner::upper_right)}};
+                             "Damping ratio [%]", KeyPlace::upper_right)}};
 }
 
 std::vector<NamedPanel> shear_panels(const ElementOutcome& outcome, Drainage drainage)
@@ -322,20 +329,20 @@ std::vector<NamedPanel> shear_panels(const ElementOutcome& outcome, Drainage dra
     panels.push_back(
         {"lateral_stress",
          labelled(curves_of(shown, outcome, gamma_percent, sigma_h_kpa), "Lateral stress",
-                  "Shear strain γ [%]", "Horizontal effective stress σ'h [kPa]", KeyCorner::lower_right)});
+                  "Shear strain γ [%]", "Horizontal effective stress σ'h [kPa]", KeyPlace::lower_right)});
     return panels;
 }
 
 std::vector<NamedPanel> biaxial_panels(const ElementOutcome& outcome, Drainage drainage)
 {
     const std::vector<const ElementRun*> shown = shown_runs(outcome);
-    SheetPanel path = labelled(curves_of(shown, outcome, s_kpa, t_kpa), "Stress path",
-                               "s' = (σ'v + σ'h)/2 [kPa]", "t = (σ'v − σ'h)/2 [kPa]");
+    PlotPanel path = labelled(curves_of(shown, outcome, s_kpa, t_kpa), "Stress path",
+                              "s' = (σ'v + σ'h)/2 [kPa]", "t = (σ'v − σ'h)/2 [kPa]");
     add_failure(shown, outcome, largest_x(path), "failure, t = sin φf s'", false, path);
     std::vector<NamedPanel> panels = {
         {"stress_strain",
          labelled(curves_of(shown, outcome, vertical_strain_percent, deviator_kpa), "Stress and strain",
-                  "Vertical strain [%]", "σ'v − σ'h [kPa]", KeyCorner::lower_right)},
+                  "Vertical strain [%]", "σ'v − σ'h [kPa]", KeyPlace::lower_right)},
         {"stress_path", std::move(path)}};
     if (drainage == Drainage::undrained) {
         panels.push_back(
@@ -353,13 +360,13 @@ std::vector<NamedPanel> biaxial_panels(const ElementOutcome& outcome, Drainage d
 std::vector<NamedPanel> compression_panels(const ElementOutcome& outcome, bool oedometer)
 {
     const std::vector<const ElementRun*> shown = shown_runs(outcome);
-    SheetPanel volume = labelled(
+    PlotPanel volume = labelled(
         curves_of(shown, outcome, oedometer ? sigma_v_kpa : s_kpa, volumetric_strain_percent), "Compression",
         oedometer ? "Vertical effective stress σ'v [kPa]" : "Mean effective stress s' [kPa]",
         "Volumetric strain, contraction positive [%]");
-    volume.x_axis = SheetAxis::logarithmic;
-    volume.y_axis = SheetAxis::downward;
-    volume.key = KeyCorner::upper_right;
+    volume.x_scale = AxisScale::logarithmic;
+    volume.y_scale = AxisScale::downward;
+    volume.key = KeyPlace::upper_right;
     if (!oedometer) return {{"compression", std::move(volume)}};
     return {
         {"compression", std::move(volume)},
@@ -367,7 +374,7 @@ std::vector<NamedPanel> compression_panels(const ElementOutcome& outcome, bool o
          labelled(curves_of(shown, outcome, sigma_v_kpa, sigma_h_kpa), "Lateral stress",
                   "Vertical effective stress σ'v [kPa]", "Horizontal effective stress σ'h [kPa]")},
         {"stress_ratio", labelled(curves_of(shown, outcome, sigma_v_kpa, stress_ratio), "Stress ratio",
-                                  "Vertical effective stress σ'v [kPa]", "σ'h/σ'v", KeyCorner::upper_right)}};
+                                  "Vertical effective stress σ'v [kPa]", "σ'h/σ'v", KeyPlace::upper_right)}};
 }
 
 } // namespace

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "io/element/element_outcome.hpp"
-#include "io/element/laboratory_sheet.hpp"
+#include "io/pictures/plot_panel.hpp"
 
 #include <string>
 #include <vector>
@@ -11,7 +11,7 @@ namespace quicksand {
 
 struct NamedPanel {
     std::string name; // "loops"
-    SheetPanel panel;
+    PlotPanel panel;
 };
 
 std::vector<NamedPanel> element_panels(const ElementOutcome& outcome);

@@ -24,13 +24,13 @@ LaboratorySheet report_sheet(const ElementOutcome& outcome, const std::string& t
 void draw_element_pictures(const ElementOutcome& outcome, const std::string& title, ElementResults& results)
 {
     LaboratorySheet sheet = report_sheet(outcome, title);
-    std::vector<SheetFile> files = {{sheet, results.add(outcome.test.name, "report.png")}};
+    std::vector<Drawing> pages = {sheet_drawing(sheet, results.add(outcome.test.name, "report.png"))};
     sheet.table.clear();
     for (NamedPanel& named : element_panels(outcome)) {
         sheet.panels = {std::move(named.panel)};
-        files.push_back({sheet, results.add(outcome.test.name, named.name + ".png")});
+        pages.push_back(sheet_drawing(sheet, results.add(outcome.test.name, named.name + ".png")));
     }
-    draw_laboratory_sheets(files);
+    draw_pictures(pages);
 }
 
 } // namespace quicksand

@@ -100,8 +100,8 @@ bool is_upright(const PictureTable& table)
     return width("y_m") >= width("x_m");
 }
 
-void draw_field_figure(const fs::path& results, const SceneFigure& figure, const fs::path& file,
-                       const std::function<void(const std::string&)>& notify)
+Drawing field_figure(const fs::path& results, const SceneFigure& figure, const fs::path& file,
+                     const std::function<void(const std::string&)>& notify)
 {
     PictureRequest request;
     request.output = file;
@@ -110,7 +110,7 @@ void draw_field_figure(const fs::path& results, const SceneFigure& figure, const
     request.title = figure.title;
     if (figure.range.size() == 2) request.range = PlotRange{figure.range[0], figure.range[1]};
     request.notify = notify;
-    draw_results(results, request);
+    return result_drawings(results, request).front();
 }
 
 std::vector<FigureProbe> read_probes(const fs::path& results, const SceneFigure& figure)
@@ -162,7 +162,7 @@ std::optional<LinePlot> history_figure(const SceneFigure& figure, const std::vec
     }
     if (magnitude < 0.0) return std::nullopt;
     const DisplayUnit unit = display_unit(drawn_unit(*figure.quantity->quantity), magnitude);
-    PlotPanel panel{"Time [s]", label_with_unit(figure.quantity->label, unit), {}, true};
+    PlotPanel panel{"Time [s]", label_with_unit(figure.quantity->label, unit), {}, KeyPlace::beside};
     for (std::size_t k = 0; k < all.size(); ++k) {
         const Series& series = all[k];
         const Colour colour = curve_colour(k, all.size());
@@ -193,7 +193,7 @@ std::optional<LinePlot> isochrone_figure(const SceneFigure& figure, const Figure
     PlotPanel panel{label_with_unit(figure.quantity->label, unit),
                     upright ? "Height y [m]" : "Distance along the profile [m]",
                     {},
-                    true};
+                    KeyPlace::beside};
     const std::vector<ProfileRows> chosen = profiles_at(*rows, figure.times);
     for (std::size_t k = 0; k < chosen.size(); ++k) {
         const auto part = [&](const std::vector<double>& column) {
@@ -220,20 +220,18 @@ std::vector<fs::path> draw_figures(const fs::path& results, const std::vector<Sc
     std::error_code error;
     fs::create_directories(folder, error);
     if (error) throw FileError(folder, "cannot make the folder", error.message(), "");
-    std::vector<fs::path> files;
+    std::vector<Drawing> drawings;
     for (const SceneFigure& figure : figures) {
         const fs::path file = folder / (figure.name + ".png");
         if (figure.kind == FigureKind::field) {
-            draw_field_figure(results, figure, file, notify);
+            drawings.push_back(field_figure(results, figure, file, notify));
         } else if (const auto plot = line_figure(results, figure)) {
-            draw_line_plot(*plot, file);
+            drawings.push_back(plot_drawing(*plot, file));
         } else {
             notify(fmt::format("figure {}: the results have no values of it", figure.name));
-            continue;
         }
-        files.push_back(file);
     }
-    return files;
+    return draw_pictures(drawings);
 }
 
 } // namespace quicksand

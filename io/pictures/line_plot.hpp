@@ -1,33 +1,13 @@
-// Curves over time or height as PNGs, drawn by gnuplot in a process of its own.
+// Curves over time or height: panels above or beside each other under one heading.
 #pragma once
 
-#include "io/pictures/colour_map.hpp"
+#include "io/pictures/plot_panel.hpp"
 
 #include <filesystem>
 #include <string>
 #include <vector>
 
 namespace quicksand {
-
-enum class CurveStyle { line, line_with_points, dashed };
-
-/// One curve; NaN leaves a gap.
-struct PlotCurve {
-    std::string name; // in the key; "" for none
-    Colour colour;
-    std::vector<double> x, y; // in the units of the panel's labels
-    CurveStyle style = CurveStyle::line;
-};
-
-enum class PlotScale { linear, logarithmic };
-
-/// One pair of axes.
-struct PlotPanel {
-    std::string x_label, y_label; // with units
-    std::vector<PlotCurve> curves;
-    bool key_beside = false;             // the key right of the axes instead of above them
-    PlotScale scale = PlotScale::linear; // of both axes
-};
 
 enum class PlotArrangement { stacked, side_by_side };
 
@@ -38,13 +18,7 @@ struct LinePlot {
     PlotArrangement arrangement = PlotArrangement::stacked;
 };
 
-/// Colour of the k-th of `count` curves that differ in kind.
-Colour curve_colour(std::size_t k, std::size_t count);
-
-/// What gnuplot is told, data included; it writes `png`.
-std::string plot_script(const LinePlot& plot, const std::filesystem::path& png);
-
-/// Draw by way of a temporary file. Throws FileError, also where gnuplot is missing or fails.
-void draw_line_plot(const LinePlot& plot, const std::filesystem::path& png);
+/// The picture for draw_pictures().
+Drawing plot_drawing(const LinePlot& plot, const std::filesystem::path& png);
 
 } // namespace quicksand

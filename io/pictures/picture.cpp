@@ -4,197 +4,162 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace quicksand {
 namespace {
 
-constexpr Colour ink{0.1, 0.1, 0.1};
-constexpr Colour faint_ink{0.38, 0.38, 0.38};
-constexpr Colour outline_grey{0.45, 0.45, 0.45};
-constexpr double tick_length = 7.0; // [pixel]
-constexpr double frame_line = 1.2;  // [pixel]
+constexpr double bar_gap = 28.0, bar_width = 26.0, bar_tip = 16.0; // [pixel]
+constexpr double sheet_rim = 20.0;                                 // beside the heading [pixel]
+constexpr const char* faint = "textcolor rgb '#616161'";
 
-constexpr TextStyle small_text{.size = 17.0};
-constexpr TextStyle axis_text{.size = 19.0};
-
-PixelPolygon to_pixels(const PictureLayout& layout, const DomainCorners& domain)
+/// The domains whose values are defined, or those whose values are not, with the values in the unit shown.
+std::string domain_block(const char* name, const FieldPicture& picture, const DisplayUnit& unit, bool defined)
 {
-    PixelPolygon polygon;
-    polygon.reserve(domain.size());
-    for (const Vector2& corner : domain) polygon.push_back(layout.place(corner));
-    return polygon;
-}
-
-std::vector<PixelPolygon> to_pixels(const PictureLayout& layout, const std::vector<DomainCorners>& domains)
-{
-    std::vector<PixelPolygon> polygons;
-    polygons.reserve(domains.size());
-    for (const DomainCorners& domain : domains) polygons.push_back(to_pixels(layout, domain));
-    return polygons;
-}
-
-void draw_section(const FieldPicture& picture, const PictureLayout& layout, const PlotRange& limits,
-                  Canvas& canvas)
-{
-    canvas.clip(layout.axes);
+    std::string block = fmt::format("${} << end_of_data\n", name);
     for (std::size_t p = 0; p < picture.domains.size(); ++p) {
-        const double fraction = (picture.values[p] - limits.low) / limits.width();
-        canvas.fill_seamless(to_pixels(layout, picture.domains[p]), map_colour(picture.colours, fraction));
+        const double value = picture.values[p] / unit.factor;
+        if (std::isfinite(value) != defined) continue;
+        const std::string colour = gnuplot_number(value);
+        const DomainCorners& domain = picture.domains[p];
+        for (std::size_t k = 0; k <= domain.size(); ++k) { // the border ends where it begins
+            const Vector2& corner = domain[k % domain.size()];
+            fmt::format_to(std::back_inserter(block), "{:.7g} {:.7g} {}\n", corner.x(), corner.y(), colour);
+        }
+        block += "\n\n";
     }
-    canvas.draw_union_outline(to_pixels(layout, picture.initial_domains), outline_grey, 1.6);
-    canvas.unclip();
+    return block + "end_of_data\n";
 }
 
-void draw_axis_x(const PictureLayout& layout, Canvas& canvas)
+std::string outline_block(const FieldPicture& picture, const PictureLayout& layout)
 {
-    const double bottom = layout.axes.bottom();
-    const int at_most = std::clamp(static_cast<int>(layout.axes.width / 90.0), 2, 12);
-    const Ticks ticks = nice_ticks(layout.x, at_most);
-    TextStyle text = small_text;
-    text.across = AlignX::centre;
-    text.along = AlignY::top;
-    for (const double value : ticks.values) {
-        const double x = std::round(layout.place({value, 0.0}).x);
-        canvas.draw_line({x, bottom}, {x, bottom + tick_length}, ink, frame_line);
-        canvas.write(tick_label(value, ticks.decimals), {x, bottom + 14.0}, text);
+    std::string block = "$outline << end_of_data\n";
+    const double pixel = layout.x.width() / layout.axes.width; // [m]
+    for (const std::vector<Vector2>& line : outline_of(picture.initial_domains, pixel)) {
+        for (const Vector2& corner : line)
+            fmt::format_to(std::back_inserter(block), "{:.7g} {:.7g}\n", corner.x(), corner.y());
+        block += '\n';
     }
-    TextStyle name = axis_text;
-    name.across = AlignX::centre;
-    name.along = AlignY::top;
-    canvas.write("x [m]", {layout.axes.left + 0.5 * layout.axes.width, bottom + 46.0}, name);
+    return block + "end_of_data\n";
 }
 
-void draw_axis_y(const PictureLayout& layout, Canvas& canvas)
+std::string axis(const char* name, const PlotRange& range, int at_most)
 {
-    const double left = layout.axes.left;
-    const int at_most = std::clamp(static_cast<int>(layout.axes.height / 60.0), 2, 10);
-    const Ticks ticks = nice_ticks(layout.y, at_most);
-    TextStyle text = small_text;
-    text.across = AlignX::right;
-    text.along = AlignY::centre;
-    double widest = 0.0;
-    for (const double value : ticks.values) {
-        const double y = std::round(layout.place({0.0, value}).y);
-        canvas.draw_line({left - tick_length, y}, {left, y}, ink, frame_line);
-        const std::string label = tick_label(value, ticks.decimals);
-        canvas.write(label, {left - 13.0, y}, text);
-        widest = std::max(widest, canvas.text_width(label, text));
-    }
-    TextStyle name = axis_text;
-    name.across = AlignX::centre;
-    name.upwards = true;
-    canvas.write("y [m]", {left - 13.0 - widest - 18.0, layout.axes.top + 0.5 * layout.axes.height}, name);
+    const Ticks ticks = nice_ticks(range, at_most);
+    return fmt::format("set {0}range [{1:.9g}:{2:.9g}]\nset {0}tics {3:g} font ',13'\n"
+                       "set format {0} '%.{4}f'\n",
+                       name, range.low, range.high, ticks.step, ticks.decimals);
 }
 
-/// Triangles at the ends of the bar tell that values lie beyond its limits.
-void draw_bar_ends(const FieldPicture& picture, const PixelBox& bar, const ColourRange& range, Canvas& canvas)
+int ticks_along(double length, double distance, int least, int most)
 {
-    const double tip = 16.0;
-    const double middle = bar.left + 0.5 * bar.width;
-    if (range.beyond_high)
-        canvas.fill_triangle({{{bar.left, bar.top}, {bar.right(), bar.top}, {middle, bar.top - tip}}},
-                             map_colour(picture.colours, 1.0));
-    if (range.beyond_low)
-        canvas.fill_triangle(
-            {{{bar.left, bar.bottom()}, {bar.right(), bar.bottom()}, {middle, bar.bottom() + tip}}},
-            map_colour(picture.colours, 0.0));
+    return std::clamp(static_cast<int>(length / distance), least, most);
 }
 
-void draw_colour_bar(const FieldPicture& picture, const PictureLayout& layout, const ColourRange& range,
-                     const DisplayUnit& unit, Canvas& canvas)
+std::string section_axes(const PictureLayout& layout)
 {
-    const PixelBox& bar = layout.colour_bar;
-    const int rows = static_cast<int>(bar.height);
-    for (int row = 0; row < rows; ++row) {
-        const double fraction = 1.0 - (row + 0.5) / rows;
-        canvas.fill_box({bar.left, bar.top + row, bar.width, 1.0}, map_colour(picture.colours, fraction));
-    }
-    canvas.stroke_box(bar, ink, frame_line);
-    draw_bar_ends(picture, bar, range, canvas);
+    return axes_in(layout.axes) + axis("x", layout.x, ticks_along(layout.axes.width, 90.0, 2, 12)) +
+           axis("y", layout.y, ticks_along(layout.axes.height, 60.0, 2, 10)) +
+           "set xlabel 'x [m]' font ',14' offset 0,-0.4\nset ylabel 'y [m]' font ',14' offset -0.8,0\nunset "
+           "grid\n";
+}
 
+std::string palette(ColourMap colours)
+{
+    constexpr int steps = 32; // of the maps' tables
+    std::string stops;
+    for (int k = 0; k <= steps; ++k)
+        stops += fmt::format("{}{} '{}'", k == 0 ? "" : ", ", k,
+                             hex_code(map_colour(colours, static_cast<double>(k) / steps)));
+    return "set palette defined (" + stops + ")\n";
+}
+
+/// A triangle at an end of the bar tells that values lie beyond its limit.
+std::string bar_end(const PixelBox& bar, double from, double tip, const Colour& colour)
+{
+    return fmt::format("set object polygon from screen X({0:g}), screen Y({1:g}) to screen X({2:g}), "
+                       "screen Y({1:g}) to screen X({3:g}), screen Y({4:g}) to screen X({0:g}), "
+                       "screen Y({1:g}) fillstyle solid noborder fillcolor rgb '{5}'\n",
+                       bar.left, from, bar.right(), bar.left + 0.5 * bar.width, tip, hex_code(colour));
+}
+
+std::string colour_bar(const FieldPicture& picture, const PictureLayout& layout, const ColourRange& range,
+                       const DisplayUnit& unit)
+{
+    const PixelBox bar{layout.axes.right() + bar_gap, layout.axes.top, bar_width, layout.axes.height};
     const PlotRange shown{range.limits.low / unit.factor, range.limits.high / unit.factor};
-    const Ticks ticks = nice_ticks(shown, std::clamp(static_cast<int>(bar.height / 50.0), 3, 11));
-    TextStyle text = small_text;
-    text.along = AlignY::centre;
-    double widest = 0.0;
-    for (const double value : ticks.values) {
-        const double y = std::round(bar.bottom() - (value - shown.low) / shown.width() * bar.height);
-        canvas.draw_line({bar.right(), y}, {bar.right() + tick_length, y}, ink, frame_line);
-        const std::string label = tick_label(value, ticks.decimals);
-        canvas.write(label, {bar.right() + 13.0, y}, text);
-        widest = std::max(widest, canvas.text_width(label, text));
+    const int at_most = ticks_along(bar.height, 50.0, 3, 11);
+    const int decimals = nice_ticks(shown, at_most).decimals;
+    // gnuplot leaves the ticks' labels room for few digits only.
+    const std::size_t digits = std::max(fmt::formatted_size("{:.{}f}", shown.low, decimals),
+                                        fmt::formatted_size("{:.{}f}", shown.high, decimals));
+    std::string commands =
+        palette(picture.colours) + axis("cb", shown, at_most) +
+        fmt::format("set colorbox user origin screen X({:g}), screen Y({:g}) "
+                    "size screen X({:g}), screen 1.0 - Y({:g})\nset cblabel {} font ',14' offset {:.1f},0\n",
+                    bar.left, bar.bottom(), bar.width, bar.height,
+                    gnuplot_text(label_with_unit(picture.quantity, unit)), static_cast<double>(digits));
+    if (range.beyond_high)
+        commands += bar_end(bar, bar.top, bar.top - bar_tip, map_colour(picture.colours, 1.0));
+    if (range.beyond_low)
+        commands += bar_end(bar, bar.bottom(), bar.bottom() + bar_tip, map_colour(picture.colours, 0.0));
+    return commands;
+}
+
+/// The text, cut with an ellipsis where it has more letters than `room` pixels hold.
+std::string fit(const std::string& text, double room, double letter)
+{
+    const auto most = static_cast<std::size_t>(std::max(1.0, room / letter));
+    std::size_t letters = 0;
+    for (std::size_t k = 0; k < text.size(); ++k) {
+        const bool begins = (static_cast<unsigned char>(text[k]) & 0xc0u) != 0x80u;
+        if (begins && ++letters > most) return text.substr(0, k) + "…";
     }
-    TextStyle name = axis_text;
-    name.across = AlignX::centre;
-    name.along = AlignY::top;
-    name.upwards = true;
-    canvas.write(label_with_unit(picture.quantity, unit),
-                 {bar.right() + 13.0 + widest + 16.0, bar.top + 0.5 * bar.height}, name);
+    return text;
 }
 
-/// The sample line and its text, below the axes at the right.
-void draw_legend(const FieldPicture& picture, const PictureLayout& layout, Canvas& canvas)
+std::string heading(const FieldPicture& picture, const PictureLayout& layout)
 {
-    if (picture.initial_domains.empty()) return;
-    TextStyle text{.size = 16.0, .across = AlignX::right, .along = AlignY::top, .colour = faint_ink};
-    const std::string name = "initial outline";
-    const double top = layout.axes.bottom() + 47.0;
-    canvas.write(name, {layout.axes.right(), top}, text);
-    const double end = layout.axes.right() - canvas.text_width(name, text) - 8.0;
-    canvas.draw_line({end - 30.0, top + 6.0}, {end, top + 6.0}, outline_grey, 2.0);
-}
-
-std::string time_text(double time)
-{
-    return fmt::format("t = {:.4g} s", time);
-}
-
-/// The text, cut with an ellipsis where it is longer than `room` pixels.
-std::string fit(std::string text, double room, const TextStyle& style, const Canvas& canvas)
-{
-    if (canvas.text_width(text, style) <= room) return text;
-    while (!text.empty() && canvas.text_width(text + "…", style) > room) {
-        while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xc0u) == 0x80u) text.pop_back();
-        if (!text.empty()) text.pop_back();
-    }
-    return text + "…";
-}
-
-void draw_heading(const FieldPicture& picture, const PictureLayout& layout, Canvas& canvas)
-{
-    TextStyle time{.size = 21.0, .across = AlignX::right};
-    const std::string now = time_text(picture.time);
-    const double right = layout.width - 20.0; // of the sheet: a narrow section leaves its title little room
-    canvas.write(now, {right, 46.0}, time);
-
-    const TextStyle heading{.size = 24.0, .bold = true};
-    const double room = right - layout.axes.left - canvas.text_width(now, time) - 24.0;
-    canvas.write(fit(picture.quantity, room, heading, canvas), {layout.axes.left, 46.0}, heading);
-
+    constexpr double bold_letter = 13.8, letter = 9.6; // mean width [pixel]
+    constexpr double time_room = 140.0;
+    const double left = layout.axes.left;
+    const double right =
+        layout.width - sheet_rim; // of the sheet: a narrow section leaves its title little room
     std::string line = picture.title;
     if (!picture.note.empty()) line += (line.empty() ? "" : "  ·  ") + picture.note;
-    const TextStyle note{.size = 17.0, .colour = faint_ink};
-    canvas.write(fit(line, right - layout.axes.left, note, canvas), {layout.axes.left, 76.0}, note);
+    return label_at(right, 39.0, fmt::format("t = {:.4g} s", picture.time), "right font ',16'") +
+           label_at(left, 39.0, fit(picture.quantity, right - left - time_room, bold_letter),
+                    "font ':Bold,18'") +
+           label_at(left, 70.0, fit(line, right - left, letter), fmt::format("font ',13' {}", faint));
+}
+
+/// The sample of the outline and its name, below the axes at the right.
+std::string legend(const PictureLayout& layout)
+{
+    return fmt::format("set key at screen X({:g}), screen Y({:g}) right center Left reverse samplen 2 "
+                       "width -5 font ',12' {}\n",
+                       layout.axes.right(), layout.axes.bottom() + 54.0, faint);
 }
 
 } // namespace
 
-void draw_field_picture(const FieldPicture& picture, const std::filesystem::path& file)
+Drawing field_drawing(const FieldPicture& picture, const std::filesystem::path& file)
 {
     const PictureLayout layout = lay_out_picture(picture);
     const ColourRange range = choose_colour_range(picture);
     const double magnitude = std::max(std::abs(range.limits.low), std::abs(range.limits.high));
     const DisplayUnit unit = display_unit(picture.unit, magnitude);
-
-    Canvas canvas(layout.width, layout.height);
-    draw_section(picture, layout, range.limits, canvas);
-    canvas.stroke_box(layout.axes, ink, frame_line);
-    draw_axis_x(layout, canvas);
-    draw_axis_y(layout, canvas);
-    draw_colour_bar(picture, layout, range, unit, canvas);
-    draw_legend(picture, layout, canvas);
-    draw_heading(picture, layout, canvas);
-    canvas.save(file);
+    // The border of a domain, in its colour, closes the gaps between neighbours.
+    const std::string plots = fmt::format(
+        "set style fill solid 1.0 border\n"
+        "plot $undefined using 1:2 with filledcurves closed fillcolor rgb '{}' lw 1.5 notitle, \\\n"
+        "     $defined using 1:2:3 with filledcurves closed fillcolor palette lw 1.5 notitle, \\\n"
+        "     $outline using 1:2 with lines lw 2 lc rgb '#737373' {}\n",
+        hex_code(undefined_colour), picture.initial_domains.empty() ? "notitle" : "title 'initial outline'");
+    return {file, layout.width, layout.height,
+            domain_block("undefined", picture, unit, false) + domain_block("defined", picture, unit, true) +
+                outline_block(picture, layout) + section_axes(layout) +
+                colour_bar(picture, layout, range, unit) + heading(picture, layout) + legend(layout) + plots};
 }
 
 } // namespace quicksand

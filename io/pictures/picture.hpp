@@ -2,9 +2,9 @@
 #pragma once
 
 #include "io/pictures/colour_map.hpp"
-#include "io/pictures/picture_canvas.hpp"
+#include "io/pictures/picture_gnuplot.hpp"
+#include "io/pictures/picture_outline.hpp"
 #include "io/pictures/picture_ticks.hpp"
-#include "solver/base/conventions.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -12,9 +12,6 @@
 #include <vector>
 
 namespace quicksand {
-
-/// Corners of one particle domain in order [m].
-using DomainCorners = std::vector<Vector2>;
 
 /// What is drawn.
 struct FieldPicture {
@@ -32,13 +29,9 @@ struct FieldPicture {
 
 /// Where things stand on the sheet.
 struct PictureLayout {
-    int width = 0, height = 0; // of the sheet [pixel]
-    PixelBox axes;             // the frame of the section
-    PixelBox colour_bar;
-    PlotRange x, y;                // visible section [m]
-    double pixels_per_metre = 1.0; // the same for x and y [pixel/m]
-
-    PixelPoint place(const Vector2& point) const; // [m] to [pixel]
+    double width = 0.0, height = 0.0; // of the sheet [pixel]
+    PixelBox axes;                    // the frame of the section
+    PlotRange x, y;                   // visible section, equally many pixels a metre [m]
 };
 
 /// Limits of the colours and whether values lie beyond them.
@@ -54,8 +47,8 @@ PictureLayout lay_out_picture(const FieldPicture& picture);
 /// it, symmetric for diverging colours. A few stray values do not stretch it.
 ColourRange choose_colour_range(const FieldPicture& picture);
 
-/// Draw and save. Throws FileError.
-void draw_field_picture(const FieldPicture& picture, const std::filesystem::path& file);
+/// The picture for draw_pictures().
+Drawing field_drawing(const FieldPicture& picture, const std::filesystem::path& file);
 
 /// The corners moved away from where they were initially by `factor` times their displacement.
 std::vector<DomainCorners> exaggerate(const std::vector<DomainCorners>& initial,

@@ -53,7 +53,7 @@ std::optional<PlotPanel> make_panel(const ProfileQuantity& quantity, const Pictu
     if (values == nullptr || largest_of(*values) < 0.0) return std::nullopt;
     const DisplayUnit unit = display_unit(quantity.unit, largest_of(*values));
     const PlaceColumn place = place_column(table);
-    PlotPanel panel{label_with_unit(quantity.label, unit), place.label, {}, false};
+    PlotPanel panel{label_with_unit(quantity.label, unit), place.label, {}};
     if (!place.upright) std::swap(panel.x_label, panel.y_label);
     for (std::size_t k = 0; k < profiles.size(); ++k) {
         const double share =
@@ -110,7 +110,7 @@ std::optional<LinePlot> isochrone_plot(const PictureTable& table, const std::str
     if (plot.panels.empty()) return std::nullopt;
 
     // One key for all panels, beside the last.
-    plot.panels.back().key_beside = true;
+    plot.panels.back().key = KeyPlace::beside;
     for (std::size_t p = 0; p + 1 < plot.panels.size(); ++p)
         for (PlotCurve& curve : plot.panels[p].curves) curve.name.clear();
     return plot;

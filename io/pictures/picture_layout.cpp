@@ -18,8 +18,6 @@ constexpr double largest_width = 1600.0 - left_margin - right_margin;
 constexpr double largest_height = 900.0 - top_margin - bottom_margin;
 constexpr double smallest_width = 470.0; // that leaves the title its room
 constexpr double smallest_height = 260.0;
-constexpr double bar_gap = 28.0;
-constexpr double bar_width = 26.0;
 
 struct Extent {
     PlotRange x{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
@@ -82,25 +80,18 @@ PlotRange automatic_limits(const PlotRange& values, ColourMap colours)
 
 } // namespace
 
-PixelPoint PictureLayout::place(const Vector2& point) const
-{
-    return {axes.left + (point.x() - x.low) * pixels_per_metre,
-            axes.bottom() - (point.y() - y.low) * pixels_per_metre};
-}
-
 PictureLayout lay_out_picture(const FieldPicture& picture)
 {
     const Extent extent = visible_extent(picture);
     PictureLayout layout;
-    layout.pixels_per_metre = std::min(largest_width / extent.x.width(), largest_height / extent.y.width());
-    layout.x = widen(extent.x, smallest_width / layout.pixels_per_metre);
-    layout.y = widen(extent.y, smallest_height / layout.pixels_per_metre);
+    const double scale = std::min(largest_width / extent.x.width(), largest_height / extent.y.width());
+    layout.x = widen(extent.x, smallest_width / scale);
+    layout.y = widen(extent.y, smallest_height / scale);
     // Frame and sheet on whole pixels, so that their lines are crisp.
-    layout.axes = {left_margin, top_margin, std::round(layout.x.width() * layout.pixels_per_metre),
-                   std::round(layout.y.width() * layout.pixels_per_metre)};
-    layout.colour_bar = {layout.axes.right() + bar_gap, top_margin, bar_width, layout.axes.height};
-    layout.width = static_cast<int>(layout.axes.right() + right_margin);
-    layout.height = static_cast<int>(layout.axes.bottom() + bottom_margin);
+    layout.axes = {left_margin, top_margin, std::round(layout.x.width() * scale),
+                   std::round(layout.y.width() * scale)};
+    layout.width = layout.axes.right() + right_margin;
+    layout.height = layout.axes.bottom() + bottom_margin;
     return layout;
 }
 

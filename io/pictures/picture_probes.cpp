@@ -73,7 +73,7 @@ std::optional<PlotPanel> make_panel(const PanelPlan& plan, const PictureTable& t
     if (time == nullptr || magnitude < 0.0) return std::nullopt;
 
     const DisplayUnit unit = display_unit(plan.unit, magnitude);
-    PlotPanel panel{time_label, label_with_unit(plan.label, unit), {}, false};
+    PlotPanel panel{time_label, label_with_unit(plan.label, unit), {}};
     for (std::size_t c = 0; c < plan.columns.size(); ++c) {
         const std::vector<double>* values = table.find(plan.columns[c].column);
         if (values == nullptr || largest_of(*values) < 0.0) continue;
@@ -144,7 +144,7 @@ std::optional<LinePlot> comparison_plot(const std::vector<ProbeTable>& probes)
     if (members.size() < 2) return std::nullopt;
 
     const DisplayUnit unit = display_unit("Pa", magnitude);
-    PlotPanel panel{time_label, label_with_unit("Excess pore pressure", unit), {}, true};
+    PlotPanel panel{time_label, label_with_unit("Excess pore pressure", unit), {}, KeyPlace::beside};
     for (std::size_t k = 0; k < members.size(); ++k)
         panel.curves.push_back({members[k].probe->name, curve_colour(k, members.size()),
                                 *members[k].probe->table.find("time_s"), scaled(*members[k].pressure, unit)});
@@ -163,21 +163,18 @@ std::optional<LinePlot> history_plot(const PictureTable& table)
                     PlotArrangement::stacked};
 }
 
-std::vector<std::filesystem::path> draw_probe_plots(const std::filesystem::path& results,
-                                                    const std::filesystem::path& folder)
+std::vector<Drawing> probe_drawings(const std::filesystem::path& results, const std::filesystem::path& folder)
 {
-    std::vector<std::filesystem::path> pictures;
+    std::vector<Drawing> drawings;
     const auto draw = [&](const std::optional<LinePlot>& plot, const std::string& stem) {
-        if (!plot) return;
-        pictures.push_back(folder / (stem + ".png"));
-        draw_line_plot(*plot, pictures.back());
+        if (plot) drawings.push_back(plot_drawing(*plot, folder / (stem + ".png")));
     };
     const std::vector<ProbeTable> probes = read_probes(results / "probes");
     for (const ProbeTable& probe : probes) draw(probe_plot(probe.table, probe.name), "probe_" + probe.name);
     draw(comparison_plot(probes), "probes_excess_pore_pressure");
     const std::filesystem::path history = results / "history.csv";
     if (std::filesystem::exists(history)) draw(history_plot(read_picture_table(history)), "history");
-    return pictures;
+    return drawings;
 }
 
 } // namespace quicksand

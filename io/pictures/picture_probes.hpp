@@ -25,9 +25,9 @@ std::optional<LinePlot> comparison_plot(const std::vector<ProbeTable>& probes);
 /// Crest settlement, kinetic energy, largest excess pore pressure and base motion over time.
 std::optional<LinePlot> history_plot(const PictureTable& table);
 
-/// Draw probes/*.csv and history.csv of the results, as far as they are there, into `folder`; the files
-/// made. Throws FileError.
-std::vector<std::filesystem::path> draw_probe_plots(const std::filesystem::path& results,
-                                                    const std::filesystem::path& folder);
+/// The plots of probes/*.csv and history.csv of the results, as far as they are there, for files in `folder`.
+/// Throws FileError.
+std::vector<Drawing> probe_drawings(const std::filesystem::path& results,
+                                    const std::filesystem::path& folder);
 
 } // namespace quicksand

@@ -110,8 +110,8 @@ std::string note_of(const ParticleFrame& frame, const std::string& field, double
                                  fmt::join(known, ", ")));
 }
 
-void draw_field(const FramePair& frames, const std::string& field, const std::string& title,
-                const PictureRequest& request, const fs::path& file)
+Drawing drawing_of(const FramePair& frames, const std::string& field, const std::string& title,
+                   const PictureRequest& request, const fs::path& file)
 {
     std::optional<DrawnField> drawn = drawn_field(frames.present, field);
     if (!drawn) refuse_field(field, frames.present);
@@ -126,7 +126,7 @@ void draw_field(const FramePair& frames, const std::string& field, const std::st
     picture.note = note_of(frames.present, field, request.exaggeration);
     picture.time = frames.present.time;
     picture.range = request.range;
-    draw_field_picture(picture, file);
+    return field_drawing(picture, file);
 }
 
 std::vector<std::string> default_fields(const ParticleFrame& frame)
@@ -192,7 +192,7 @@ std::vector<std::string> drawable_fields(const ParticleFrame& frame)
     return names;
 }
 
-std::vector<fs::path> draw_results(const fs::path& results, const PictureRequest& request)
+std::vector<Drawing> result_drawings(const fs::path& results, const PictureRequest& request)
 {
     require_sense(request);
     const fs::path folder = request.output.empty() ? results / "pictures" : request.output;
@@ -203,21 +203,23 @@ std::vector<fs::path> draw_results(const fs::path& results, const PictureRequest
 
     if (names_a_file(folder)) {
         make_folder(folder.parent_path());
-        draw_field(frames, request.field, title, request, folder);
-        return {folder};
+        return {drawing_of(frames, request.field, title, request, folder)};
     }
     const bool one_field = !request.field.empty();
     if (one_field && !drawn_field(frames.present, request.field)) refuse_field(request.field, frames.present);
     make_folder(folder);
-    std::vector<fs::path> pictures;
-    for (const std::string& field : one_field ? std::vector{request.field} : default_fields(frames.present)) {
-        pictures.push_back(folder / (field + suffix));
-        draw_field(frames, field, title, request, pictures.back());
-    }
-    if (one_field) return pictures;
-    const std::vector<fs::path> plots = draw_probe_plots(results, folder);
-    pictures.insert(pictures.end(), plots.begin(), plots.end());
-    return pictures;
+    std::vector<Drawing> drawings;
+    for (const std::string& field : one_field ? std::vector{request.field} : default_fields(frames.present))
+        drawings.push_back(drawing_of(frames, field, title, request, folder / (field + suffix)));
+    if (one_field) return drawings;
+    std::vector<Drawing> plots = probe_drawings(results, folder);
+    std::move(plots.begin(), plots.end(), std::back_inserter(drawings));
+    return drawings;
+}
+
+std::vector<fs::path> draw_results(const fs::path& results, const PictureRequest& request)
+{
+    return draw_pictures(result_drawings(results, request));
 }
 
 } // namespace quicksand

@@ -1,6 +1,7 @@
 // The pictures of a results folder: which there are by default, and the one a user asks for.
 #pragma once
 
+#include "io/pictures/picture_gnuplot.hpp"
 #include "io/pictures/picture_ticks.hpp"
 #include "io/results/result_reader.hpp"
 
@@ -29,9 +30,12 @@ PlotRange parse_range(std::string_view text);
 /// Fields of a frame that can be drawn: scalars, and vectors by their magnitude.
 std::vector<std::string> drawable_fields(const ParticleFrame& frame);
 
-/// Draw what is asked for; the files made. By default, at the last frame: excess pore pressure (in a dry
+/// What is asked for, with its folder made. By default, at the last frame: excess pore pressure (in a dry
 /// scene mean effective stress), displacement and shear strain, and the plots of probes and history.
 /// Throws InputError for a field that is not there or a request that makes no sense, and FileError.
+std::vector<Drawing> result_drawings(const std::filesystem::path& results, const PictureRequest& request);
+
+/// Draw it; the files made. Throws as result_drawings() and draw_pictures() do.
 std::vector<std::filesystem::path> draw_results(const std::filesystem::path& results,
                                                 const PictureRequest& request);
 

@@ -52,10 +52,7 @@ Prefix prefix_for(double magnitude)
 Ticks nice_ticks(const PlotRange& interval, int at_most)
 {
     Ticks ticks;
-    if (!(interval.width() > 0.0)) {
-        ticks.values = {interval.low};
-        return ticks;
-    }
+    if (!(interval.width() > 0.0)) return ticks;
     ticks.step = next_round_step(interval.width() / std::max(1, at_most));
     double first = std::ceil(interval.low / ticks.step - slack);
     double last = std::floor(interval.high / ticks.step + slack);
@@ -64,7 +61,6 @@ Ticks nice_ticks(const PlotRange& interval, int at_most)
         first = std::ceil(interval.low / ticks.step - slack);
         last = std::floor(interval.high / ticks.step + slack);
     }
-    for (double k = first; k <= last; k += 1.0) ticks.values.push_back(k * ticks.step);
     ticks.decimals = decimals_of(ticks.step);
     return ticks;
 }
@@ -78,13 +74,6 @@ PlotRange round_limits(const PlotRange& interval)
     }
     const double step = next_round_step(interval.width() / 10.0);
     return {step * std::floor(interval.low / step + slack), step * std::ceil(interval.high / step - slack)};
-}
-
-std::string tick_label(double value, int decimals)
-{
-    std::string text = fmt::format("{:.{}f}", std::abs(value), decimals);
-    const bool is_zero = text.find_first_not_of("0.") == std::string::npos;
-    return value < 0.0 && !is_zero ? "−" + text : text;
 }
 
 DisplayUnit display_unit(std::string_view unit, double magnitude)

@@ -13,9 +13,8 @@ struct PlotRange {
     double width() const { return high - low; }
 };
 
-/// Ticks at multiples of 1, 2 or 5 times a power of ten.
+/// Ticks at the multiples of a step that is 1, 2 or 5 times a power of ten.
 struct Ticks {
-    std::vector<double> values; // all inside the interval asked for
     double step = 1.0;
     int decimals = 0; // that tell neighbouring ticks apart [-]
 };
@@ -25,9 +24,6 @@ Ticks nice_ticks(const PlotRange& interval, int at_most);
 
 /// The interval widened to round limits; an empty one is opened around its value.
 PlotRange round_limits(const PlotRange& interval);
-
-/// "-0.25" with a true minus sign, "0" for what rounds to zero.
-std::string tick_label(double value, int decimals);
 
 /// How a quantity is shown: value / factor, in `text`.
 struct DisplayUnit {

@@ -46,8 +46,9 @@ LinePlot convergence_plot(const std::vector<Convergence>& problem)
     PlotPanel panel;
     panel.x_label = fmt::format("cells along {:g} m", problem.front().length);
     panel.y_label = "relative error [-]";
-    panel.key_beside = true;
-    panel.scale = PlotScale::logarithmic;
+    panel.key = KeyPlace::beside;
+    panel.x_scale = AxisScale::series;
+    panel.y_scale = AxisScale::logarithmic;
     for (std::size_t k = 0; k < problem.size(); ++k) {
         PlotCurve curve;
         curve.name = name_of(problem[k]);

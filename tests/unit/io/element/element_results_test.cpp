@@ -164,7 +164,7 @@ TEST(ElementSheet, OfCyclicStrengthShowsAllFourPicturesAndThePoints)
 {
     const LaboratorySheet sheet = report_sheet(strength_of_two_sands(), "sand");
     ASSERT_EQ(sheet.panels.size(), 5u);
-    const std::string script = sheet_script(sheet, "out.png");
+    const std::string script = sheet_drawing(sheet, "out.png").commands;
     for (const char* label :
          {"'Shear strain γ [%]'", "'Shear stress τ [kPa]'", "'Vertical effective stress σ''v [kPa]'",
           "'Excess pore pressure ratio ru'", "'Number of cycles N'", "'Cyclic stress ratio CSR'",
@@ -190,10 +190,10 @@ TEST(ElementSheet, EveryKindOfTestHasItsPage)
         EXPECT_EQ(sheet.title, "Element test a");
         EXPECT_GE(sheet.panels.size(), 1u) << keys;
         EXPECT_GE(sheet.table.size(), 2u) << keys;
-        for (const SheetPanel& panel : sheet.panels) {
+        for (const PlotPanel& panel : sheet.panels) {
             EXPECT_FALSE(panel.heading.empty());
             ASSERT_FALSE(panel.curves.empty());
-            EXPECT_GE(panel.curves[0].curve.x.size(), 2u) << keys;
+            EXPECT_GE(panel.curves[0].x.size(), 2u) << keys;
         }
     }
 }
@@ -201,7 +201,7 @@ TEST(ElementSheet, EveryKindOfTestHasItsPage)
 TEST(ElementSheet, GnuplotDrawsIt)
 {
     const TemporaryFolder folder;
-    draw_laboratory_sheets({{report_sheet(strength_of_two_sands(), "it's sand"), folder / "report.png"}});
+    draw_pictures({sheet_drawing(report_sheet(strength_of_two_sands(), "it's sand"), folder / "report.png")});
     std::ifstream stream(folder / "report.png", std::ios::binary);
     std::string head(4, ' ');
     stream.read(head.data(), 4);

@@ -1,18 +1,13 @@
-#include "io/files/file_error.hpp"
 #include "io/pictures/line_plot.hpp"
 #include "io/pictures/picture_isochrones.hpp"
 #include "io/pictures/picture_probes.hpp"
-#include "tests/fixtures/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
-#include <stdlib.h>
 
 #include <cmath>
 #include <string>
 
 namespace quicksand {
-
-using fixtures::TemporaryFolder;
 
 namespace {
 
@@ -45,16 +40,6 @@ PictureTable profile_table()
     return table;
 }
 
-/// PATH as it was at the end of the test.
-class EmptyPath {
-public:
-    EmptyPath() : former_(getenv("PATH")) { setenv("PATH", "/nonexistent", 1); }
-    ~EmptyPath() { setenv("PATH", former_.c_str(), 1); }
-
-private:
-    std::string former_;
-};
-
 bool contains(const std::string& text, const std::string& part)
 {
     return text.find(part) != std::string::npos;
@@ -66,23 +51,21 @@ TEST(ProbePlot, LabelsCarryUnitsWithPrefix)
 {
     const auto plot = probe_plot(probe_table(), "P_1");
     ASSERT_TRUE(plot);
-    const std::string script = plot_script(*plot, "out.png");
+    const std::string script = plot_drawing(*plot, "out.png").commands;
     EXPECT_TRUE(contains(script, "'Excess pore pressure [kPa]'"));
     EXPECT_TRUE(contains(script, "'Displacement [mm]'"));
     EXPECT_TRUE(contains(script, "'Velocity [mm/s]'"));
     EXPECT_TRUE(contains(script, "'Acceleration [mm/s²]'"));
     EXPECT_TRUE(contains(script, "'Time [s]'"));
     EXPECT_TRUE(contains(script, "'Probe P_1'"));
-    EXPECT_TRUE(contains(script, "pngcairo noenhanced"));
     EXPECT_TRUE(contains(script, "\n0.1 4\n0.2 9\n"));
     EXPECT_TRUE(contains(script, "\n0 NaN\n"));
 }
 
 TEST(ProbePlot, QuotesInNamesAreDoubled)
 {
-    const std::string script = plot_script(*probe_plot(probe_table(), "toe's"), "a'b.png");
+    const std::string script = plot_drawing(*probe_plot(probe_table(), "toe's"), "a.png").commands;
     EXPECT_TRUE(contains(script, "'Probe toe''s'"));
-    EXPECT_TRUE(contains(script, "set output 'a''b.png'"));
 }
 
 TEST(ProbePlot, OfAProfileIsIsochrones)
@@ -116,36 +99,37 @@ TEST(ChooseProfiles, TakesEvenTimesWithBothEnds)
     for (const ProfileRows& rows : chosen) EXPECT_EQ(rows.end - rows.begin, 3u);
 }
 
-TEST(LinePlot, IsDrawnByGnuplot)
+TEST(LinePlot, StackedPanelsShareTheirTimeAndItsLabel)
 {
-    const TemporaryFolder folder;
-    draw_line_plot(*probe_plot(probe_table(), "P_1"), folder / "it's.png");
-    EXPECT_GT(std::filesystem::file_size(folder / "it's.png"), 10'000u);
-    EXPECT_LT(std::filesystem::file_size(folder / "it's.png"), 1'000'000u);
-    EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
+    LinePlot plot = *probe_plot(probe_table(), "P_1");
+    plot.panels[0].curves[0].x = {0.1, 0.2, 0.5};
+    const std::string script = plot_drawing(plot, "a.png").commands;
+    std::size_t ranges = 0;
+    for (std::size_t at = script.find("set xrange [0:0.5]"); at != std::string::npos;
+         at = script.find("set xrange [0:0.5]", at + 1))
+        ++ranges;
+    EXPECT_EQ(ranges, plot.panels.size());
+    EXPECT_EQ(script.find("'Time [s]'"), script.rfind("'Time [s]'"));
 }
 
-TEST(LinePlot, WithoutGnuplotSaysWhatToInstall)
+TEST(PlotPanel, ScalesAndKeysAreAsAskedFor)
 {
-    const TemporaryFolder folder;
-    const EmptyPath path;
-    try {
-        draw_line_plot(*probe_plot(probe_table(), "P_1"), folder / "a.png");
-        FAIL();
-    } catch (const FileError& error) {
-        EXPECT_TRUE(contains(error.what(), "gnuplot is not installed (Debian: gnuplot-nox)")) << error.what();
-    }
-}
-
-TEST(LinePlot, PassesGnuplotsComplaintOn)
-{
-    const TemporaryFolder folder;
-    try {
-        draw_line_plot(*probe_plot(probe_table(), "P_1"), folder / "missing/a.png");
-        FAIL();
-    } catch (const FileError& error) {
-        EXPECT_TRUE(contains(error.what(), "gnuplot failed: ")) << error.what();
-    }
+    PlotPanel panel{"stress", "strain", {{"sand", {}, {10.0, 300.0}, {0.0, 4.0}}}};
+    const PixelBox box{100.0, 100.0, 560.0, 400.0};
+    EXPECT_TRUE(contains(panel_commands(panel, box), "unset logscale x\nset xtics 50\n"));
+    EXPECT_TRUE(contains(panel_commands(panel, box), "set key at graph 1.0, graph 1.01 "));
+    panel.x_scale = AxisScale::logarithmic;
+    panel.y_scale = AxisScale::downward;
+    panel.key = KeyPlace::lower_right;
+    EXPECT_TRUE(contains(panel_commands(panel, box), "set logscale x 10\nset xtics (10,20,50,100,200,500)"));
+    EXPECT_TRUE(contains(panel_commands(panel, box), "set yrange [*:*] reverse\n"));
+    EXPECT_TRUE(contains(panel_commands(panel, box), "set key bottom right "));
+    panel.x_scale = AxisScale::series;
+    EXPECT_TRUE(contains(panel_commands(panel, box), "set xtics (10,300)"));
+    // Room for a key inside the axes.
+    panel.y_scale = AxisScale::linear;
+    panel.key = KeyPlace::upper_left;
+    EXPECT_TRUE(contains(panel_commands(panel, box), "set yrange [-0.12:4.41989] noreverse"));
 }
 
 } // namespace quicksand

@@ -1,13 +1,12 @@
-#include "io/files/file_error.hpp"
 #include "io/pictures/picture.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
 
-#include <cairo/cairo.h>
 #include <gtest/gtest.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGReader.h>
 
 #include <cmath>
-#include <cstdint>
-#include <memory>
 
 namespace quicksand {
 
@@ -32,28 +31,45 @@ FieldPicture two_particles()
     return picture;
 }
 
+/// A place on the sheet, from its upper left corner [pixel].
+struct Pixel {
+    double x = 0.0, y = 0.0;
+};
+
+Pixel place(const PictureLayout& layout, const Vector2& point)
+{
+    return {layout.axes.left + (point.x() - layout.x.low) / layout.x.width() * layout.axes.width,
+            layout.axes.bottom() - (point.y() - layout.y.low) / layout.y.width() * layout.axes.height};
+}
+
 /// A PNG read back.
 class Pixels {
 public:
     explicit Pixels(const std::filesystem::path& file)
-        : surface_(cairo_image_surface_create_from_png(file.c_str()), cairo_surface_destroy)
     {
+        reader_->SetFileName(file.c_str());
+        reader_->Update();
     }
-    int width() const { return cairo_image_surface_get_width(surface_.get()); }
-    int height() const { return cairo_image_surface_get_height(surface_.get()); }
-    std::string at(const PixelPoint& point) const
+    int width() const { return reader_->GetOutput()->GetDimensions()[0]; }
+    int height() const { return reader_->GetOutput()->GetDimensions()[1]; }
+    std::string at(const Pixel& pixel) const
     {
-        const auto* row =
-            cairo_image_surface_get_data(surface_.get()) +
-            static_cast<std::ptrdiff_t>(point.y) * cairo_image_surface_get_stride(surface_.get());
-        const auto code = reinterpret_cast<const std::uint32_t*>(row)[static_cast<std::ptrdiff_t>(point.x)];
-        const auto part = [code](int shift) { return static_cast<double>((code >> shift) & 0xffu) / 255.0; };
-        return hex_code({part(16), part(8), part(0)});
+        const int column = static_cast<int>(pixel.x), row = height() - 1 - static_cast<int>(pixel.y);
+        const auto part = [&](int component) {
+            return reader_->GetOutput()->GetScalarComponentAsDouble(column, row, 0, component) / 255.0;
+        };
+        return hex_code({part(0), part(1), part(2)});
     }
 
 private:
-    std::unique_ptr<cairo_surface_t, decltype(&cairo_surface_destroy)> surface_;
+    vtkNew<vtkPNGReader> reader_;
 };
+
+Pixels drawn(const FieldPicture& picture, const TemporaryFolder& folder)
+{
+    draw_pictures({field_drawing(picture, folder / "field.png")});
+    return Pixels(folder / "field.png");
+}
 
 } // namespace
 
@@ -61,18 +77,17 @@ TEST(FieldPicture, PutsTheExtremeColoursAtTheRightPlaces)
 {
     const TemporaryFolder folder;
     const FieldPicture picture = two_particles();
-    draw_field_picture(picture, folder / "two.png");
-    const Pixels pixels(folder / "two.png");
+    const Pixels pixels = drawn(picture, folder);
     const PictureLayout layout = lay_out_picture(picture);
     EXPECT_EQ(pixels.width(), layout.width);
     EXPECT_EQ(pixels.height(), layout.height);
     for (const double y : {0.02, 0.5, 0.98}) {
-        EXPECT_EQ(pixels.at(layout.place({0.02, y})), "#440154");
-        EXPECT_EQ(pixels.at(layout.place({0.98, y})), "#440154");
-        EXPECT_EQ(pixels.at(layout.place({1.02, y})), "#fde725");
-        EXPECT_EQ(pixels.at(layout.place({1.98, y})), "#fde725");
+        EXPECT_EQ(pixels.at(place(layout, {0.02, y})), "#440154");
+        EXPECT_EQ(pixels.at(place(layout, {0.98, y})), "#440154");
+        EXPECT_EQ(pixels.at(place(layout, {1.02, y})), "#fde725");
+        EXPECT_EQ(pixels.at(place(layout, {1.98, y})), "#fde725");
     }
-    EXPECT_EQ(pixels.at(layout.place({-0.03, 0.5})), "#ffffff");
+    EXPECT_EQ(pixels.at(place(layout, {-0.03, 0.5})), "#ffffff");
     EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
 }
 
@@ -83,11 +98,13 @@ TEST(FieldPicture, ShowsNoSeamBetweenNeighbours)
     // A gap of a thousandth of the domains, as volume corrections leave it.
     picture.domains[1] = square(1.001, 0.0, 1.0);
     picture.values = {8000.0, 8000.0};
-    draw_field_picture(picture, folder / "seam.png");
-    const Pixels pixels(folder / "seam.png");
+    const Pixels pixels = drawn(picture, folder);
     const PictureLayout layout = lay_out_picture(picture);
-    const PixelPoint seam = layout.place({1.0005, 0.5});
-    for (double x = seam.x - 4.0; x < seam.x + 4.0; x += 1.0) EXPECT_EQ(pixels.at({x, seam.y}), "#fde725");
+    const Pixel seam = place(layout, {1.0005, 0.5});
+    for (double x = seam.x - 4.0; x < seam.x + 4.0; x += 1.0) {
+        const std::string colour = pixels.at({x, seam.y});
+        EXPECT_TRUE(colour == "#fde725" || colour == "#fce725") << colour; // blending rounds
+    }
 }
 
 TEST(FieldPicture, OutlinesTheInitialShapeAndGreysTheUndefined)
@@ -98,15 +115,14 @@ TEST(FieldPicture, OutlinesTheInitialShapeAndGreysTheUndefined)
     picture.initial_domains = picture.domains;
     for (DomainCorners& domain : picture.domains)
         for (Vector2& corner : domain) corner.y() *= 0.8;
-    draw_field_picture(picture, folder / "settled.png");
-    const Pixels pixels(folder / "settled.png");
+    const Pixels pixels = drawn(picture, folder);
     const PictureLayout layout = lay_out_picture(picture);
-    EXPECT_EQ(pixels.at(layout.place({0.5, 0.4})), hex_code(undefined_colour));
-    EXPECT_EQ(pixels.at(layout.place({0.5, 0.9})), "#ffffff");
+    EXPECT_EQ(pixels.at(place(layout, {0.5, 0.4})), hex_code(undefined_colour));
+    EXPECT_EQ(pixels.at(place(layout, {0.5, 0.9})), "#ffffff");
     // Nothing is drawn where the two squares meet above the settled ones.
-    EXPECT_EQ(pixels.at(layout.place({1.0, 0.9})), "#ffffff");
-    const PixelPoint top = layout.place({0.5, 1.0});
-    EXPECT_NE(pixels.at({top.x, top.y - 1.0}), "#ffffff");
+    EXPECT_EQ(pixels.at(place(layout, {1.0, 0.9})), "#ffffff");
+    const Pixel top = place(layout, {0.5, 1.0});
+    EXPECT_NE(pixels.at(top), "#ffffff");
 }
 
 TEST(FieldPicture, SizeFollowsTheSection)
@@ -120,7 +136,7 @@ TEST(FieldPicture, SizeFollowsTheSection)
     EXPECT_LT(tall.width, 900);
     EXPECT_EQ(tall.height, 900);
     // A metre is as long in x as in y.
-    const PixelPoint origin = tall.place({0.0, 0.0}), one = tall.place({1.0, 1.0});
+    const Pixel origin = place(tall, {0.0, 0.0}), one = place(tall, {1.0, 1.0});
     EXPECT_NEAR(one.x - origin.x, origin.y - one.y, 1e-9);
 }
 
@@ -148,10 +164,37 @@ TEST(ColourRange, IsRoundFromZeroSymmetricWhereSignedAndSparesStrays)
     EXPECT_FALSE(range.beyond_low);
 }
 
-TEST(FieldPicture, CannotBeWrittenIntoAMissingFolder)
+TEST(FieldPicture, HasAxesInMetresAndABarInTheUnitShown)
 {
-    const TemporaryFolder folder;
-    EXPECT_THROW(draw_field_picture(two_particles(), folder / "missing/two.png"), FileError);
+    FieldPicture picture = two_particles();
+    picture.range = PlotRange{-2000.0, 8000.0};
+    picture.values = {-3000.0, 9000.0};
+    picture.title = "the dike's toe";
+    picture.note = "displacements × 20";
+    picture.time = 1.25;
+    const std::string commands = field_drawing(picture, "field.png").commands;
+    for (const char* words :
+         {"'x [m]'", "'y [m]'", "'Excess pore pressure [kPa]'", "'Excess pore pressure'", "'t = 1.25 s'",
+          "'the dike''s toe  ·  displacements × 20'", "set cbrange [-2:8]", "set cbtics 1 ", "set xtics 0.2 ",
+          "set format x '%.1f'", "0 '#440154'", "32 '#fde725'"}) {
+        EXPECT_NE(commands.find(words), std::string::npos) << words;
+    }
+    const auto ends = [](const std::string& text) {
+        return text.find("object polygon") != std::string::npos;
+    };
+    EXPECT_TRUE(ends(commands)); // values lie beyond the bar
+    EXPECT_FALSE(ends(field_drawing(two_particles(), "field.png").commands));
+    EXPECT_EQ(commands.find("initial outline"), std::string::npos);
+}
+
+TEST(FieldPicture, CutsAHeadingThatIsTooLong)
+{
+    FieldPicture picture = two_particles();
+    picture.domains = {square(0.0, 0.0, 1.0), square(0.0, 9.0, 1.0)};
+    picture.title = std::string(30, 'a');
+    for (int k = 0; k < 100; ++k) picture.title += "é";
+    const std::string commands = field_drawing(picture, "field.png").commands;
+    EXPECT_NE(commands.find("éé…'"), std::string::npos);
 }
 
 TEST(Exaggerate, MultipliesTheDisplacementOfEveryCorner)

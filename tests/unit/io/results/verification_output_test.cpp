@@ -51,8 +51,9 @@ TEST(ConvergencePlot, HasLogarithmicAxesAndLinesOfSlope)
     EXPECT_EQ(plot.panels[0].curves[0].name, "speed, \"fast\", order 2.00");
     EXPECT_EQ(plot.panels[0].curves[1].y, (std::vector<double>{0.5, 0.25}));
     EXPECT_EQ(plot.panels[0].curves[2].y, (std::vector<double>{0.5, 0.125}));
-    const std::string script = plot_script(plot, "out.png");
-    EXPECT_NE(script.find("set logscale xy"), std::string::npos);
+    const std::string script = plot_drawing(plot, "out.png").commands;
+    EXPECT_NE(script.find("set logscale x 10\nset xtics (10,20)"), std::string::npos);
+    EXPECT_NE(script.find("set logscale y 10\nset ytics (0.1,0.2,0.5)"), std::string::npos);
     EXPECT_NE(script.find("linespoints"), std::string::npos);
     EXPECT_NE(script.find("dashtype 2"), std::string::npos);
 }
