@@ -8,6 +8,7 @@
 #include "io/frames/vtk_series.hpp"
 #include "io/laws/soil_laws.hpp"
 #include "io/results/results_folder.hpp"
+#include "io/tables/scene_boundaries.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/run/strength_reduction.hpp"
@@ -43,19 +44,17 @@ void require_still_water(const AssembledCase& assembled)
     const Problem& problem = assembled.problem;
     Diagnostics findings;
     for (const Boundary& boundary : problem.boundaries) {
-        if (!boundary.outer_water) continue;
-        const double factor = history_value(boundary.outer_water->history, 0.0);
+        if (!has_outer_water(boundary.water)) continue;
+        const double factor = outer_factor(boundary.water, 0.0);
         const bool at_rest =
             std::all_of(boundary.segments.begin(), boundary.segments.end(), [&](const Segment& segment) {
-                return outer_excess_pressure(problem, *boundary.outer_water, segment.start, factor) == 0.0 &&
-                       outer_excess_pressure(problem, *boundary.outer_water, segment.end, factor) == 0.0;
+                return outer_excess_pressure(problem, boundary, segment.start, factor) == 0.0 &&
+                       outer_excess_pressure(problem, boundary, segment.end, factor) == 0.0;
             });
         if (at_rest) continue;
-        const auto condition =
-            std::find_if(assembled.scene.boundaries.begin(), assembled.scene.boundaries.end(),
-                         [&](const SceneBoundary& b) { return b.name == boundary.name; });
+        const SceneBoundary* condition = find_boundary(assembled.scene, boundary.name);
         findings.add(
-            error_at(condition->water_place, "boundary",
+            error_at(condition != nullptr ? condition->water_place : SourcePlace(), "boundary",
                      fmt::format("the water beyond \"{}\" differs from that in the soil, which stands at "
                                  "{:.5g} m: a slope at rest has one water",
                                  boundary.name, problem.water->level),

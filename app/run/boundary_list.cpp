@@ -1,6 +1,9 @@
 #include "app/run/number_format.hpp"
 #include "app/run/plan.hpp"
 #include "io/assembly/face_water.hpp"
+#include "io/faces/boundary_kinds.hpp"
+#include "io/tables/scene_boundaries.hpp"
+#include "solver/base/overload.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/boundaries/viscous_boundary.hpp"
@@ -17,36 +20,12 @@ namespace quicksand {
 
 namespace {
 
-const char* name_of(SoilCondition soil)
+std::string_view name_of(const WaterCondition& water)
 {
-    switch (soil) {
-    case SoilCondition::free:
-        return "free";
-    case SoilCondition::fixed:
-        return "fixed";
-    case SoilCondition::roller:
-        return "roller";
-    case SoilCondition::tied:
-        return "tied";
-    case SoilCondition::moving:
-        return "moving";
-    case SoilCondition::viscous:
-        return "viscous";
-    }
-    return "";
-}
-
-const char* name_of(WaterCondition water)
-{
-    switch (water) {
-    case WaterCondition::drained:
-        return "drained";
-    case WaterCondition::impervious:
-        return "impervious";
-    case WaterCondition::prescribed:
-        return "with a prescribed pressure";
-    }
-    return "";
+    return std::visit(Overload{[](const Drained&) { return "drained"; },
+                               [](const Impervious&) { return "impervious"; },
+                               [](const PrescribedWater&) { return "with a prescribed pressure"; }},
+                      water);
 }
 
 double length_of(const Boundary& boundary)
@@ -66,26 +45,6 @@ std::string describe_history(const History& history)
         text += fmt::format(", times a table of {} factors, up to {}", table->times.size(),
                             short_number(peak_value(history)));
     return text;
-}
-
-std::string describe_load(const AssembledCase& assembled, const Boundary& boundary)
-{
-    const Vector2 force = full_load(assembled.problem, assembled.state, boundary);
-    return fmt::format("load ({}, {}) N per metre of thickness in all{}", short_number(force.x(), 6),
-                       short_number(force.y(), 6), describe_history(boundary.load->history));
-}
-
-std::string describe_motion(const WallMotion& motion)
-{
-    const bool velocity = motion.quantity == MotionQuantity::velocity;
-    const char* unit = velocity ? "m/s" : "m";
-    const std::string value =
-        motion.grip == WallGrip::rough
-            ? fmt::format("({}, {}) {}", short_number(motion.value.x(), 6), short_number(motion.value.y(), 6),
-                          unit)
-            : fmt::format("{} {} into the soil, free along the curve", short_number(motion.inward, 6), unit);
-    return fmt::format("{} {}{}", velocity ? "velocity" : "displacement", value,
-                       describe_history(motion.history));
 }
 
 struct Range {
@@ -130,23 +89,58 @@ std::string describe_impedance(const AssembledCase& assembled, const Boundary& b
     }
     std::string text;
     for (const auto& [material, range] : of_material) {
-        if (boundary.half_space) return "rock beyond: " + range.text();
+        if (impedance_beyond(boundary.soil)) return "rock beyond: " + range.text();
         text += fmt::format("{}as {} goes on beyond: {}", text.empty() ? "" : "; ",
                             problem.materials[static_cast<std::size_t>(material)].name, range.text());
     }
     return text;
 }
 
+// What `check` says of a kind of boundary, beside its word; "" where that is all.
+template <SoilKind Kind>
+std::string describe(const Kind&, const AssembledCase&, const Boundary&)
+{
+    return "";
+}
+
+std::string describe(const FreeFace& face, const AssembledCase& assembled, const Boundary& boundary)
+{
+    if (!face.load) return "";
+    const Vector2 force = full_load(assembled.problem, assembled.state, boundary);
+    return fmt::format("load ({}, {}) N per metre of thickness in all{}", short_number(force.x(), 6),
+                       short_number(force.y(), 6), describe_history(face.load->history));
+}
+
+std::string describe(const MovingWall& wall, const AssembledCase&, const Boundary&)
+{
+    const WallMotion& motion = wall.motion;
+    const bool velocity = motion.quantity == MotionQuantity::velocity;
+    const char* unit = velocity ? "m/s" : "m";
+    const std::string value =
+        motion.grip == WallGrip::rough
+            ? fmt::format("({}, {}) {}", short_number(motion.value.x(), 6), short_number(motion.value.y(), 6),
+                          unit)
+            : fmt::format("{} {} into the soil, free along the curve", short_number(motion.inward, 6), unit);
+    return fmt::format("{} {}{}", velocity ? "velocity" : "displacement", value,
+                       describe_history(motion.history));
+}
+
+std::string describe(const ViscousFace&, const AssembledCase& assembled, const Boundary& boundary)
+{
+    return describe_impedance(assembled, boundary);
+}
+
+/// The excess pressure of the water beyond, with the history that it has.
 std::string describe_outer_water(const Problem& problem, const Boundary& boundary)
 {
-    const OuterWater& outer = *boundary.outer_water;
     Range excess; // [Pa]
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : {segment.start, segment.end})
-            excess.include(outer_excess_pressure(problem, outer, point));
+            excess.include(outer_excess_pressure(problem, boundary, point));
     }
+    const auto* given = std::get_if<PrescribedWater>(&boundary.water);
     return fmt::format("excess pore pressure {} to {} Pa{}", short_number(excess.least, 6),
-                       short_number(excess.most, 6), describe_history(outer.history));
+                       short_number(excess.most, 6), given ? describe_history(given->history) : "");
 }
 
 std::string describe_heads(const std::pair<double, double>& heads)
@@ -176,13 +170,11 @@ void refuse_failed_patches(const AssembledCase& assembled, const std::vector<Pat
     Diagnostics findings;
     for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
         const Boundary& boundary = problem.boundaries[b];
-        const bool acts = boundary.soil != SoilCondition::free || boundary.load || boundary.outer_water;
+        const bool acts = !std::holds_alternative<FreeFace>(boundary.soil) || acts_on_soil(boundary);
         const double worst = std::max(tests[b].constant_pressure, tests[b].geostatic);
         if (!acts || worst <= most) continue;
-        const auto written =
-            std::find_if(assembled.scene.boundaries.begin(), assembled.scene.boundaries.end(),
-                         [&](const SceneBoundary& s) { return s.name == boundary.name; });
-        if (written == assembled.scene.boundaries.end()) continue;
+        const SceneBoundary* written = find_boundary(assembled.scene, boundary.name);
+        if (written == nullptr) continue;
         findings.add(
             error_at(written->place, "patch-test",
                      fmt::format("the curve \"{}\" leaves {} % of a pressure unbalanced that it should bear",
@@ -200,14 +192,14 @@ std::string describe_boundaries(const AssembledCase& assembled, const std::vecto
     for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
         const Boundary& boundary = problem.boundaries[b];
         text += fmt::format("  {:<16}{:.4g} m, {}{}{}\n", boundary.name, length_of(boundary),
-                            name_of(boundary.soil), problem.water ? ", water " : "",
+                            kind_of(boundary.soil).word, problem.water ? ", water " : "",
                             problem.water ? name_of(boundary.water) : "");
-        if (boundary.load) add(describe_load(assembled, boundary));
-        if (boundary.motion) add(describe_motion(*boundary.motion));
-        if (boundary.soil == SoilCondition::viscous) add(describe_impedance(assembled, boundary));
+        const std::string of_kind =
+            std::visit([&](const auto& kind) { return describe(kind, assembled, boundary); }, boundary.soil);
+        if (!of_kind.empty()) add(of_kind);
         if (const auto heads = heads_of_line(assembled.scene, problem.grid, boundary)) {
             add(describe_heads(*heads));
-        } else if (boundary.outer_water) {
+        } else if (has_outer_water(boundary.water)) {
             add(describe_outer_water(problem, boundary));
         }
         add(describe_patch_test(tests[b]));

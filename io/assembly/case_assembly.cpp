@@ -9,6 +9,7 @@
 #include "io/scene/cell_size.hpp"
 #include "io/scene/scene_grid.hpp"
 #include "io/scene/scene_section.hpp"
+#include "io/tables/scene_boundaries.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
 #include "solver/motion/slivers.hpp"
@@ -211,10 +212,8 @@ void check_probes(AssembledCase& assembled)
 void attach_loads(AssembledCase& assembled)
 {
     for (const std::string& name : attach_boundaries(assembled.problem, assembled.state.particles)) {
-        const auto& boundaries = assembled.scene.boundaries;
-        const auto boundary = std::find_if(boundaries.begin(), boundaries.end(),
-                                           [&](const SceneBoundary& b) { return b.name == name; });
-        ENSURE(boundary != boundaries.end());
+        const SceneBoundary* boundary = find_boundary(assembled.scene, name);
+        ENSURE(boundary != nullptr);
         assembled.warnings.add(error_at(
             boundary->place, "load", "no material point lies beside a part of the curve \"" + name + "\"",
             "a curve on the rim of the soil", "choose a smaller cell_size, or move the curve to the soil"));

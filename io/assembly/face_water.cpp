@@ -2,6 +2,7 @@
 
 #include "io/assembly/ground_water.hpp"
 #include "io/keys/scene_schema.hpp"
+#include "io/tables/scene_boundaries.hpp"
 
 #include <fmt/format.h>
 
@@ -70,8 +71,9 @@ std::vector<Vector2> marks_along(const Scene& scene, const Segment& segment)
 /// Whether the water at rest acts on the curve: its pores are open to it, or it seals a face.
 bool bears_still_water(const Boundary& boundary)
 {
-    return boundary.water == WaterCondition::drained ||
-           (boundary.soil == SoilCondition::free && boundary.water == WaterCondition::impervious);
+    return std::holds_alternative<Drained>(boundary.water) ||
+           (std::holds_alternative<FreeFace>(boundary.soil) &&
+            std::holds_alternative<Impervious>(boundary.water));
 }
 
 bool lies_on(const Vector2& point, const Segment& segment)
@@ -114,8 +116,9 @@ private:
     void check_unnamed_edges();
     void check_tied_sides();
     void check_extent(const Range& heights);
-    void check_given_water(const SceneBoundary& condition, const Boundary& boundary);
-    void refuse_given_water(const SceneBoundary& condition, const Vector2& point);
+    void check_given_water(const SourcePlace& place, const Boundary& boundary, const PrescribedWater& water);
+    void refuse_given_water(const SourcePlace& place, const Boundary& boundary, const PrescribedWater& water,
+                            const Vector2& point);
 
     const Scene& scene_;
     const Section& section_;
@@ -143,16 +146,22 @@ bool FaceWater::is_under_water(const Segment& segment) const
 
 void FaceWater::put_water_at_rest(Boundary& boundary) const
 {
-    if (boundary.outer_water) {
-        boundary.outer_water->at_rest = WaterLine{scene_.phreatic_line};
+    const WaterLine line{scene_.phreatic_line};
+    if (auto* given = std::get_if<PrescribedWater>(&boundary.water)) {
+        given->at_rest = line;
         return;
     }
     const auto is_face = [&](const Segment& segment) {
         return is_under_water(segment) && any_along(problem_.rim, segment);
     };
-    if (bears_still_water(boundary) &&
-        std::any_of(boundary.segments.begin(), boundary.segments.end(), is_face))
-        boundary.outer_water = OuterWater{WaterLine{scene_.phreatic_line}, {}};
+    if (!bears_still_water(boundary) ||
+        std::none_of(boundary.segments.begin(), boundary.segments.end(), is_face))
+        return;
+    if (std::holds_alternative<Drained>(boundary.water)) {
+        boundary.water = Drained{line};
+    } else {
+        boundary.water = Impervious{line};
+    }
 }
 
 /// Water outside the soil stands level: `stretch` is a part of a face below the line.
@@ -175,7 +184,7 @@ void FaceWater::refuse_slope(const Boundary& boundary, const std::vector<Vector2
 
 void FaceWater::check_open_water(const Boundary& boundary)
 {
-    if (boundary.soil != SoilCondition::free) return;
+    if (!std::holds_alternative<FreeFace>(boundary.soil)) return;
     const auto is_open = [&](const Vector2& point) {
         double above = 0.0;
         for (const double thickness : thickness_above(section_, point)) above += thickness;
@@ -240,38 +249,39 @@ void FaceWater::check_extent(const Range& heights)
                                  number_text(section_.upper.x()) + " m"));
 }
 
-void FaceWater::refuse_given_water(const SceneBoundary& condition, const Vector2& point)
+void FaceWater::refuse_given_water(const SourcePlace& where, const Boundary& boundary,
+                                   const PrescribedWater& water, const Vector2& point)
 {
     const double height = phreatic_elevation(scene_, point.x());
-    const auto* head = std::get_if<WaterHead>(&condition.outer_water->value);
+    const auto* head = std::get_if<WaterHead>(&water.value);
     const std::string given =
-        join_path({"boundaries", condition.name, head != nullptr ? "head" : "pore_pressure"}) + ", " +
-        (head != nullptr
-             ? number_text(head->head) + " m"
-             : number_text(std::get<PorePressure>(condition.outer_water->value).pressure) + " Pa");
+        join_path({"boundaries", boundary.name, head != nullptr ? "head" : "pore_pressure"}) + ", " +
+        (head != nullptr ? number_text(head->head) + " m"
+                         : number_text(std::get<PorePressure>(water.value).pressure) + " Pa");
     const std::string place = "at " + text(point);
     const std::string hint = "a head that changes begins with the water at rest: give it a ramp_time";
     if (scene_.phreatic_line.empty()) {
-        findings_.add(error_at(condition.water_place, "boundary",
+        findings_.add(error_at(where, "boundary",
                                given + ", stands against soil " + place +
                                    " that is dry: the water level is " + number_text(height) + " m",
                                "no head above the level where there is soil above it",
                                "raise water.level, or draw water.phreatic_line; " + hint));
         return;
     }
-    findings_.add(error_at(condition.water_place, "boundary",
+    findings_.add(error_at(where, "boundary",
                            given + ", contradicts the phreatic line, which is " + number_text(height) +
                                " m high " + place,
                            "the height of the line, or no head: the curve then takes the line's", hint));
 }
 
 /// At the start what was given must be the water at rest, where it could not be borne otherwise.
-void FaceWater::check_given_water(const SceneBoundary& condition, const Boundary& boundary)
+void FaceWater::check_given_water(const SourcePlace& place, const Boundary& boundary,
+                                  const PrescribedWater& water)
 {
-    const auto* head = std::get_if<WaterHead>(&condition.outer_water->value);
-    const bool free = boundary.soil == SoilCondition::free, line = !scene_.phreatic_line.empty();
+    const auto* head = std::get_if<WaterHead>(&water.value);
+    const bool free = std::holds_alternative<FreeFace>(boundary.soil), line = !scene_.phreatic_line.empty();
     if (!free && (head == nullptr || !line)) return; // a wall bears what begins to flow
-    const double factor = history_value(boundary.outer_water->history, 0.0);
+    const double factor = outer_factor(boundary.water, 0.0);
     double worst = slack * cell() * problem_.water->density * problem_.gravity;
     std::optional<Vector2> where;
     for (const Segment& segment : boundary.segments) {
@@ -285,14 +295,14 @@ void FaceWater::check_given_water(const SceneBoundary& condition, const Boundary
             const double below = depth(scene_, point);
             if (!line && (wet || below > rounding * cell())) continue; // a pressure that comes suddenly
             const double at_rest = pressure_below(problem_, point.y() + below, point.y());
-            const double given = outer_excess_pressure(problem_, *boundary.outer_water, point, factor) +
+            const double given = outer_excess_pressure(problem_, boundary, point, factor) +
                                  static_water_pressure(problem_, point.y());
             if (std::abs(given - at_rest) <= worst) continue;
             worst = std::abs(given - at_rest);
             where = point;
         }
     }
-    if (where) refuse_given_water(condition, *where);
+    if (where) refuse_given_water(place, boundary, water, *where);
 }
 
 void FaceWater::set()
@@ -310,11 +320,10 @@ void FaceWater::set()
             }
         }
     }
-    for (const SceneBoundary& condition : scene_.boundaries) {
-        if (!condition.outer_water) continue;
-        const auto boundary = std::find_if(problem_.boundaries.begin(), problem_.boundaries.end(),
-                                           [&](const Boundary& b) { return b.name == condition.name; });
-        if (boundary != problem_.boundaries.end()) check_given_water(condition, *boundary);
+    for (const Boundary& boundary : problem_.boundaries) {
+        const auto* water = std::get_if<PrescribedWater>(&boundary.water);
+        if (water != nullptr)
+            check_given_water(find_boundary(scene_, boundary.name)->water_place, boundary, *water);
     }
 }
 
@@ -328,9 +337,7 @@ void set_face_water(const Scene& scene, const Section& section, Problem& problem
 std::optional<std::pair<double, double>> heads_of_line(const Scene& scene, const BackgroundGrid& grid,
                                                        const Boundary& boundary)
 {
-    const bool given =
-        boundary.outer_water && !std::holds_alternative<WaterLine>(boundary.outer_water->value);
-    if (scene.phreatic_line.empty() || given || !bears_still_water(boundary)) return std::nullopt;
+    if (scene.phreatic_line.empty() || !bears_still_water(boundary)) return std::nullopt;
     Range heads;
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : marks_along(scene, segment)) {

@@ -2,6 +2,7 @@
 
 #include "io/keys/scene_schema.hpp"
 #include "io/keys/scene_units.hpp"
+#include "io/tables/scene_boundaries.hpp"
 #include "solver/base/failure.hpp"
 
 #include <algorithm>
@@ -66,8 +67,8 @@ double vertical_effective_stress(const Section& section, const std::vector<UnitW
 bool differs_from_still_water(const Problem& problem, const Boundary& boundary)
 {
     return std::any_of(boundary.segments.begin(), boundary.segments.end(), [&](const Segment& segment) {
-        return outer_excess_pressure(problem, *boundary.outer_water, segment.start) != 0.0 ||
-               outer_excess_pressure(problem, *boundary.outer_water, segment.end) != 0.0;
+        return outer_excess_pressure(problem, boundary, segment.start) != 0.0 ||
+               outer_excess_pressure(problem, boundary, segment.end) != 0.0;
     });
 }
 
@@ -130,16 +131,15 @@ std::vector<std::int32_t> divide_materials(const Scene& scene, const Sampling& s
 void check_outer_water(const Scene& scene, const Problem& problem, Diagnostics& findings)
 {
     if (water_flow(problem) != WaterFlow::drained || problem.water->rises_above_level) return;
-    for (const SceneBoundary& condition : scene.boundaries) {
-        if (!condition.outer_water) continue;
-        const auto boundary = std::find_if(problem.boundaries.begin(), problem.boundaries.end(),
-                                           [&](const Boundary& b) { return b.name == condition.name; });
-        ENSURE(boundary != problem.boundaries.end());
-        if (!differs_from_still_water(problem, *boundary)) continue;
-        const bool head = std::holds_alternative<WaterHead>(condition.outer_water->value);
+    for (const Boundary& boundary : problem.boundaries) {
+        const auto* water = std::get_if<PrescribedWater>(&boundary.water);
+        if (water == nullptr || !differs_from_still_water(problem, boundary)) continue;
+        const SceneBoundary* written = find_boundary(scene, boundary.name);
+        ENSURE(written != nullptr);
+        const bool head = std::holds_alternative<WaterHead>(water->value);
         findings.add(error_at(
-            condition.water_place, "boundary",
-            join_path({"boundaries", condition.name, head ? "head" : "pore_pressure"}) +
+            written->water_place, "boundary",
+            join_path({"boundaries", boundary.name, head ? "head" : "pore_pressure"}) +
                 " has no effect with water.flow = \"drained\": the pores have the pressure of the still "
                 "water",
             "still water at the level " + number_text(problem.water->level) +

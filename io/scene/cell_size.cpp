@@ -1,5 +1,6 @@
 #include "io/scene/cell_size.hpp"
 
+#include "io/tables/scene_boundaries.hpp"
 #include "solver/problem/motion_measures.hpp"
 #include "solver/step/time_step_control.hpp"
 
@@ -132,11 +133,12 @@ bool is_along(const Segment& segment, int axis, const Section& section)
     return along[axis] <= flat * extent(section) && along[1 - axis] > flat * extent(section);
 }
 
+constexpr double weight_of_edge = 1.0;
+
 /// Weights that put walls first, and among them those that must lie on lines.
-double weight_of(SoilCondition soil)
+double weight_of(const SoilCondition& wall)
 {
-    if (soil == SoilCondition::free) return 1.0;
-    return soil == SoilCondition::tied || soil == SoilCondition::viscous ? 1e4 : 1e2;
+    return lies_in_soil(wall) || lets_go(wall) ? 1e4 : 1e2;
 }
 
 /// Keep the heavier of two places at one coordinate.
@@ -156,7 +158,7 @@ void add_flat_edges(int axis, const Section& section, LineUp& lines)
         for (std::size_t k = 0; k < ring.size(); ++k) {
             const Segment edge{ring[k], ring[(k + 1) % ring.size()]};
             if (is_along(edge, axis, section))
-                add_place(edge.start[axis], weight_of(SoilCondition::free), flat * extent(section), lines);
+                add_place(edge.start[axis], weight_of_edge, flat * extent(section), lines);
         }
     };
     for (const Region& region : section.regions) {
@@ -169,11 +171,11 @@ void add_flat_edges(int axis, const Section& section, LineUp& lines)
 
 } // namespace
 
-SoilCondition soil_at(const Scene& scene, const NamedCurve& curve)
+const SoilCondition& soil_at(const Scene& scene, const NamedCurve& curve)
 {
-    const auto boundary = std::find_if(scene.boundaries.begin(), scene.boundaries.end(),
-                                       [&](const SceneBoundary& b) { return b.name == curve.name; });
-    return boundary == scene.boundaries.end() ? SoilCondition::free : boundary->soil;
+    static const SoilCondition free = FreeFace{};
+    const SceneBoundary* found = find_boundary(scene, curve.name);
+    return found == nullptr ? free : found->boundary.soil;
 }
 
 LineUp lines_across(int axis, const Scene& scene, const Section& section)
@@ -181,8 +183,8 @@ LineUp lines_across(int axis, const Scene& scene, const Section& section)
     LineUp lines;
     double first_wall = std::numeric_limits<double>::infinity();
     for (const NamedCurve& curve : section.curves) {
-        const SoilCondition soil = soil_at(scene, curve);
-        if (soil == SoilCondition::free) continue;
+        const SoilCondition& soil = soil_at(scene, curve);
+        if (std::holds_alternative<FreeFace>(soil)) continue;
         for (const Segment& segment : curve.segments) {
             if (!is_along(segment, axis, section)) continue;
             first_wall = std::min(first_wall, segment.start[axis]);

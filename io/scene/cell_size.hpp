@@ -12,7 +12,7 @@
 namespace quicksand {
 
 /// The curve of a name with what the scene says of the soil at it; unnamed edges and curves are free.
-SoilCondition soil_at(const Scene& scene, const NamedCurve& curve);
+const SoilCondition& soil_at(const Scene& scene, const NamedCurve& curve);
 
 /// Coordinates of straight walls and flat edges along the grid, and where grid lines are counted from.
 struct LineUp {

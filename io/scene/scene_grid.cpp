@@ -42,12 +42,12 @@ Edge edge_at(int axis, double coordinate, const Scene& scene, const Section& sec
         }
     }
     for (const NamedCurve& curve : section.curves) {
-        const SoilCondition soil = soil_at(scene, curve);
+        const SoilCondition& soil = soil_at(scene, curve);
         for (const Segment& segment : curve.segments) {
-            if (soil == SoilCondition::free) break;
+            if (std::holds_alternative<FreeFace>(soil)) break;
             const double length = length_on_edge(segment.start, segment.end);
             edge.wall += length;
-            edge.has_moving_wall = edge.has_moving_wall || (length > 0.0 && soil == SoilCondition::moving);
+            edge.has_moving_wall = edge.has_moving_wall || (length > 0.0 && moves(soil));
             const bool upright = std::abs(segment.end[1 - axis] - segment.start[1 - axis]) <= tolerance;
             edge.meets_wall =
                 edge.meets_wall || (!upright && (on_edge(segment.start) || on_edge(segment.end)));

@@ -22,6 +22,13 @@ std::vector<std::string> names_of(const std::vector<Named>& list)
     return names;
 }
 
+std::vector<std::string> names_of(const std::vector<SceneBoundary>& list)
+{
+    std::vector<std::string> names;
+    for (const SceneBoundary& item : list) names.push_back(item.boundary.name);
+    return names;
+}
+
 bool contains(const std::vector<std::string>& names, const std::string& name)
 {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -68,34 +75,26 @@ double offset_from_line(double coordinate, double origin, double cell_size)
 }
 
 /// A viscous side of a shaken section absorbs the motion of the ground itself.
-void check_viscous_side(const Scene& scene, const SceneBoundary& boundary, const NamedCurve& curve,
+void check_viscous_side(const Scene& scene, const SceneBoundary& condition, const NamedCurve& curve,
                         Diagnostics& findings)
 {
-    if (boundary.soil != SoilCondition::viscous || std::holds_alternative<NoMotion>(scene.base_motion))
-        return;
+    const Boundary& boundary = condition.boundary;
+    if (!absorbs_waves(boundary.soil) || std::holds_alternative<NoMotion>(scene.base_motion)) return;
     const bool steep = std::any_of(curve.segments.begin(), curve.segments.end(), [](const Segment& segment) {
         const Vector2 along = (segment.end - segment.start).cwiseAbs();
         return along.y() > along.x();
     });
     if (!steep) return;
-    findings.add(warning_at(boundary.place, join_path({"boundaries", boundary.name}), "viscous-side",
+    findings.add(warning_at(condition.place, join_path({"boundaries", boundary.name}), "viscous-side",
                             "the viscous side \"" + boundary.name +
                                 "\" brakes the shaking of the ground, not only the waves that leave",
                             "sides tied to each other where the base shakes"));
 }
 
-Boundary make_boundary(const SceneBoundary* condition, const NamedCurve& curve)
+/// The boundary along a curve.
+Boundary drawn_along(const NamedCurve& curve, Boundary boundary)
 {
-    Boundary boundary;
     boundary.name = curve.name;
-    if (condition != nullptr) {
-        boundary.soil = condition->soil;
-        boundary.water = condition->water;
-        boundary.load = condition->load;
-        boundary.motion = condition->motion;
-        boundary.half_space = condition->half_space;
-        boundary.outer_water = condition->outer_water;
-    }
     for (const Segment& segment : curve.segments) {
         if (segment.start != segment.end) boundary.segments.push_back(segment);
     }
@@ -125,7 +124,7 @@ std::optional<Side> find_side(const SceneBoundary& boundary, const NamedCurve& c
     }
     if (!vertical) {
         findings.add(error_at(boundary.place, "tied",
-                              "the tied curve \"" + boundary.name + "\" is not a vertical line",
+                              "the tied curve \"" + curve.name + "\" is not a vertical line",
                               "a vertical straight line on a grid line"));
         return std::nullopt;
     }
@@ -133,7 +132,7 @@ std::optional<Side> find_side(const SceneBoundary& boundary, const NamedCurve& c
     if (std::abs(offset) <= tolerance) return side;
     findings.add(
         error_at(boundary.place, "tied",
-                 "the tied curve \"" + boundary.name + "\" at x = " + number_text(side.x) +
+                 "the tied curve \"" + curve.name + "\" at x = " + number_text(side.x) +
                      " m is not on a grid line: the nearest is at x = " + number_text(side.x - offset) + " m",
                  "a vertical straight line on a grid line",
                  "choose a cell size that divides the width, or set origin in [grid]"));
@@ -147,8 +146,9 @@ void check_names(const Scene& scene, const Section& section, Diagnostics& findin
     const auto curves = names_of(section.curves), points = names_of(section.points);
     check_regions(scene, names_of(section.regions), findings);
     for (const SceneBoundary& boundary : scene.boundaries) {
-        if (!contains(curves, boundary.name))
-            findings.add(unknown_name(boundary.place, "physical curve", boundary.name, curves));
+        const std::string& name = boundary.boundary.name;
+        if (!contains(curves, name))
+            findings.add(unknown_name(boundary.place, "physical curve", name, curves));
     }
     for (const SceneProbe& probe : scene.probes) {
         if (probe.at || contains(points, probe.name)) continue;
@@ -164,15 +164,15 @@ std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section
 {
     std::vector<Boundary> boundaries;
     for (const SceneBoundary& condition : scene.boundaries) {
-        const NamedCurve* curve = find_curve(section, condition.name);
+        const NamedCurve* curve = find_curve(section, condition.boundary.name);
         if (curve == nullptr) continue;
-        boundaries.push_back(make_boundary(&condition, *curve));
+        boundaries.push_back(drawn_along(*curve, condition.boundary));
         check_viscous_side(scene, condition, *curve, findings);
     }
     const auto written = names_of(scene.boundaries);
     for (const NamedCurve& curve : section.curves) {
         if (contains(written, curve.name)) continue;
-        boundaries.push_back(make_boundary(nullptr, curve));
+        boundaries.push_back(drawn_along(curve, {}));
         const std::string path = join_path({"boundaries", curve.name});
         findings.add(
             warning_at(scene.geometry_place, path, "unnamed-boundary",
@@ -187,20 +187,21 @@ std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& sect
 {
     std::vector<const SceneBoundary*> tied;
     for (const SceneBoundary& boundary : scene.boundaries) {
-        if (boundary.soil == SoilCondition::tied) tied.push_back(&boundary);
+        if (std::holds_alternative<TiedSide>(boundary.boundary.soil)) tied.push_back(&boundary);
     }
     if (tied.size() != 2) return std::nullopt;
-    const NamedCurve* first_curve = find_curve(section, tied[0]->name);
-    const NamedCurve* second_curve = find_curve(section, tied[1]->name);
+    const std::string &first_name = tied[0]->boundary.name, &second_name = tied[1]->boundary.name;
+    const NamedCurve* first_curve = find_curve(section, first_name);
+    const NamedCurve* second_curve = find_curve(section, second_name);
     if (first_curve == nullptr || second_curve == nullptr) return std::nullopt;
     const auto first = find_side(*tied[0], *first_curve, grid, findings);
     const auto second = find_side(*tied[1], *second_curve, grid, findings);
     if (!first || !second) return std::nullopt;
 
     const auto refuse = [&](const std::string& what, const std::string& expected) {
-        findings.add(error_at(
-            tied[1]->place, "tied",
-            "the tied curves \"" + tied[0]->name + "\" and \"" + tied[1]->name + "\" " + what, expected));
+        findings.add(error_at(tied[1]->place, "tied",
+                              "the tied curves \"" + first_name + "\" and \"" + second_name + "\" " + what,
+                              expected));
         return std::nullopt;
     };
     const double tolerance = on_line * grid.cell_size;
@@ -217,7 +218,7 @@ std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& sect
     const bool ordered = first->x < second->x;
     const auto& left = ordered ? *first : *second;
     const auto& right = ordered ? *second : *first;
-    return TiedSides{tied[ordered ? 0 : 1]->name, tied[ordered ? 1 : 0]->name, left.x, right.x};
+    return TiedSides{ordered ? first_name : second_name, ordered ? second_name : first_name, left.x, right.x};
 }
 
 } // namespace quicksand

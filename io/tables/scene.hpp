@@ -37,14 +37,8 @@ struct SceneRegion {
 };
 
 struct SceneBoundary {
-    std::string name; // physical curve
-    SoilCondition soil = SoilCondition::free;
-    WaterCondition water = WaterCondition::drained;
+    Boundary boundary; // of a physical curve, whose segments the drawing has
     SourcePlace place;
-    std::optional<SurfaceLoad> load = {};
-    std::optional<WallMotion> motion = {};
-    std::optional<HalfSpace> half_space = {};
-    std::optional<OuterWater> outer_water = {};
     SourcePlace water_place = {}; // of its head or pore pressure
 };
 

@@ -15,4 +15,7 @@ namespace quicksand {
 std::vector<SceneBoundary> read_boundaries(const SceneValues& values, const std::filesystem::path& folder,
                                            Diagnostics& findings);
 
+/// The boundary of a physical curve; null where the scene has no table for it.
+const SceneBoundary* find_boundary(const Scene& scene, const std::string& curve);
+
 } // namespace quicksand

@@ -1,6 +1,6 @@
+#include "io/faces/boundary_keys.hpp"
 #include "io/keys/scene_schema.hpp"
 #include "io/laws/soil_laws.hpp"
-#include "io/tables/boundary_keys.hpp"
 #include "io/tables/figure_keys.hpp"
 #include "io/tables/motion_keys.hpp"
 #include "solver/verification/studies/study.hpp"

@@ -2,7 +2,6 @@
 
 #include "solver/base/failure.hpp"
 #include "solver/boundaries/film_ends.hpp"
-#include "solver/boundaries/wall_hold.hpp"
 #include "solver/boundaries/wall_nodes.hpp"
 
 #include <cmath>
@@ -95,7 +94,7 @@ NodeConditions node_conditions(const Problem& problem, Stage stage)
             if (!holds_nodes(problem, boundary, segment)) continue;
             const WallHold hold = hold_of(boundary, segment, stage);
             if (hold.any()) add_segment(problem, segment, hold, stage, result);
-            if (hold.grains != GrainHold::none || boundary.soil == SoilCondition::viscous)
+            if (hold.grains != GrainHold::none || lets_go(boundary.soil))
                 tie_beyond(problem, segment, segment, masters);
         }
     }

@@ -36,8 +36,7 @@ struct NodeConditions {
     std::vector<std::size_t> master; // of each node: the node that carries its sums, itself mostly
 };
 
-/// The conditions of a stage. While the soil settles, viscous curves are held: bases fixed, steep sides as
-/// rollers.
+/// The conditions of a stage: curves that let go hold the soil in the relaxation alone.
 NodeConditions node_conditions(const Problem& problem, Stage stage = Stage::shaking);
 
 } // namespace quicksand

@@ -195,11 +195,6 @@ bool cut_segment(const Problem& problem, const Particles& particles, const Segme
     return true;
 }
 
-bool carries_something(const Boundary& boundary)
-{
-    return boundary.load || boundary.outer_water || boundary.soil == SoilCondition::viscous;
-}
-
 /// Corners of the particle's domain where the equations have it: in small strain at the reference.
 std::array<Vector2, 4> domain_corners(const Problem& problem, const Particles& particles, std::size_t p)
 {
@@ -283,7 +278,7 @@ std::vector<std::string> attach_boundaries(Problem& problem, const Particles& pa
     std::vector<std::string> without_soil;
     for (Boundary& boundary : problem.boundaries) {
         boundary.pieces.clear();
-        if (!carries_something(boundary)) continue;
+        if (!acts_on_soil(boundary)) continue;
         bool complete = true;
         for (const Segment& segment : boundary.segments)
             complete = cut_segment(problem, particles, segment, boundary.pieces) && complete;

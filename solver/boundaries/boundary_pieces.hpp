@@ -13,15 +13,14 @@
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace quicksand {
 
-/// Cut the curves that carry something into pieces of the particles beside them: fills Boundary::pieces.
-/// Returns the names of curves with segments that have no soil beside them. The lengths of a curve's pieces
-/// add up to its own.
+/// Cut the curves along which something acts on the soil into pieces of the particles beside them: fills
+/// Boundary::pieces. Returns the names of curves with segments that have no soil beside them. The lengths of
+/// a curve's pieces add up to its own.
 std::vector<std::string> attach_boundaries(Problem& problem, const Particles& particles);
 
 /// Present places of particles by their lasting number, as long as the arrays are not reordered.
@@ -34,18 +33,7 @@ private:
     std::vector<std::int32_t> index_of_identifier_;
 };
 
-/// A piece where it is now.
-struct PresentPiece {
-    Vector2 start, end;             // [m]
-    std::array<Vector2, 4> corners; // where its load reaches the grid: corners of the domain [m]
-    std::array<double, 4> shares;   // of the load for the corners, adding up to 1 [-]
-    double tolerance = 0.0;         // how near to a grid line a corner lies on it [cells]
-
-    Vector2 middle() const { return 0.5 * (start + end); }
-    /// Outward normal times the present length [m].
-    Vector2 outward() const { return {end.y() - start.y(), start.x() - end.x()}; }
-};
-
+/// Where a piece is now; `p` is the particle that carries it.
 PresentPiece present_piece(const Problem& problem, const Particles& particles, const BoundaryPiece& piece,
                            std::size_t p);
 

@@ -1,6 +1,5 @@
 #include "solver/boundaries/film_ends.hpp"
 
-#include "solver/boundaries/wall_hold.hpp"
 #include "solver/boundaries/wall_nodes.hpp"
 
 #include <algorithm>
@@ -33,8 +32,8 @@ Beyond beyond_end(const Problem& problem, const Segment& film, bool forward, Sta
     };
     for (const Boundary& boundary : problem.boundaries)
         for (const Segment& other : boundary.segments)
-            meet(other, boundary.soil != SoilCondition::tied &&
-                            hold_of(boundary, other, stage).water == WaterHold::none);
+            meet(other,
+                 !lies_in_soil(boundary.soil) && hold_of(boundary, other, stage).water == WaterHold::none);
     for (const Segment& edge : unnamed_edges(problem)) meet(edge, true);
     return beyond;
 }

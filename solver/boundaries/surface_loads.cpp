@@ -8,13 +8,7 @@ namespace quicksand {
 
 namespace {
 
-/// Force of a load at its full value on a piece of its curve.
-Vector2 full_force(const SurfaceLoad& load, const BoundaryPiece& piece, const PresentPiece& present)
-{
-    return piece.length * load.traction - load.pressure * present.outward();
-}
-
-/// Call add(node, force) for every share of the forces force_of(piece, present) on a curve.
+/// Call add(node, force) for every share of the forces force_of(carried piece) on a curve.
 template <class ForceOf, class Add>
 void share_out(const Problem& problem, const Boundary& boundary, const Particles& particles,
                ParticlePlaces& places, ForceOf&& force_of, Add&& add)
@@ -22,7 +16,7 @@ void share_out(const Problem& problem, const Boundary& boundary, const Particles
     for (const BoundaryPiece& piece : boundary.pieces) {
         const std::size_t p = places.find(particles, piece.identifier);
         const PresentPiece present = present_piece(problem, particles, piece, p);
-        const Vector2 force = force_of(piece, present);
+        const Vector2 force = force_of(CarriedPiece{piece, present, particles, p});
         for_each_loaded_node(problem.grid, present,
                              [&](std::size_t i, double share) { add(i, share * force); });
     }
@@ -33,10 +27,9 @@ void for_each_nodal_load(const Problem& problem, double time, const Particles& p
                          ParticlePlaces& places, Add&& add)
 {
     for (const Boundary& boundary : problem.boundaries) {
-        if (!boundary.load) continue;
-        const double factor = history_value(boundary.load->history, time);
-        const auto force = [&](const BoundaryPiece& piece, const PresentPiece& present) -> Vector2 {
-            return factor * full_force(*boundary.load, piece, present);
+        if (!presses(boundary.soil)) continue;
+        const auto force = [&](const CarriedPiece& carried) {
+            return force_on(boundary.soil, carried, time);
         };
         share_out(problem, boundary, particles, places, force, add);
     }
@@ -48,11 +41,11 @@ void for_each_nodal_water(const Problem& problem, double time, const Particles& 
                           ParticlePlaces& places, Add&& add)
 {
     for (const Boundary& boundary : problem.boundaries) {
-        if (!boundary.outer_water) continue;
-        const OuterWater& water = *boundary.outer_water;
-        const double factor = history_value(water.history, time);
-        const auto force = [&](const BoundaryPiece&, const PresentPiece& present) -> Vector2 {
-            const double excess = outer_excess_pressure(problem, water, present.middle(), factor);
+        if (!has_outer_water(boundary.water)) continue;
+        const double factor = outer_factor(boundary.water, time);
+        const auto force = [&](const CarriedPiece& carried) -> Vector2 {
+            const PresentPiece& present = carried.present;
+            const double excess = outer_excess_pressure(problem, boundary, present.middle(), factor);
             return -excess * present.outward();
         };
         share_out(problem, boundary, particles, places, force, add);
@@ -103,9 +96,7 @@ void scatter_outer_water(const Problem& problem, double time, const Particles& p
 
 bool has_outer_forces(const Problem& problem)
 {
-    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [](const Boundary& boundary) {
-        return boundary.load || boundary.outer_water || boundary.soil == SoilCondition::viscous;
-    });
+    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), acts_on_soil);
 }
 
 void note_outer_forces(const Problem& problem, double time, const State& state, ParticlePlaces& places,
@@ -131,11 +122,12 @@ double load_time(const State& state)
 Vector2 full_load(const Problem& problem, const State& state, const Boundary& boundary)
 {
     Vector2 force = Vector2::Zero();
-    if (!boundary.load) return force;
+    const SurfaceLoad* load = load_of(boundary.soil);
+    if (load == nullptr) return force;
     ParticlePlaces places;
     for (const BoundaryPiece& piece : boundary.pieces) {
         const std::size_t p = places.find(state.particles, piece.identifier);
-        force += full_force(*boundary.load, piece, present_piece(problem, state.particles, piece, p));
+        force += full_force(*load, piece, present_piece(problem, state.particles, piece, p));
     }
     return force;
 }

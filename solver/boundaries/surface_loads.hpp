@@ -10,7 +10,7 @@
 
 namespace quicksand {
 
-/// Add the loads at `time` to the nodes' forces on the grains [s].
+/// Add the forces of curves that press on the soil at `time` to the nodes' forces on the grains [s].
 void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
                            ParticlePlaces& places, std::vector<TwoPhaseSums>& sums);
 void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
@@ -28,7 +28,7 @@ void scatter_outer_water(const Problem& problem, double time, const Particles& p
 /// Whether anything on the boundary curves acts on the nodes: loads, water, held reactions.
 bool has_outer_forces(const Problem& problem);
 
-/// The same forces, and the reactions held at viscous curves, kept apart for the ledger.
+/// The same forces, and the reactions held where curves have let go, kept apart for the ledger.
 void note_outer_forces(const Problem& problem, double time, const State& state, ParticlePlaces& places,
                        std::vector<OuterForce>& outer);
 

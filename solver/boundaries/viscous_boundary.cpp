@@ -81,16 +81,13 @@ Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponse& x, con
 Impedance impedance(const Problem& problem, const Boundary& boundary, const Particles& particles,
                     std::size_t p)
 {
-    if (boundary.half_space) {
-        const HalfSpace& rock = *boundary.half_space;
-        return {rock.density * rock.compression_wave_speed, rock.density * rock.shear_wave_speed};
-    }
+    if (const std::optional<Impedance> of_rock = impedance_beyond(boundary.soil)) return *of_rock;
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
     const double n = material.porosity;
     const std::optional<Water>& water = water_of(problem, material);
     const WaveSpeeds speeds = wave_speeds(material, unloading_modulus(material, particles, p), water, n);
     const double density = (1.0 - n) * material.grain_density + (water ? n * water->density : 0.0);
-    const bool sealed = water && boundary.water == WaterCondition::impervious;
+    const bool sealed = water && std::holds_alternative<Impervious>(boundary.water);
     return {density * (sealed ? speeds.undrained : speeds.skeleton), density * speeds.shear};
 }
 
@@ -99,7 +96,7 @@ void gather_dashpots(const Problem& problem, const Particles& particles, const N
 {
     dashpots.clear();
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil != SoilCondition::viscous) continue;
+        if (!absorbs_waves(boundary.soil)) continue;
         for (const BoundaryPiece& piece : boundary.pieces) {
             const std::size_t p = places.find(particles, piece.identifier);
             const Impedance beyond = impedance(problem, boundary, particles, p);

@@ -34,14 +34,11 @@ struct Dashpot {
     double xx = 0.0, xy = 0.0, yy = 0.0;
 };
 
-/// Impedances rho V_p and rho V_s of what lies beyond a boundary, beside the particle p [Pa s/m].
-struct Impedance {
-    double normal = 0.0, shear = 0.0;
-};
+/// Impedances of what lies beyond a boundary that absorbs waves, beside the particle p.
 Impedance impedance(const Problem& problem, const Boundary& boundary, const Particles& particles,
                     std::size_t p);
 
-/// The dashpots of all viscous boundaries, each node once, in the order of the nodes.
+/// The dashpots of all boundaries that absorb waves, each node once, in the order of the nodes.
 void gather_dashpots(const Problem& problem, const Particles& particles, const NodeConditions& conditions,
                      ParticlePlaces& places, std::vector<Dashpot>& dashpots);
 
@@ -77,7 +74,7 @@ void for_each_nodal_reaction(const Problem& problem, const State& state, Particl
     if (state.reactions.x.empty() || state.stage != Stage::shaking) return;
     std::size_t k = 0;
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil != SoilCondition::viscous) continue;
+        if (!lets_go(boundary.soil)) continue;
         for (const BoundaryPiece& piece : boundary.pieces) {
             const std::size_t p = places.find(state.particles, piece.identifier);
             const Vector2 force = state.reactions[k++];

@@ -36,18 +36,21 @@ bool lies_on(const Vector2& point, const Segment& segment, double tolerance)
 
 } // namespace
 
-Vector2 outward_normal(const Segment& segment)
-{
-    const Vector2 along = (segment.end - segment.start).normalized();
-    return {along.y(), -along.x()};
-}
-
 int normal_axis(const Segment& segment)
 {
     constexpr double aligned = 1e-9;
     const Vector2 normal = outward_normal(segment);
     if (std::abs(normal.y()) < aligned) return 0;
     return std::abs(normal.x()) < aligned ? 1 : -1;
+}
+
+bool holds_nodes(const Problem& problem, const Boundary& boundary, const Segment& segment)
+{
+    if (moves(boundary.soil)) return false;
+    const int axis = normal_axis(segment);
+    if (axis < 0) return false;
+    const double cells = (segment.start[axis] - problem.grid.rim_origin()[axis]) / problem.grid.cell_size;
+    return std::abs(cells - std::round(cells)) <= on_wall;
 }
 
 double reach_past(const Problem& problem, const Segment& wall, const Vector2& end)

@@ -14,9 +14,6 @@ inline constexpr double depth_of_wall = 3.5;
 /// A node this close to a wall lies on it [cells].
 inline constexpr double on_wall = 1e-6;
 
-/// The normal of a segment out of the soil, which lies to its left.
-Vector2 outward_normal(const Segment& segment);
-
 /// Call visit(segment) for the edges of the soil as drawn, some of them twice.
 template <class Visit>
 void for_each_edge(const Problem& problem, Visit&& visit)
@@ -33,6 +30,9 @@ bool enters_soil(const Problem& problem, const Vector2& start, const Vector2& di
 
 /// The axis of a wall's normal where the wall is parallel to the grid, -1 where it is slanted.
 int normal_axis(const Segment& segment);
+
+/// Whether a segment is a condition on nodes: it stands, and lies on a line of the grid.
+bool holds_nodes(const Problem& problem, const Boundary& boundary, const Segment& segment);
 
 /// How far past `end` (one of its two) a wall holds the nodes beyond it, along itself [m]: without bound
 /// where the soil's edge turns to the soil there; to the end where it goes straight on, for the neighbour's

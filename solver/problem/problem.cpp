@@ -4,6 +4,15 @@
 
 namespace quicksand {
 
+namespace {
+
+StillWater still_water(const Problem& problem)
+{
+    return {problem.water->density * problem.gravity, problem.water->level};
+}
+
+} // namespace
+
 const std::optional<Water>& water_of(const Problem& problem, const Material& material)
 {
     static const std::optional<Water> none;
@@ -36,18 +45,9 @@ void resize_particles(const Problem& problem, std::size_t count, Particles& part
         particles.tension_deficit = Scalars(count, 0.0);
 }
 
-double elevation(const std::vector<Vector2>& line, double x)
-{
-    const auto right = std::find_if(line.begin(), line.end(), [&](const Vector2& p) { return p.x() >= x; });
-    if (right == line.begin()) return line.front().y();
-    if (right == line.end()) return line.back().y();
-    const Vector2 &b = *right, &a = *(right - 1);
-    return a.y() + (b.y() - a.y()) * (x - a.x()) / (b.x() - a.x());
-}
-
 double pressure_below(const Problem& problem, double surface, double y)
 {
-    return problem.water->density * problem.gravity * std::max(0.0, surface - y);
+    return pressure_below(still_water(problem), surface, y);
 }
 
 double static_water_pressure(const Problem& problem, double y)
@@ -55,23 +55,10 @@ double static_water_pressure(const Problem& problem, double y)
     return problem.water ? pressure_below(problem, problem.water->level, y) : 0.0;
 }
 
-double outer_excess_pressure(const Problem& problem, const OuterWater& outer, const Vector2& point,
+double outer_excess_pressure(const Problem& problem, const Boundary& boundary, const Vector2& point,
                              double factor)
 {
-    const auto below_line = [&](const WaterLine& line) {
-        return pressure_below(problem, elevation(line.points, point.x()), point.y());
-    };
-    const double still = static_water_pressure(problem, point.y());
-    const double at_rest = outer.at_rest ? below_line(*outer.at_rest) - still : 0.0;
-    double full = 0.0;
-    if (const auto* water = std::get_if<WaterHead>(&outer.value)) {
-        full = pressure_below(problem, water->head, point.y()) - still;
-    } else if (const auto* line = std::get_if<WaterLine>(&outer.value)) {
-        full = below_line(*line) - still;
-    } else {
-        full = std::get<PorePressure>(outer.value).pressure - still;
-    }
-    return at_rest + factor * (full - at_rest);
+    return outer_excess(boundary.water, still_water(problem), point, factor);
 }
 
 double risen_pore_pressure(const Problem& problem, const Particles& particles, std::size_t p)

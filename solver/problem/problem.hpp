@@ -1,7 +1,7 @@
 // What a run is given and never changes: grid, materials, water, boundaries, loads.
 #pragma once
 
-#include "solver/base/history.hpp"
+#include "solver/faces/boundary.hpp"
 #include "solver/interpolation/cut_domains.hpp"
 #include "solver/interpolation/interpolation.hpp"
 #include "solver/particles/background_grid.hpp"
@@ -10,11 +10,9 @@
 #include "solver/problem/base_motion.hpp"
 #include "solver/problem/skeleton_law.hpp"
 
-#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 namespace quicksand {
@@ -49,105 +47,6 @@ struct Water {
     bool rises_above_level = false; // a phreatic line in the soil lies above the level somewhere
     WaterFlow flow = WaterFlow::coupled;
     std::optional<double> cavitation_pressure = {}; // absolute; none: water bears any tension [Pa]
-};
-
-enum class SoilCondition {
-    free,
-    fixed,   // no motion
-    roller,  // no motion normal to the curve
-    tied,    // points of equal height on two sides move together
-    moving,  // with a given velocity or displacement
-    viscous, // waves leave through it
-};
-enum class WaterCondition {
-    drained,    // no excess pressure
-    impervious, // water moves with the grains normal to the curve
-    prescribed, // a given head or pressure
-};
-
-/// A straight piece of a boundary curve; the soil lies to its left, going from start to end.
-struct Segment {
-    Vector2 start, end; // [m]
-};
-
-/// A load on a boundary curve; it moves and deforms with the surface that it was put on. It is the total
-/// load: where water drains through the curve, the grains carry all of it.
-struct SurfaceLoad {
-    Vector2 traction = Vector2::Zero(); // a dead load: it keeps its direction and its total, the traction on
-                                        // the curve as drawn [N/m2]
-    double pressure = 0.0;              // normal to the present surface and on its present length, positive
-                                        // onto the soil [Pa]
-    History history;
-};
-
-enum class MotionQuantity { velocity, displacement };
-enum class WallGrip {
-    rough,  // the grains take part in the wall's motion in both directions
-    smooth, // in that normal to the wall only
-};
-
-/// The motion of a moving boundary curve.
-struct WallMotion {
-    MotionQuantity quantity = MotionQuantity::velocity;
-    WallGrip grip = WallGrip::rough;
-    Vector2 value = Vector2::Zero(); // of a rough wall [m/s] or [m]
-    double inward = 0.0;             // of a smooth wall, normal to it and positive into the soil [m/s] or [m]
-    History history;
-};
-
-/// Rock or soil that goes on beyond a viscous boundary.
-struct HalfSpace {
-    double density = 0.0;                // rho [kg/m3]
-    double shear_wave_speed = 0.0;       // V_s [m/s]
-    double compression_wave_speed = 0.0; // V_p [m/s]
-};
-
-/// Still water beyond a curve, standing up to a height.
-struct WaterHead {
-    double head = 0.0; // y of its surface [m]
-};
-
-/// Pore pressure along a curve.
-struct PorePressure {
-    double pressure = 0.0; // with its static part, compression positive [Pa]
-};
-
-/// Still water up to a line, level beyond its ends; at every x as deep as the line is high there.
-struct WaterLine {
-    std::vector<Vector2> points; // from left to right, at least one [m]
-};
-
-/// y at x of a line from left to right, level beyond its ends [m].
-double elevation(const std::vector<Vector2>& line, double x);
-
-/// Water with a given pressure at a curve; the history is a factor on what it has beyond the water at rest.
-struct OuterWater {
-    std::variant<WaterHead, PorePressure, WaterLine> value;
-    History history;
-    std::optional<WaterLine> at_rest = {}; // none: the still water at the level
-};
-
-/// A piece of a boundary curve, carried by the particle beside it: straight between two points that keep
-/// their places in the particle's domain. Found by attach_boundaries (boundary_pieces.hpp).
-struct BoundaryPiece {
-    std::int32_t identifier = 0;     // lasting number of the particle [-]
-    Vector2 start = Vector2::Zero(); // local coordinates in the half edges, -1..1 in a whole domain [-]
-    Vector2 end = Vector2::Zero();
-    double length = 0.0;    // as drawn [m]
-    std::int32_t edge = -1; // of a cut domain's polygon, from the corner of this number; -1: a whole domain
-};
-
-/// One named boundary curve.
-struct Boundary {
-    std::string name;
-    SoilCondition soil = SoilCondition::free;
-    WaterCondition water = WaterCondition::drained;
-    std::vector<Segment> segments;
-    std::optional<SurfaceLoad> load = {};
-    std::optional<WallMotion> motion = {};      // of a moving curve
-    std::optional<HalfSpace> half_space = {};   // beyond a viscous curve; none: as the soil beside it
-    std::optional<OuterWater> outer_water = {}; // where the water is prescribed
-    std::vector<BoundaryPiece> pieces = {};     // none where nothing acts on the curve
 };
 
 /// Two vertical sides whose points of equal height move together, as in a laminar box.
@@ -209,9 +108,9 @@ double static_water_pressure(const Problem& problem, double y);
 /// Static pressure of water that stands up to a height, at height y, zero above [Pa].
 double pressure_below(const Problem& problem, double surface, double y);
 
-/// Excess over the still water that a boundary's outer water has at a point, its history having the value
-/// `factor` [Pa].
-double outer_excess_pressure(const Problem& problem, const OuterWater& outer, const Vector2& point,
+/// Excess over the still water that the water beyond a boundary has at a point, its history having the value
+/// `factor`; the scene has water [Pa].
+double outer_excess_pressure(const Problem& problem, const Boundary& boundary, const Vector2& point,
                              double factor = 1.0);
 
 /// Pore pressure beyond that of the water at the start of the shaking, whose table lay at the level or at a

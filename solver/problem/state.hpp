@@ -1,18 +1,13 @@
 // What a run changes: time, step count and the particles. A checkpoint of it resumes to the same bits.
 #pragma once
 
+#include "solver/base/stage.hpp"
 #include "solver/particles/particles.hpp"
 
 #include <cstdint>
 #include <optional>
 
 namespace quicksand {
-
-/// The stages of a run, in their order.
-enum class Stage {
-    relaxation, // damped settling under gravity, drained, time not counted
-    shaking,    // the two-phase run from t = 0
-};
 
 /// What the steps have exchanged since the ledger was opened; ledger.hpp says how it is kept. Energies and
 /// works are of both phases and per metre [J/m].

@@ -1,6 +1,6 @@
-// The forces that held a viscous curve at rest, as forces on its pieces: F_k = L_k sum_i w_ki y_i with
-// multipliers y of the nodes, such that sum_k w_ki F_k = R_i, by conjugate gradients. The matrix is that of a
-// mass along the curve; a few iterations reach rounding.
+// The forces that held a curve at rest until it lets go, as forces on its pieces: F_k = L_k sum_i w_ki y_i
+// with multipliers y of the nodes, such that sum_k w_ki F_k = R_i, by conjugate gradients. The matrix is that
+// of a mass along the curve; a few iterations reach rounding.
 #include "solver/run/held_reactions.hpp"
 
 #include "solver/boundaries/viscous_boundary.hpp"
@@ -24,7 +24,7 @@ std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State&
     std::vector<PieceWeights> all;
     ParticlePlaces places;
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil != SoilCondition::viscous) continue;
+        if (!lets_go(boundary.soil)) continue;
         for (const BoundaryPiece& piece : boundary.pieces) {
             const std::size_t p = places.find(state.particles, piece.identifier);
             PieceWeights weights{piece.length, {}};
@@ -124,8 +124,8 @@ SinglePhaseWorkspace nodes_at_rest(const Problem& problem, const State& state)
 void hold_reactions(const Problem& problem, State& state)
 {
     state.reactions = {};
-    const auto is_viscous = [](const Boundary& b) { return b.soil == SoilCondition::viscous; };
-    if (std::none_of(problem.boundaries.begin(), problem.boundaries.end(), is_viscous)) return;
+    const auto releases = [](const Boundary& boundary) { return lets_go(boundary.soil); };
+    if (std::none_of(problem.boundaries.begin(), problem.boundaries.end(), releases)) return;
     const NodeConditions held = node_conditions(problem, Stage::relaxation),
                          free = node_conditions(problem, Stage::shaking);
     const std::vector<PieceWeights> pieces = weights_of_pieces(problem, state, held);
@@ -133,7 +133,7 @@ void hold_reactions(const Problem& problem, State& state)
     const std::vector<SinglePhaseSums>& nodes = rest.sums;
     const std::vector<Vector2> by_rows =
         resting_reactions(problem, rest.walls, nodes, [&](const WallChain& chain) {
-            return is_viscous(problem.boundaries[chain.edges.front().boundary]);
+            return releases(problem.boundaries[chain.edges.front().boundary]);
         });
     for (const std::uint8_t fixed : {std::uint8_t{solid_x_fixed}, std::uint8_t{solid_y_fixed}}) {
         std::vector<std::uint8_t> released(nodes.size(), 0);

@@ -17,6 +17,11 @@ namespace {
 /// A pressure by place [Pa].
 using PressureField = std::function<double(const Vector2&)>;
 
+bool is_free(const Boundary& boundary)
+{
+    return std::holds_alternative<FreeFace>(boundary.soil);
+}
+
 /// The problem with pieces on every curve that is no wall, dry, of the density 1 and without loads of its
 /// own.
 Problem bare_problem(const Problem& problem, const Particles& particles)
@@ -29,10 +34,8 @@ Problem bare_problem(const Problem& problem, const Particles& particles)
     rest.segments = unnamed_edges(problem);
     if (!rest.segments.empty()) bare.boundaries.push_back(rest);
     for (Boundary& boundary : bare.boundaries) {
-        boundary.outer_water.reset();
-        boundary.load.reset();
-        boundary.water = WaterCondition::drained;
-        if (boundary.soil == SoilCondition::free) boundary.load = SurfaceLoad{};
+        boundary.water = Drained{};
+        if (is_free(boundary)) boundary.soil = FreeFace{SurfaceLoad{}};
     }
     attach_boundaries(bare, particles);
     return bare;
@@ -64,7 +67,7 @@ void add_outer_pressure(const Problem& problem, const PressureField& pressure, c
 {
     ParticlePlaces places;
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil != SoilCondition::free) continue;
+        if (!is_free(boundary)) continue;
         for (const BoundaryPiece& piece : boundary.pieces) {
             const std::size_t p = places.find(particles, piece.identifier);
             const PresentPiece present = present_piece(problem, particles, piece, p);

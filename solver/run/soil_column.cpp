@@ -180,7 +180,7 @@ std::string obstacle_of(const Problem& problem)
     if (!problem.cut_domains.shapes.empty()) return "an outline that is not level cuts particles";
     for (const Boundary& boundary : problem.boundaries) {
         if (boundary.segments.empty() || is_tied_side(*problem.tied_sides, boundary)) continue;
-        if (boundary.soil == SoilCondition::moving) return "the curve \"" + boundary.name + "\" moves";
+        if (moves(boundary.soil)) return "the curve \"" + boundary.name + "\" moves";
         if (!spans_the_width(problem, boundary))
             return "the curve \"" + boundary.name + "\" is no level line from side to side";
     }

@@ -51,8 +51,7 @@ std::vector<Link> collect_links(const Problem& problem, Stage stage)
             const Segment& segment = boundary.segments[s];
             const WallHold hold = hold_of(boundary, segment, stage);
             if (!hold.any() || holds_nodes(problem, boundary, segment)) continue;
-            const bool alone =
-                boundary.soil == SoilCondition::moving || boundary.soil == SoilCondition::viscous;
+            const bool alone = moves(boundary.soil) || lets_go(boundary.soil);
             links.push_back({hold, {segment, 0.0, b, s}, alone ? b : none});
         }
     }
@@ -88,7 +87,7 @@ bool is_open_end(const Problem& problem, const Segment& wall, bool forward)
         for (const Segment& other : boundary.segments) {
             const Vector2 gap = forward ? other.start - wall.end : other.end - wall.start;
             if (gap.norm() > tolerance) continue;
-            if (boundary.soil == SoilCondition::tied) return false;
+            if (lies_in_soil(boundary.soil)) return false;
             if (hold_of(boundary, other, Stage::relaxation).grains != GrainHold::none) return false;
         }
     }
@@ -277,7 +276,7 @@ std::vector<Segment> other_edges(const Problem& problem, Stage stage)
 {
     std::vector<Segment> others;
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil == SoilCondition::tied) continue;
+        if (lies_in_soil(boundary.soil)) continue;
         for (const Segment& segment : boundary.segments) {
             const bool in_chain =
                 hold_of(boundary, segment, stage).any() && !holds_nodes(problem, boundary, segment);

@@ -7,7 +7,6 @@
 // do (Babuska 1973).
 #pragma once
 
-#include "solver/boundaries/wall_hold.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 

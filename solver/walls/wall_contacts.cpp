@@ -1,6 +1,5 @@
 #include "solver/walls/wall_contacts.hpp"
 
-#include "solver/boundaries/moving_walls.hpp"
 #include "solver/boundaries/wall_nodes.hpp"
 
 #include <algorithm>
@@ -126,10 +125,10 @@ WallContacts find_contacts(const Problem& problem, const SoilEdges& edges, const
         for (const ChainEdge& edge : edges.chains[c].edges) {
             const Boundary& boundary = problem.boundaries[edge.boundary];
             Vector2 displacement = Vector2::Zero(), velocity = Vector2::Zero();
-            if (boundary.soil == SoilCondition::moving) {
+            if (moves(boundary.soil)) {
                 const Segment& drawn = boundary.segments[edge.segment];
-                displacement = wall_displacement(*boundary.motion, drawn, time_of_place);
-                if (shaking) velocity = wall_velocity(*boundary.motion, drawn, time, dt);
+                displacement = displacement_of(boundary.soil, drawn, time_of_place);
+                if (shaking) velocity = velocity_of(boundary.soil, drawn, time, dt);
             }
             add_edge(problem, conditions, c, edge, displacement, velocity, contacts.walls);
         }

@@ -87,7 +87,7 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
     if (!walls.any) return;
     for (const WallChain& chain : walls.edges.chains)
         for (const ChainEdge& edge : chain.edges)
-            walls.moves = walls.moves || problem.boundaries[edge.boundary].soil == SoilCondition::moving;
+            walls.moves = walls.moves || moves(problem.boundaries[edge.boundary].soil);
     walls.divides_water = has_unsaturated_soil(problem);
     walls.touched_nodes.resize(problem.grid.node_count());
     walls.touched_slots.resize(problem.grid.cell_count());

@@ -39,19 +39,14 @@ Problem busy_block(bool saturated)
     problem.materials = {stiff_sand()};
     problem.base_motion = SineMotion{2.0, 40.0, 100.0, 0.0};
     if (saturated) problem.water = water_to(0.6);
-    problem.boundaries =
-        rectangle(0.0, 0.0, 1.0, 0.6, SoilCondition::viscous, SoilCondition::free, SoilCondition::free);
-    problem.boundaries[0].water = WaterCondition::impervious;
-    problem.boundaries[1].load = SurfaceLoad{{-200.0, 0.0}, 500.0, {SineHistory{30.0}, 0.01}};
-    problem.boundaries[2].load = SurfaceLoad{{0.0, -800.0}, 0.0, {ConstantHistory{}, 0.004}};
-    problem.boundaries[3].soil = SoilCondition::moving;
-    problem.boundaries[3].water = WaterCondition::impervious;
-    problem.boundaries[3].motion =
-        WallMotion{MotionQuantity::velocity, WallGrip::smooth, {0.0, 0.0}, 6.0, {ConstantHistory{}, 0.02}};
-    if (saturated) {
-        problem.boundaries[2].water = WaterCondition::prescribed;
-        problem.boundaries[2].outer_water = OuterWater{WaterHead{0.8}, {ConstantHistory{}, 0.01}};
-    }
+    problem.boundaries = rectangle(0.0, 0.0, 1.0, 0.6, ViscousFace{}, FreeFace{}, FreeFace{});
+    problem.boundaries[0].water = Impervious{};
+    problem.boundaries[1].soil = FreeFace{SurfaceLoad{{-200.0, 0.0}, 500.0, {SineHistory{30.0}, 0.01}}};
+    problem.boundaries[2].soil = FreeFace{SurfaceLoad{{0.0, -800.0}, 0.0, {ConstantHistory{}, 0.004}}};
+    problem.boundaries[3].soil =
+        MovingWall{{MotionQuantity::velocity, WallGrip::smooth, {0.0, 0.0}, 6.0, {ConstantHistory{}, 0.02}}};
+    problem.boundaries[3].water = Impervious{};
+    if (saturated) problem.boundaries[2].water = PrescribedWater{WaterHead{0.8}, {ConstantHistory{}, 0.01}};
     return problem;
 }
 
@@ -99,8 +94,7 @@ TEST(BoundaryResume, OnABaseThatFollowsTheStressOfTheSandIsTheSameRun)
     problem.materials = {stiff_sand()};
     problem.materials[0].law = make_ubcsand(sand_of_runs());
     problem.base_motion = SineMotion{1.0, 5.0, 100.0, 0.0};
-    problem.boundaries =
-        rectangle(0.0, 0.0, 1.0, 4.0, SoilCondition::viscous, SoilCondition::tied, SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 1.0, 4.0, ViscousFace{}, TiedSide{}, FreeFace{});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 1.0};
     State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 4.0; });
     set_level_ground_stress(problem, 4.0, 0.5, state);

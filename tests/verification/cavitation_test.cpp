@@ -31,8 +31,7 @@ TornColumn tear(TimeScheme scheme, std::optional<double> cavitation_pressure, do
     problem.gravity = 0.0;
     problem.scheme = scheme;
     problem.step_share = step_share;
-    problem.boundaries =
-        rectangle(0.0, 0.0, 0.05, height, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 0.05, height, FixedWall{}, RollerWall{}, FreeFace{});
     State& state = column.state;
     state = fill(problem, 2, [](const Vector2& x) { return x.y() < height; });
     Particles& particles = state.particles;

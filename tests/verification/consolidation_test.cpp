@@ -32,8 +32,8 @@ Consolidation consolidate(int cells, double time_factor, double p0 = small_press
     problem.strain = strain;
     problem.water = water_to(1.0);
     problem.gravity = 0.0;
-    problem.boundaries = rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, SoilCondition::fixed,
-                                   SoilCondition::roller, SoilCondition::free);
+    problem.boundaries =
+        rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, FixedWall{}, RollerWall{}, FreeFace{});
     State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
     std::fill(state.particles.pore_pressure.begin(), state.particles.pore_pressure.end(), p0);
     std::fill(state.particles.stress.yy.begin(), state.particles.stress.yy.end(), p0);

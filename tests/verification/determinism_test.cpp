@@ -18,8 +18,7 @@ Problem shaken_block()
     problem.materials = {stiff_sand()};
     problem.water = water_to(1.0);
     problem.base_motion = SineMotion{400.0, 60.0, 100.0, 0.0};
-    problem.boundaries =
-        rectangle(0.1, 0.0, 1.1, 0.6, SoilCondition::fixed, SoilCondition::free, SoilCondition::free);
+    problem.boundaries = rectangle(0.1, 0.0, 1.1, 0.6, FixedWall{}, FreeFace{}, FreeFace{});
     return problem;
 }
 

@@ -25,8 +25,7 @@ Problem column_problem(double level)
     problem.grid = {{0.0, 0.0}, 0.5, 3, 14};
     problem.materials = {stiff_sand()};
     problem.water = water_to(level);
-    problem.boundaries = rectangle(0.0, 0.0, 1.5, column_height, SoilCondition::fixed, SoilCondition::roller,
-                                   SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 1.5, column_height, FixedWall{}, RollerWall{}, FreeFace{});
     return problem;
 }
 

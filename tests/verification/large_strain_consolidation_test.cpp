@@ -27,8 +27,8 @@ TEST(LargeStrainConsolidation, AgreesWithTheClosedFormAtHalfTheModulus)
     problem.water = water_to(1.0);
     problem.water->bulk_modulus = 2e8; // stiff beside the skeleton: n/K_w is 0.3 % of 1/M
     problem.gravity = 0.0;
-    problem.boundaries = rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, SoilCondition::fixed,
-                                   SoilCondition::roller, SoilCondition::free);
+    problem.boundaries =
+        rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, FixedWall{}, RollerWall{}, FreeFace{});
     State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
     Particles& particles = state.particles;
     std::fill(particles.pore_pressure.begin(), particles.pore_pressure.end(), q);

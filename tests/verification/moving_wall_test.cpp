@@ -20,10 +20,8 @@ Problem column_under_platen(const WallMotion& motion)
     problem.grid = {{0.0, 0.0}, 0.05, 4, 22};
     problem.materials = {stiff_sand()};
     problem.gravity = 0.0;
-    problem.boundaries =
-        rectangle(0.0, 0.0, 0.2, 1.0, SoilCondition::fixed, SoilCondition::tied, SoilCondition::moving);
+    problem.boundaries = rectangle(0.0, 0.0, 0.2, 1.0, FixedWall{}, TiedSide{}, MovingWall{motion});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 0.2};
-    problem.boundaries[2].motion = motion;
     return problem;
 }
 
@@ -93,7 +91,7 @@ TEST(MovingWall, TakesTheWaterAlong)
     motion.history.ramp_time = end;
     Problem problem = column_under_platen(motion);
     problem.water = water_to(1.0);
-    problem.boundaries[2].water = WaterCondition::impervious;
+    problem.boundaries[2].water = Impervious{};
     State state = column_state(problem);
     run(problem, end, {}, state);
     double pressure = 0.0;

@@ -25,8 +25,8 @@ Problem layer(WaterFlow flow, int cells)
     problem.water = water_to(1.0);
     problem.water->flow = flow;
     problem.gravity = 0.0;
-    problem.boundaries = rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, SoilCondition::fixed,
-                                   SoilCondition::roller, SoilCondition::fixed);
+    problem.boundaries =
+        rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, FixedWall{}, RollerWall{}, FixedWall{});
     return problem;
 }
 
@@ -157,8 +157,8 @@ TEST(UndrainedFlow, LevelColumnStaysAtRest)
 TEST(DrainedFlow, SwingsAboutTheSettlementOfTheBuoyantSkeleton)
 {
     Problem problem = layer(WaterFlow::drained, 20);
-    problem.boundaries = rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, SoilCondition::fixed,
-                                   SoilCondition::roller, SoilCondition::free);
+    problem.boundaries =
+        rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, FixedWall{}, RollerWall{}, FreeFace{});
     problem.strain = StrainForm::small;
     problem.gravity = standard_gravity; // put on at once: every mode swings about the settled shape
     State state = fill(problem, 2, [](const Vector2&) { return true; });

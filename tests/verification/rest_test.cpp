@@ -56,15 +56,15 @@ Problem submerged_dike()
     problem.materials = {stiff_sand()};
     problem.water = water_to(0.30);
     problem.gravity = 120.0 * standard_gravity;
-    const auto drained = WaterCondition::drained, impervious = WaterCondition::impervious;
+    const WaterCondition drained = Drained{}, impervious = Impervious{};
     problem.boundaries = {
-        {"base", SoilCondition::fixed, impervious, {{{0.0, 0.0}, {0.48, 0.0}}}},
-        {"right", SoilCondition::roller, impervious, {{{0.48, 0.0}, {0.48, 0.10}}}},
+        {"base", FixedWall{}, impervious, {{{0.0, 0.0}, {0.48, 0.0}}}},
+        {"right", RollerWall{}, impervious, {{{0.48, 0.0}, {0.48, 0.10}}}},
         {"surface",
-         SoilCondition::free,
+         FreeFace{},
          drained,
          {{{0.48, 0.10}, {0.4272, 0.10}}, {{0.4272, 0.10}, {0.15, 0.25}}, {{0.15, 0.25}, {0.0, 0.25}}}},
-        {"left", SoilCondition::roller, impervious, {{{0.0, 0.25}, {0.0, 0.0}}}}};
+        {"left", RollerWall{}, impervious, {{{0.0, 0.25}, {0.0, 0.0}}}}};
     return problem;
 }
 

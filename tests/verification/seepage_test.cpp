@@ -27,12 +27,10 @@ Problem seeping_column(double cell_size)
     problem.materials[0].hydraulic_conductivity = 1e-2;
     problem.water = water_to(level);
     problem.gravity = standard_gravity;
-    problem.boundaries =
-        rectangle(0.0, 0.0, 0.4, height, SoilCondition::fixed, SoilCondition::tied, SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 0.4, height, FixedWall{}, TiedSide{}, FreeFace{});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 0.4};
-    problem.boundaries[0].water = problem.boundaries[2].water = WaterCondition::prescribed;
-    problem.boundaries[0].outer_water = OuterWater{WaterHead{base_head}, {}};
-    problem.boundaries[2].outer_water = OuterWater{WaterHead{top_head}, {}};
+    problem.boundaries[0].water = PrescribedWater{WaterHead{base_head}};
+    problem.boundaries[2].water = PrescribedWater{WaterHead{top_head}};
     return problem;
 }
 

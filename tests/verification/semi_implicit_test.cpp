@@ -90,8 +90,7 @@ Problem shaken_block()
     Problem problem = semi_implicit_patch(1e-4);
     problem.gravity = 1000.0;
     problem.base_motion = SineMotion{200.0, 180.0, 1e9, 2.0};
-    problem.boundaries =
-        rectangle(h, 0.0, 8 * h, 0.0625, SoilCondition::fixed, SoilCondition::free, SoilCondition::free);
+    problem.boundaries = rectangle(h, 0.0, 8 * h, 0.0625, FixedWall{}, FreeFace{}, FreeFace{});
     return problem;
 }
 
@@ -189,8 +188,7 @@ int iterations(int cells_x, double tolerance, int steps)
     Problem problem = semi_implicit_patch(1e-5);
     problem.grid.cells_x = cells_x;
     problem.base_motion = SineMotion{200.0, 180.0, 1e9, 0.0};
-    problem.boundaries = rectangle(h, 0.0, (cells_x - 1) * h, 0.0625, SoilCondition::fixed,
-                                   SoilCondition::free, SoilCondition::free);
+    problem.boundaries = rectangle(h, 0.0, (cells_x - 1) * h, 0.0625, FixedWall{}, FreeFace{}, FreeFace{});
     State state = fill(problem, 2, [&](const Vector2& x) {
         return x.x() > h && x.x() < (cells_x - 1) * h && x.y() < 0.0625;
     });

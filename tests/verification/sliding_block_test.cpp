@@ -24,7 +24,7 @@ Problem sloping_roller(bool saturated)
     problem.gravity = 9.81;
     if (saturated) problem.water = water_to(3.0);
     const Vector2 start(0.3, 1.5), end = start + 2.5 * downhill;
-    problem.boundaries = {{"roller", SoilCondition::roller, WaterCondition::impervious, {{start, end}}}};
+    problem.boundaries = {{"roller", RollerWall{}, Impervious{}, {{start, end}}}};
     return problem;
 }
 

@@ -30,8 +30,7 @@ Problem make_ground()
     sand.hydraulic_conductivity = 5.8e-5;
     problem.region_names = {"sand"};
     problem.water = water_to(height);
-    problem.boundaries = rectangle(0.0, 0.0, 4.0 * cell, height, SoilCondition::fixed, SoilCondition::tied,
-                                   SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 4.0 * cell, height, FixedWall{}, TiedSide{}, FreeFace{});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 4.0 * cell};
     problem.base_motion = SineMotion{24.0 * standard_gravity, 180.0, 50.0, 2.0};
     return problem;
@@ -143,10 +142,8 @@ TEST(SoilColumn, RunsAsAllColumnsDoSemiImplicitly)
 TEST(SoilColumn, RunsAsAllColumnsDoUnderALoadOnRock)
 {
     Problem body = make_ground();
-    body.boundaries[0].soil = SoilCondition::viscous;
-    body.boundaries[0].half_space = HalfSpace{2200.0, 760.0, 1500.0};
-    body.boundaries[2].load = SurfaceLoad{};
-    body.boundaries[2].load->traction = {2e3, -2e4};
+    body.boundaries[0].soil = ViscousFace{HalfSpace{2200.0, 760.0, 1500.0}};
+    body.boundaries[2].soil = FreeFace{SurfaceLoad{{2e3, -2e4}, 0.0, {}}};
     State all = make_state(body);
     ASSERT_TRUE(attach_boundaries(body, all.particles).empty());
     SoilColumn column = *find_soil_column(body, all).column;

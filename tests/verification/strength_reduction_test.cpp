@@ -35,10 +35,9 @@ Problem vertical_cut(int cells, VolumetricStrain strain)
     problem.grid = {{-H, -depth}, h, 3 * cells, cells + static_cast<int>(std::lround(depth / h)) + 1};
     const MohrCoulomb clay{100e6 / 2.98, 0.49, 20e3 * H / 3.78, 0.0, 0.0};
     problem.materials = {soil(clay, strain)};
-    problem.boundaries = {
-        {"base", SoilCondition::fixed, WaterCondition::drained, {{{-H, -depth}, {2.0 * H, -depth}}}},
-        {"right", SoilCondition::roller, WaterCondition::drained, {{{2.0 * H, -depth}, {2.0 * H, H}}}},
-        {"left", SoilCondition::roller, WaterCondition::drained, {{{-H, 0.0}, {-H, -depth}}}}};
+    problem.boundaries = {{"base", FixedWall{}, Drained{}, {{{-H, -depth}, {2.0 * H, -depth}}}},
+                          {"right", RollerWall{}, Drained{}, {{{2.0 * H, -depth}, {2.0 * H, H}}}},
+                          {"left", RollerWall{}, Drained{}, {{{-H, 0.0}, {-H, -depth}}}}};
     return problem;
 }
 
@@ -129,9 +128,8 @@ Problem griffiths_lane(int cells, const HomogeneousSlope& slope)
     problem.grid = {{0.0, 0.0}, h, static_cast<int>(std::lround(right / h)), cells + 1};
     const MohrCoulomb law{100e6 / 2.6, 0.3, slope.cohesion, slope.friction_angle, 0.0};
     problem.materials = {soil(law, VolumetricStrain::cell)};
-    problem.boundaries = {
-        {"base", SoilCondition::fixed, WaterCondition::drained, {{{0.0, 0.0}, {right, 0.0}}}},
-        {"right", SoilCondition::roller, WaterCondition::drained, {{{right, 0.0}, {right, slope.height}}}}};
+    problem.boundaries = {{"base", FixedWall{}, Drained{}, {{{0.0, 0.0}, {right, 0.0}}}},
+                          {"right", RollerWall{}, Drained{}, {{{right, 0.0}, {right, slope.height}}}}};
     return problem;
 }
 

@@ -21,10 +21,9 @@ Problem loaded_column(bool saturated)
     problem.materials = {stiff_sand()};
     if (saturated) problem.water = water_to(2.0);
     problem.gravity = 0.0;
-    problem.boundaries =
-        rectangle(0.0, 0.0, 0.2, 2.0, SoilCondition::fixed, SoilCondition::tied, SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 0.2, 2.0, FixedWall{}, TiedSide{}, FreeFace{});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 0.2};
-    problem.boundaries[2].load = SurfaceLoad{{0.0, 0.0}, 1000.0, {}};
+    problem.boundaries[2].soil = FreeFace{SurfaceLoad{{0.0, 0.0}, 1000.0, {}}};
     return problem;
 }
 
@@ -42,8 +41,9 @@ TEST(SurfaceLoad, SendsAWaveOfTheVelocityPressureOverImpedance)
     const Material& sand = problem.materials[0];
     const double density = (1.0 - sand.porosity) * sand.grain_density;
     const double speed = wave_speeds(sand, problem.water, sand.porosity).skeleton;
-    problem.boundaries[2].load->history.ramp_time = 0.5 / speed; // a front of half a metre
-    const double end = 1.5 / speed;                              // not yet back from the base
+    std::get<FreeFace>(problem.boundaries[2].soil).load->history.ramp_time =
+        0.5 / speed;                // a front of half a metre
+    const double end = 1.5 / speed; // not yet back from the base
     run(problem, end, {}, state);
 
     // where the front begins, half a step before the end, as velocities do
@@ -66,8 +66,8 @@ TEST(SurfaceLoad, GivesASaturatedBodyItsImpulse)
 {
     Problem problem = loaded_column(true);
     State state = column_state(problem);
-    problem.boundaries[0].soil = SoilCondition::free;
-    problem.boundaries[0].water = WaterCondition::drained;
+    problem.boundaries[0].soil = FreeFace{};
+    problem.boundaries[0].water = Drained{};
     TwoPhaseWorkspace work = make_two_phase_workspace(problem);
     const double dt = stable_time_step(problem, state.particles).dt;
     advance_two_phase_step(problem, dt, state, work);
@@ -87,9 +87,8 @@ TEST(SurfaceLoad, PressureAroundATurningBlockKeepsItsMomenta)
     problem.grid = {{0.0, 0.0}, 0.1, 12, 12};
     problem.materials = {stiff_sand()};
     problem.gravity = 0.0;
-    problem.boundaries =
-        rectangle(0.4, 0.4, 0.8, 0.8, SoilCondition::free, SoilCondition::free, SoilCondition::free);
-    for (Boundary& boundary : problem.boundaries) boundary.load = SurfaceLoad{{0.0, 0.0}, 1e4, {}};
+    problem.boundaries = rectangle(0.4, 0.4, 0.8, 0.8, FreeFace{}, FreeFace{}, FreeFace{});
+    for (Boundary& boundary : problem.boundaries) boundary.soil = FreeFace{SurfaceLoad{{0.0, 0.0}, 1e4, {}}};
     State state = fill(problem, 3, [](const Vector2& x) {
         return x.x() > 0.4 && x.x() < 0.8 && x.y() > 0.4 && x.y() < 0.8;
     });

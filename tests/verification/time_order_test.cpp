@@ -24,8 +24,7 @@ double amplitude_with_uneven_steps(double mean)
     problem.water->flow = WaterFlow::undrained;
     problem.gravity = 0.0;
     problem.strain = StrainForm::small;
-    problem.boundaries =
-        rectangle(0.0, 0.0, 0.1, 1.0, SoilCondition::fixed, SoilCondition::roller, SoilCondition::fixed);
+    problem.boundaries = rectangle(0.0, 0.0, 0.1, 1.0, FixedWall{}, RollerWall{}, FixedWall{});
     State state = fill(problem, 2, [](const Vector2&) { return true; });
     Particles& particles = state.particles;
     const auto shape = [&](std::size_t p) {

@@ -29,8 +29,7 @@ Problem make_column(double amplitude)
     sand.grain_density = 2670.0;
     sand.porosity = 0.405;
     sand.hydraulic_conductivity = 5.8e-5;
-    problem.boundaries = rectangle(0.0, 0.0, 2.0 * cell, height, SoilCondition::fixed, SoilCondition::tied,
-                                   SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 2.0 * cell, height, FixedWall{}, TiedSide{}, FreeFace{});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 2.0 * cell};
     problem.base_motion = SineMotion{amplitude, frequency, 1e9, 2.0};
     return problem;

@@ -22,9 +22,8 @@ Problem column_on_viscous_base(int rows)
     problem.grid = {{0.0, 0.0}, 0.5, 3, rows + 2};
     problem.materials = {stiff_sand()};
     problem.gravity = 0.0;
-    problem.boundaries = rectangle(0.0, 0.0, 1.5, 0.5 * rows, SoilCondition::viscous, SoilCondition::tied,
-                                   SoilCondition::free);
-    problem.boundaries[0].water = WaterCondition::impervious;
+    problem.boundaries = rectangle(0.0, 0.0, 1.5, 0.5 * rows, ViscousFace{}, TiedSide{}, FreeFace{});
+    problem.boundaries[0].water = Impervious{};
     problem.tied_sides = TiedSides{"left", "right", 0.0, 1.5};
     return problem;
 }
@@ -190,7 +189,7 @@ TEST(CompliantBase, AmplifiesAsALayerOnAHalfSpace)
     const Moduli soil = moduli(problem);
     const double speed = std::sqrt(soil.shear / soil.density), height = 0.5 * rows;
     const HalfSpace rock{2400.0, 200.0, 400.0};
-    problem.boundaries[0].half_space = rock;
+    problem.boundaries[0].soil = ViscousFace{rock};
     const double alpha = soil.density * speed / (rock.density * rock.shear_wave_speed);
     for (const double kH : {0.8, 0.5 * std::numbers::pi, 2.2, std::numbers::pi}) {
         const double expected = 1.0 / std::abs(std::complex<double>(std::cos(kH), alpha * std::sin(kH)));

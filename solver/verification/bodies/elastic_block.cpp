@@ -173,7 +173,7 @@ BlockSupports read_supports(const Problem& problem, const SolidBody& body)
                                    {{body.lower.x(), body.upper.y()}, body.upper}};
     BlockSupports supports;
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil != SoilCondition::fixed && boundary.soil != SoilCondition::roller) continue;
+        if (!is_standing_wall(boundary.soil)) continue;
         for (const Segment& segment : boundary.segments) {
             for (int edge = 0; edge < 4; ++edge) {
                 const Vector2 &a = corners[edge][0], &b = corners[edge][1];
@@ -181,7 +181,7 @@ BlockSupports read_supports(const Problem& problem, const SolidBody& body)
                                    ((segment.start - b).norm() < near && (segment.end - a).norm() < near);
                 if (!along) continue;
                 const bool upright = edge == BlockSupports::left || edge == BlockSupports::right;
-                const bool fixed = boundary.soil == SoilCondition::fixed;
+                const bool fixed = std::holds_alternative<FixedWall>(boundary.soil);
                 supports.fixed_x[edge] = supports.fixed_x[edge] || fixed || upright;
                 supports.fixed_y[edge] = supports.fixed_y[edge] || fixed || !upright;
             }

@@ -66,22 +66,24 @@ Layer read_layer(const Problem& problem, const State& state)
 bool is_closed(const Problem& problem, double y)
 {
     return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [&](const Boundary& boundary) {
-        const bool wall = boundary.soil == SoilCondition::fixed || boundary.soil == SoilCondition::roller;
-        return wall && boundary.water == WaterCondition::impervious && lies_at(problem, boundary, y);
+        const bool closed =
+            is_standing_wall(boundary.soil) && std::holds_alternative<Impervious>(boundary.water);
+        return closed && lies_at(problem, boundary, y);
     });
 }
 
-std::optional<SurfaceLoad> surface_load(const Problem& problem, double y)
+const SurfaceLoad* surface_load(const Problem& problem, double y)
 {
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.load && lies_at(problem, boundary, y)) return boundary.load;
+        const SurfaceLoad* load = load_of(boundary.soil);
+        if (load != nullptr && lies_at(problem, boundary, y)) return load;
     }
-    return std::nullopt;
+    return nullptr;
 }
 
 double load_on(const Problem& problem, double y, double time)
 {
-    const std::optional<SurfaceLoad> load = surface_load(problem, y);
+    const SurfaceLoad* load = surface_load(problem, y);
     return load ? (load->pressure - load->traction.y()) * history_value(load->history, time) : 0.0;
 }
 
@@ -95,7 +97,7 @@ double steady_load(const SurfaceLoad& load, const Vector2& outward)
 
 double steady_load_on(const Problem& problem, double y)
 {
-    const std::optional<SurfaceLoad> load = surface_load(problem, y);
+    const SurfaceLoad* load = surface_load(problem, y);
     return load ? steady_load(*load, Vector2::UnitY()) : 0.0;
 }
 

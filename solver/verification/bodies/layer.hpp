@@ -6,7 +6,6 @@
 #include "solver/verification/solutions/saturated_soil.hpp"
 
 #include <functional>
-#include <optional>
 
 namespace quicksand {
 
@@ -28,8 +27,8 @@ SaturatedSoil read_soil(const Material& material, const Water& water);
 /// Whether a wall, fixed or roller and impervious, lies along a face at height y.
 bool is_closed(const Problem& problem, double y);
 
-/// The load on the face at height y, if there is one.
-std::optional<SurfaceLoad> surface_load(const Problem& problem, double y);
+/// The load on the face at height y; null without.
+const SurfaceLoad* surface_load(const Problem& problem, double y);
 
 /// The downward load on the face at height y and a time, zero without one [Pa].
 double load_on(const Problem& problem, double y, double time);

@@ -21,8 +21,8 @@ struct Square {
 
 Square square_of(const ManufacturedMotion& motion)
 {
-    if (std::holds_alternative<AxisAlignedMotion>(motion)) return {0.0, 1.0, SoilCondition::roller};
-    return {-1.5, 3.0, SoilCondition::fixed};
+    if (std::holds_alternative<AxisAlignedMotion>(motion)) return {0.0, 1.0, RollerWall{}};
+    return {-1.5, 3.0, FixedWall{}};
 }
 
 Problem make_problem(const ManufacturedRun& run, const ManufacturedBody& body)
@@ -39,7 +39,7 @@ Problem make_problem(const ManufacturedRun& run, const ManufacturedBody& body)
     problem.gravity = 0.0;
     const Boundary walls{"walls",
                          square.walls,
-                         WaterCondition::impervious,
+                         Impervious{},
                          {{{a, a}, {b, a}}, {{b, a}, {b, b}}, {{b, b}, {a, b}}, {{a, b}, {a, a}}}};
     problem.boundaries = {walls};
     return problem;

@@ -25,7 +25,7 @@ bool has_wall(const Problem& problem, double x)
 {
     const double near = 1e-6 * problem.grid.cell_size;
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil != SoilCondition::fixed && boundary.soil != SoilCondition::roller) continue;
+        if (!is_standing_wall(boundary.soil)) continue;
         for (const Segment& segment : boundary.segments) {
             if (std::abs(segment.start.x() - x) < near && std::abs(segment.end.x() - x) < near) return true;
         }

@@ -17,7 +17,7 @@ Segment find_face(const Problem& problem)
     const double least = 1e-6 * problem.grid.cell_size;
     std::optional<Segment> face;
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil != SoilCondition::free) continue;
+        if (!std::holds_alternative<FreeFace>(boundary.soil)) continue;
         for (const Segment& segment : boundary.segments) {
             const Vector2 along = segment.end - segment.start;
             if (std::abs(along.x()) < least || std::abs(along.y()) < least) continue;
@@ -32,7 +32,7 @@ Segment find_face(const Problem& problem)
 double find_base(const Problem& problem)
 {
     for (const Boundary& boundary : problem.boundaries) {
-        if (boundary.soil == SoilCondition::fixed && !boundary.segments.empty())
+        if (std::holds_alternative<FixedWall>(boundary.soil) && !boundary.segments.empty())
             return std::min(boundary.segments.front().start.y(), boundary.segments.front().end.y());
     }
     throw InputError("the slope has no fixed base among the named boundaries");

@@ -77,11 +77,12 @@ History plate_history(const Quarter& quarter)
 void move_plate(const Quarter& quarter, Problem& problem)
 {
     for (Boundary& boundary : problem.boundaries) {
-        if (!boundary.motion || boundary.motion->quantity != MotionQuantity::displacement ||
-            boundary.motion->grip != WallGrip::smooth)
+        auto* plate = std::get_if<MovingWall>(&boundary.soil);
+        if (plate == nullptr || plate->motion.quantity != MotionQuantity::displacement ||
+            plate->motion.grip != WallGrip::smooth)
             continue;
-        boundary.motion->inward = 1.0;
-        boundary.motion->history = plate_history(quarter);
+        plate->motion.inward = 1.0;
+        plate->motion.history = plate_history(quarter);
         return;
     }
     throw InputError("the verification needs a plate on top: soil = \"moving\" with a normal_displacement");

@@ -122,7 +122,7 @@ void add_errors(const std::string& field, const Amplitudes& measured, const Ampl
 std::vector<StudyError> periodic_column_study(const Problem& problem, State state)
 {
     const Layer layer = read_layer(problem, state);
-    const std::optional<SurfaceLoad> load = surface_load(problem, layer.top);
+    const SurfaceLoad* load = surface_load(problem, layer.top);
     const SineHistory* sine = load ? std::get_if<SineHistory>(&load->history.shape) : nullptr;
     if (!sine || load->history.ramp_time > 0.0) {
         throw InputError("the verification needs a load on the top with a frequency and no ramp");

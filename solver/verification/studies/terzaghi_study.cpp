@@ -24,23 +24,19 @@ struct DrainedFace {
     double depth(const Vector2& point) const { return (place - point).dot(outward); } // [m]
 };
 
-Vector2 outward_of(const Segment& segment)
-{
-    const Vector2 along = (segment.end - segment.start).normalized();
-    return {along.y(), -along.x()};
-}
-
 /// The straight curve that is free and drained; of several the one with a load.
 DrainedFace read_face(const Problem& problem)
 {
     const Boundary* top = nullptr;
     for (const Boundary& boundary : problem.boundaries) {
-        const bool open = boundary.soil == SoilCondition::free && boundary.water == WaterCondition::drained;
-        if (open && !boundary.segments.empty() && (top == nullptr || boundary.load)) top = &boundary;
+        const bool open = std::holds_alternative<FreeFace>(boundary.soil) &&
+                          std::holds_alternative<Drained>(boundary.water);
+        if (open && !boundary.segments.empty() && (top == nullptr || load_of(boundary.soil) != nullptr))
+            top = &boundary;
     }
     if (top == nullptr) throw InputError("the verification needs a column with a free and drained top");
-    DrainedFace face{top->segments.front().start, outward_of(top->segments.front()), 0.0};
-    if (top->load) face.load = steady_load(*top->load, face.outward);
+    DrainedFace face{top->segments.front().start, outward_normal(top->segments.front()), 0.0};
+    if (const SurfaceLoad* load = load_of(top->soil)) face.load = steady_load(*load, face.outward);
     return face;
 }
 

@@ -84,7 +84,7 @@ void compare_profile(const Layer& layer, const LoadPolygon& load, const State& s
 std::vector<StudyError> transient_column_study(const Problem& problem, State state)
 {
     const Layer layer = read_layer(problem, state);
-    const std::optional<SurfaceLoad> load = surface_load(problem, layer.top);
+    const SurfaceLoad* load = surface_load(problem, layer.top);
     if (!load || load->pressure == load->traction.y()) {
         throw InputError("the verification needs a load on the top of the column");
     }

@@ -61,7 +61,7 @@ TEST_F(Variant, LeavesACopyThatStandsByItself)
     EXPECT_EQ(copy.find("column.toml"), std::string::npos);
     const SceneReading again = folder.read(copy);
     EXPECT_EQ(again.scene.boundaries.size(), 4U);
-    EXPECT_EQ(again.scene.boundaries.front().soil, SoilCondition::roller);
+    EXPECT_TRUE(std::holds_alternative<RollerWall>(again.scene.boundaries.front().boundary.soil));
     EXPECT_DOUBLE_EQ(again.scene.gravity, 120.0 * standard_gravity);
     EXPECT_DOUBLE_EQ(again.scene.end_time, 0.2);
 }

@@ -63,7 +63,7 @@ TEST(CutScene, EqualPressuresInsideAndOutsideBalanceAtEveryNode)
         EXPECT_GT(problem.cut_domains.shapes.size(), 10u);
         constexpr double pressure = 1000.0; // [Pa]
         for (Boundary& boundary : problem.boundaries)
-            boundary.load = SurfaceLoad{Vector2::Zero(), pressure, {}};
+            boundary.soil = FreeFace{SurfaceLoad{Vector2::Zero(), pressure, {}}};
         EXPECT_TRUE(attach_boundaries(problem, dike.state.particles).empty());
         const std::vector<Vector2> normals = nodal_normals(problem, dike.state.particles),
                                    loads = nodal_loads(problem, dike.state.particles);
@@ -107,7 +107,7 @@ TEST(CutScene, ATractionGoesToTheCornersOfTheEdgesThatItActsOn)
     const auto slope = std::find_if(problem.boundaries.begin(), problem.boundaries.end(),
                                     [](const Boundary& boundary) { return boundary.name == "slope"; });
     const Vector2 traction(30.0, -70.0);
-    slope->load = SurfaceLoad{traction, 0.0, {}};
+    slope->soil = FreeFace{SurfaceLoad{traction, 0.0, {}}};
     attach_boundaries(problem, particles);
 
     // every edge of a polygon on the slope is one piece from corner to corner

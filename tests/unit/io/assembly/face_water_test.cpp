@@ -43,12 +43,11 @@ double largest_outer_excess(const AssembledCase& assembled)
 {
     const Boundary& ground = boundary(assembled, "ground");
     double largest = 0.0;
-    if (!ground.outer_water) return largest;
+    if (!has_outer_water(ground.water)) return largest;
     for (const Segment& segment : ground.segments) {
         for (double share = 0.0; share <= 1.0; share += 0.125) {
             const Vector2 point = segment.start + share * (segment.end - segment.start);
-            largest = std::max(
-                largest, std::abs(outer_excess_pressure(assembled.problem, *ground.outer_water, point)));
+            largest = std::max(largest, std::abs(outer_excess_pressure(assembled.problem, ground, point)));
         }
     }
     return largest;
@@ -99,19 +98,19 @@ TEST(FaceWater, ACurveBelowTheLineTakesItsHead)
           "soil = \"free\"\nwater = \"impervious\"", "soil = \"free\"\nwater = \"head\"\nhead = 3.5"}) {
         const AssembledCase dam = assemble_case(SceneFolder().read(slope_scene(line, words)), section);
         const Boundary& ground = boundary(dam, "ground");
-        ASSERT_TRUE(ground.outer_water) << words;
+        ASSERT_TRUE(has_outer_water(ground.water)) << words;
         EXPECT_FALSE(ground.pieces.empty());
         const auto excess = [&](double x, double y) {
-            return outer_excess_pressure(dam.problem, *ground.outer_water, {x, y});
+            return outer_excess_pressure(dam.problem, ground, {x, y});
         };
         EXPECT_EQ(dam.problem.water->level, 2.0);
         EXPECT_NEAR(excess(1.0, 2.0), 1.5 * water_weight, 1e-9);
         EXPECT_NEAR(excess(6.0, 3.0), 0.5 * water_weight, 1e-9);
         EXPECT_EQ(excess(7.5, 3.75), 0.0) << "above the water";
         const auto heads = heads_of_line(dam.scene, dam.problem.grid, ground);
-        EXPECT_EQ(heads.has_value(), !std::holds_alternative<WaterHead>(ground.outer_water->value));
+        EXPECT_EQ(heads.has_value(), !std::holds_alternative<PrescribedWater>(ground.water));
         EXPECT_EQ(heads.value_or(std::pair(3.5, 3.5)), std::pair(3.5, 3.5));
-        EXPECT_FALSE(boundary(dam, "base").outer_water) << "a wall needs none";
+        EXPECT_FALSE(has_outer_water(boundary(dam, "base").water)) << "a wall needs none";
         EXPECT_FALSE(heads_of_line(dam.scene, dam.problem.grid, boundary(dam, "left")));
     }
 }
@@ -121,9 +120,9 @@ TEST(FaceWater, AHeadWithAHistoryBeginsAtTheLine)
     const AssembledCase falling =
         assemble("level = 1\nphreatic_line = [[0, 3.8], [6, 3], [12, 3]]",
                  "soil = \"free\"\nwater = \"head\"\nhead = 2\nramp_time = \"2 s\"");
-    const OuterWater& outer = *boundary(falling, "ground").outer_water;
+    const Boundary& ground = boundary(falling, "ground");
     const auto excess = [&](double factor) {
-        return outer_excess_pressure(falling.problem, outer, {10.0, 2.0}, factor);
+        return outer_excess_pressure(falling.problem, ground, {10.0, 2.0}, factor);
     };
     EXPECT_EQ(excess(0.0), 0.0);
     EXPECT_NEAR(excess(0.5), -0.5 * water_weight, 1e-9);

@@ -190,7 +190,7 @@ TEST(Assembly, TiesTheSides)
     EXPECT_EQ(column.problem.tied_sides->x_right, 0.0675);
     ASSERT_EQ(column.problem.boundaries.size(), 4U);
     EXPECT_EQ(column.problem.boundaries[0].name, "base");
-    EXPECT_EQ(column.problem.boundaries[0].soil, SoilCondition::fixed);
+    EXPECT_TRUE(std::holds_alternative<FixedWall>(column.problem.boundaries[0].soil));
     EXPECT_EQ(column.problem.boundaries[0].segments.size(), 1U);
 }
 

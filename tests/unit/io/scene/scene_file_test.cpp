@@ -51,12 +51,13 @@ TEST(SceneFile, SealsWallsAndDrainsFreeSurfaces)
 {
     const SceneFolder folder;
     const Scene scene = folder.read(replaced(column_scene, "soil = \"free\"", "soil = \"roller\"")).scene;
-    EXPECT_EQ(scene.boundaries.at(0).water, WaterCondition::impervious);
-    EXPECT_EQ(scene.boundaries.at(3).water, WaterCondition::impervious);
-    EXPECT_EQ(folder.read(column_scene).scene.boundaries.at(3).water, WaterCondition::drained);
+    EXPECT_TRUE(std::holds_alternative<Impervious>(scene.boundaries.at(0).boundary.water));
+    EXPECT_TRUE(std::holds_alternative<Impervious>(scene.boundaries.at(3).boundary.water));
+    EXPECT_TRUE(
+        std::holds_alternative<Drained>(folder.read(column_scene).scene.boundaries.at(3).boundary.water));
     const std::string drained =
         replaced(column_scene, "soil = \"fixed\"", "soil = \"fixed\"\nwater = \"drained\"");
-    EXPECT_EQ(folder.read(drained).scene.boundaries.at(0).water, WaterCondition::drained);
+    EXPECT_TRUE(std::holds_alternative<Drained>(folder.read(drained).scene.boundaries.at(0).boundary.water));
 }
 
 TEST(SceneFile, ResolvesEveryKeyAndTellsDefaultsFromGivenOnes)
@@ -105,7 +106,7 @@ TEST(SceneFile, TakesOverridesAsTomlOrAsBareWords)
             .scene;
     EXPECT_EQ(scene.materials.at(0).material.porosity, 0.4);
     EXPECT_EQ(std::get<LinearElastic>(scene.materials.at(0).material.law).shear_modulus, 50e6);
-    EXPECT_EQ(scene.boundaries.at(3).soil, SoilCondition::roller);
+    EXPECT_TRUE(std::holds_alternative<RollerWall>(scene.boundaries.at(3).boundary.soil));
     EXPECT_EQ(scene.grid_cells->second, 60);
     EXPECT_EQ(scene.relaxation->tolerance, 1e-5);
     EXPECT_EQ(scene.relaxation->damping, 0.7);

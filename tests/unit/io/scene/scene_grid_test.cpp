@@ -13,12 +13,9 @@ using fixtures::rectangular_section;
 using fixtures::SceneFolder;
 using fixtures::slope_section;
 
-SceneBoundary wall(const std::string& name, SoilCondition soil)
+SceneBoundary wall(const std::string& name, const SoilCondition& soil)
 {
-    SceneBoundary boundary;
-    boundary.name = name;
-    boundary.soil = soil;
-    return boundary;
+    return {{name, soil}, {}};
 }
 
 /// The base fixed, rollers at these sides.
@@ -26,8 +23,8 @@ Scene scene_with_walls(const std::vector<std::string>& sides)
 {
     Scene scene;
     scene.sampling = LatticeSampling{2, 2};
-    scene.boundaries = {wall("base", SoilCondition::fixed)};
-    for (const std::string& side : sides) scene.boundaries.push_back(wall(side, SoilCondition::roller));
+    scene.boundaries = {wall("base", FixedWall{})};
+    for (const std::string& side : sides) scene.boundaries.push_back(wall(side, RollerWall{}));
     return scene;
 }
 
@@ -108,7 +105,7 @@ TEST(SceneGrid, LeavesRoomWhereNoWallHolds)
     EXPECT_NEAR(open.origin.x() + open.cells_x * open.cell_size, 12.0, 1e-9);
     EXPECT_EQ(open.origin.y(), 0.0);
     Scene moving = scene_with_walls({"left"});
-    moving.boundaries.push_back(wall("right", SoilCondition::moving));
+    moving.boundaries.push_back(wall("right", MovingWall{}));
     const BackgroundGrid pushed = choose(moving, slope_section()).grid;
     EXPECT_NEAR(pushed.origin.x() + pushed.cells_x * pushed.cell_size, 12.0 + 4 * pushed.cell_size, 1e-9);
     Scene hanging = scene_with_walls({"left", "right"});

@@ -1,5 +1,4 @@
 #include "solver/boundaries/boundary_conditions.hpp"
-#include "solver/boundaries/moving_walls.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +17,7 @@ Problem box(SoilCondition base, SoilCondition sides)
     problem.grid = {{-1.0, -1.0}, 1.0, 6, 5};
     problem.materials = {stiff_sand()};
     problem.water = water_to(3.0);
-    problem.boundaries = rectangle(0.0, 0.0, 4.0, 3.0, base, sides, SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 4.0, 3.0, base, sides, FreeFace{});
     return problem;
 }
 
@@ -31,7 +30,7 @@ std::uint8_t conditions_at(const Problem& problem, const NodeConditions& conditi
 
 TEST(BoundaryConditions, WallsHoldTheNodesOnAndBeyondThem)
 {
-    const Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    const Problem problem = box(FixedWall{}, RollerWall{});
     const NodeConditions conditions = node_conditions(problem);
     const std::uint8_t base = solid_x_fixed | solid_y_fixed | fluid_y_fixed,
                        side = solid_x_fixed | fluid_x_fixed;
@@ -46,7 +45,7 @@ TEST(BoundaryConditions, WallsHoldTheNodesOnAndBeyondThem)
 
 TEST(BoundaryConditions, AWallGoesOnBeyondAConvexCornerOfTheSoil)
 {
-    const Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    const Problem problem = box(FixedWall{}, RollerWall{});
     const NodeConditions conditions = node_conditions(problem);
     EXPECT_TRUE(conditions_at(problem, conditions, 4.0, 4.0) &
                 solid_x_fixed); // above the soil, along the side
@@ -54,10 +53,9 @@ TEST(BoundaryConditions, AWallGoesOnBeyondAConvexCornerOfTheSoil)
 
 TEST(BoundaryConditions, AWallEndsWhereItsNeighbourGoesStraightOn)
 {
-    Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    Problem problem = box(FixedWall{}, RollerWall{});
     problem.boundaries[0].segments = {{{0.0, 0.0}, {2.0, 0.0}}};
-    problem.boundaries.push_back(
-        {"rail", SoilCondition::roller, WaterCondition::impervious, {{{2.0, 0.0}, {4.0, 0.0}}}});
+    problem.boundaries.push_back({"rail", RollerWall{}, Impervious{}, {{{2.0, 0.0}, {4.0, 0.0}}}});
     const NodeConditions conditions = node_conditions(problem);
     EXPECT_TRUE(conditions_at(problem, conditions, 1.0, 0.0) & solid_x_fixed);
     EXPECT_FALSE(conditions_at(problem, conditions, 3.0, 0.0) & solid_x_fixed);
@@ -76,7 +74,7 @@ Vector2 master_of(const Problem& problem, const NodeConditions& conditions, doub
 
 TEST(BoundaryConditions, NodesBeyondAWallAreTiedToIt)
 {
-    const Problem problem = box(SoilCondition::fixed, SoilCondition::roller);
+    const Problem problem = box(FixedWall{}, RollerWall{});
     const NodeConditions conditions = node_conditions(problem);
     EXPECT_EQ(master_of(problem, conditions, 2.0, -2.0), Vector2(2.0, 0.0));
     EXPECT_EQ(master_of(problem, conditions, -1.0, 2.0), Vector2(0.0, 2.0));
@@ -91,18 +89,17 @@ Problem soil_around_hole(double width, SoilCondition walls)
     problem.grid = {{0.0, 0.0}, 1.0, 12, 12};
     problem.materials = {stiff_sand()};
     problem.water = water_to(12.0);
-    problem.boundaries = rectangle(0.0, 0.0, 12.0, 12.0, SoilCondition::free, SoilCondition::free, {});
+    problem.boundaries = rectangle(0.0, 0.0, 12.0, 12.0, FreeFace{}, FreeFace{}, {});
     const double lower = 5.0, upper = lower + width;
     const Vector2 a(lower, lower), b(lower, upper), c(upper, upper), d(upper, lower);
-    problem.boundaries.push_back(
-        {"hole", walls, WaterCondition::impervious, {{a, b}, {b, c}, {c, d}, {d, a}}});
+    problem.boundaries.push_back({"hole", walls, Impervious{}, {{a, b}, {b, c}, {c, d}, {d, a}}});
     return problem;
 }
 
 TEST(BoundaryConditions, WallsThatFaceEachOtherLeaveTheSoilBeyondFree)
 {
     for (const double width : {1.0, 2.0, 3.0}) {
-        const Problem problem = soil_around_hole(width, SoilCondition::fixed);
+        const Problem problem = soil_around_hole(width, FixedWall{});
         const NodeConditions conditions = node_conditions(problem);
         const auto at = [&](double x, double y) { return conditions_at(problem, conditions, x, y); };
         const double far = 5.0 + width, middle = 5.0 + std::floor(0.5 * width);
@@ -123,7 +120,7 @@ TEST(BoundaryConditions, WallsThatFaceEachOtherLeaveTheSoilBeyondFree)
 
 TEST(BoundaryConditions, AWallLeavesTheNodesOfItsNeighbourAtAReentrantCorner)
 {
-    const Problem problem = soil_around_hole(3.0, SoilCondition::roller);
+    const Problem problem = soil_around_hole(3.0, RollerWall{});
     const NodeConditions conditions = node_conditions(problem);
     const auto at = [&](double x, double y) { return conditions_at(problem, conditions, x, y); };
     const std::uint8_t sides = solid_x_fixed | fluid_x_fixed, levels = solid_y_fixed | fluid_y_fixed;
@@ -137,9 +134,9 @@ TEST(BoundaryConditions, AWallLeavesTheNodesOfItsNeighbourAtAReentrantCorner)
 TEST(BoundaryConditions, AWallEndsAtAnEdgeThatHasNoName)
 {
     // soil of two levels: the roller of the upper one's right side does not go down through the lower one
-    Problem problem = box(SoilCondition::free, SoilCondition::free);
+    Problem problem = box(FreeFace{}, FreeFace{});
     const Vector2 foot(2.0, 1.0), top(2.0, 3.0);
-    problem.boundaries = {{"cut", SoilCondition::roller, WaterCondition::impervious, {{foot, top}}}};
+    problem.boundaries = {{"cut", RollerWall{}, Impervious{}, {{foot, top}}}};
     EXPECT_TRUE(conditions_at(problem, node_conditions(problem), 2.0, 0.0) & solid_x_fixed);
     problem.rim = {{{0.0, 0.0}, {4.0, 0.0}}, {{4.0, 0.0}, {4.0, 1.0}}, {{4.0, 1.0}, foot}, {foot, top},
                    {top, {0.0, 3.0}},        {{0.0, 3.0}, {0.0, 0.0}}};
@@ -152,9 +149,9 @@ TEST(BoundaryConditions, AWallEndsAtAnEdgeThatHasNoName)
 TEST(BoundaryConditions, AWallDoesNotGoOnIntoOtherSoil)
 {
     // the base of a body of 0 to 1 m goes on to the right only as far as the deeper body from 3 to 5 m
-    Problem problem = box(SoilCondition::free, SoilCondition::free);
-    problem.boundaries = rectangle(0.0, 0.0, 1.0, 2.0, SoilCondition::fixed, SoilCondition::free, {});
-    for (Boundary& edge : rectangle(3.0, -1.0, 5.0, 2.0, SoilCondition::free, SoilCondition::free, {}))
+    Problem problem = box(FreeFace{}, FreeFace{});
+    problem.boundaries = rectangle(0.0, 0.0, 1.0, 2.0, FixedWall{}, FreeFace{}, {});
+    for (Boundary& edge : rectangle(3.0, -1.0, 5.0, 2.0, FreeFace{}, FreeFace{}, {}))
         problem.boundaries.push_back(edge);
     const NodeConditions conditions = node_conditions(problem);
     EXPECT_TRUE(conditions_at(problem, conditions, 2.0, 0.0) & solid_y_fixed);
@@ -164,10 +161,9 @@ TEST(BoundaryConditions, AWallDoesNotGoOnIntoOtherSoil)
 
 TEST(BoundaryConditions, WallsOffTheGridLinesHoldNoNodes)
 {
-    Problem problem = box(SoilCondition::free, SoilCondition::free);
-    problem.boundaries =
-        rectangle(0.0, 0.0, 3.6, 3.0, SoilCondition::free, SoilCondition::roller, SoilCondition::free);
-    problem.boundaries[0].soil = SoilCondition::fixed;
+    Problem problem = box(FreeFace{}, FreeFace{});
+    problem.boundaries = rectangle(0.0, 0.0, 3.6, 3.0, FreeFace{}, RollerWall{}, FreeFace{});
+    problem.boundaries[0].soil = FixedWall{};
     problem.boundaries[0].segments = {{{0.0, 0.0}, {3.6, 0.4}}};
     const NodeConditions conditions = node_conditions(problem);
     EXPECT_EQ(conditions_at(problem, conditions, 4.0, 2.0), 0);
@@ -177,7 +173,7 @@ TEST(BoundaryConditions, WallsOffTheGridLinesHoldNoNodes)
 
 TEST(BoundaryConditions, TiedSidesMakeColumnsPeriodic)
 {
-    Problem problem = box(SoilCondition::fixed, SoilCondition::tied);
+    Problem problem = box(FixedWall{}, TiedSide{});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 4.0};
     const NodeConditions conditions = node_conditions(problem);
     EXPECT_EQ(master_of(problem, conditions, 4.0, 2.0), Vector2(0.0, 2.0));
@@ -189,7 +185,7 @@ TEST(BoundaryConditions, TiedSidesMakeColumnsPeriodic)
 
 TEST(BoundaryConditions, AViscousCurveIsHeldWhileTheSoilSettles)
 {
-    Problem problem = box(SoilCondition::viscous, SoilCondition::viscous);
+    Problem problem = box(ViscousFace{}, ViscousFace{});
     const NodeConditions settling = node_conditions(problem, Stage::relaxation);
     // the base as fixed, the sides as rollers
     EXPECT_EQ(conditions_at(problem, settling, 2.0, 0.0), solid_x_fixed | solid_y_fixed | fluid_y_fixed);
@@ -198,19 +194,6 @@ TEST(BoundaryConditions, AViscousCurveIsHeldWhileTheSoilSettles)
     EXPECT_EQ(conditions_at(problem, shaking, 2.0, 0.0), film_y); // the water stays with the grains
     EXPECT_EQ(conditions_at(problem, shaking, 0.0, 2.0), film_x);
     EXPECT_EQ(master_of(problem, shaking, 2.0, -2.0), Vector2(2.0, 0.0));
-}
-
-TEST(MovingWalls, ComeToTheirPlaceWithinTheStep)
-{
-    const Segment top{{4.0, 3.0}, {0.0, 3.0}};
-    const WallMotion pushed{
-        MotionQuantity::displacement, WallGrip::smooth, {0.0, 0.0}, 0.2, {SineHistory{0.5}, 0.0}};
-    EXPECT_LT(
-        (wall_displacement(pushed, top, 1.0 / 3.0) - Vector2(0.0, -0.2 * std::sin(std::acos(-1.0) / 3.0)))
-            .norm(),
-        1e-15);
-    const Vector2 before = wall_displacement(pushed, top, 0.3), after = wall_displacement(pushed, top, 0.37);
-    EXPECT_LT((before + 0.07 * wall_velocity(pushed, top, 0.3, 0.07) - after).norm(), 1e-15);
 }
 
 } // namespace

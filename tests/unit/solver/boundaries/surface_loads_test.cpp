@@ -23,9 +23,8 @@ Problem loaded_block(const SurfaceLoad& load)
     problem.grid = {{0.0, 0.0}, 0.1, 12, 11};
     problem.materials = {stiff_sand()};
     problem.gravity = 0.0;
-    problem.boundaries =
-        rectangle(0.4, 0.4, 0.8, 0.7, SoilCondition::free, SoilCondition::free, SoilCondition::free);
-    for (Boundary& boundary : problem.boundaries) boundary.load = load;
+    problem.boundaries = rectangle(0.4, 0.4, 0.8, 0.7, FreeFace{}, FreeFace{}, FreeFace{});
+    for (Boundary& boundary : problem.boundaries) boundary.soil = FreeFace{load};
     return problem;
 }
 
@@ -86,7 +85,7 @@ TEST(BoundaryPieces, OfAStraightEdgeAreTheEdgesOfTheDomainsBesideIt)
 TEST(BoundaryPieces, AreFoundForLoadedCurvesAlone)
 {
     Problem problem = loaded_block({{0.0, -1.0}, 0.0, {}});
-    problem.boundaries[0].load.reset();
+    problem.boundaries[0].soil = FreeFace{};
     attach_boundaries(problem, fill(problem, 2, in_block).particles);
     EXPECT_TRUE(problem.boundaries[0].pieces.empty());
     EXPECT_FALSE(problem.boundaries[1].pieces.empty());
@@ -105,7 +104,7 @@ TEST(SurfaceLoads, HaveTheExactTotalForEveryInterpolation)
     for (const Interpolation member : family) {
         Problem problem = loaded_block({{300.0, -1000.0}, 0.0, {}});
         problem.interpolation = member;
-        for (std::size_t side : {0U, 1U, 3U}) problem.boundaries[side].load.reset();
+        for (std::size_t side : {0U, 1U, 3U}) problem.boundaries[side].soil = FreeFace{};
         State state = fill(problem, 3, in_block);
         attach_boundaries(problem, state.particles);
         const Resultant result = scattered(problem, state.particles);
@@ -137,7 +136,7 @@ TEST(SurfaceLoads, PressureAllAroundATurnedAndStretchedBlockHasNoForceAndNoMomen
 TEST(SurfaceLoads, PressureActsAlongTheTurnedNormalOnTheStretchedEdge)
 {
     Problem problem = loaded_block({{0.0, 0.0}, 1000.0, {}});
-    for (std::size_t side : {0U, 1U, 3U}) problem.boundaries[side].load.reset();
+    for (std::size_t side : {0U, 1U, 3U}) problem.boundaries[side].soil = FreeFace{};
     State state = fill(problem, 2, in_block);
     attach_boundaries(problem, state.particles);
     Eigen::Matrix2d F;
@@ -150,7 +149,7 @@ TEST(SurfaceLoads, PressureActsAlongTheTurnedNormalOnTheStretchedEdge)
 TEST(SurfaceLoads, TractionKeepsDirectionAndTotal)
 {
     Problem problem = loaded_block({{0.0, -1000.0}, 0.0, {}});
-    for (std::size_t side : {0U, 1U, 3U}) problem.boundaries[side].load.reset();
+    for (std::size_t side : {0U, 1U, 3U}) problem.boundaries[side].soil = FreeFace{};
     State state = fill(problem, 2, in_block);
     attach_boundaries(problem, state.particles);
     Eigen::Matrix2d F;

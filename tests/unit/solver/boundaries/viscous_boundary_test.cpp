@@ -23,8 +23,7 @@ Problem sand_on_viscous_base(bool saturated)
     problem.materials[0].law = make_ubcsand(sand_of_runs());
     problem.gravity = 0.0;
     if (saturated) problem.water = water_to(height);
-    problem.boundaries = rectangle(0.0, 0.0, width, height, SoilCondition::viscous, SoilCondition::roller,
-                                   SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, width, height, ViscousFace{}, RollerWall{}, FreeFace{});
     return problem;
 }
 
@@ -103,7 +102,7 @@ TEST(Dashpots, FollowTheSandAsItSoftens)
 TEST(Dashpots, BesideSandDoNotChangeTheRock)
 {
     Problem problem = sand_on_viscous_base(true);
-    problem.boundaries[0].half_space = HalfSpace{2400.0, 800.0, 1600.0};
+    problem.boundaries[0].soil = ViscousFace{HalfSpace{2400.0, 800.0, 1600.0}};
     State state = state_of(problem);
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
         const Impedance rock = impedance(problem, problem.boundaries[0], state.particles, p);

@@ -191,8 +191,8 @@ TEST(Ledger, WaterThatLeavesAConsolidatingLayerIsTheChangeOfItsWater)
     problem.materials = {sand};
     problem.water = water_to(1.0);
     problem.gravity = 0.0;
-    problem.boundaries = rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, SoilCondition::fixed,
-                                   SoilCondition::roller, SoilCondition::free);
+    problem.boundaries =
+        rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, FixedWall{}, RollerWall{}, FreeFace{});
     State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
     const double p0 = 10e3;
     std::fill(state.particles.pore_pressure.begin(), state.particles.pore_pressure.end(), p0);
@@ -212,9 +212,8 @@ TEST(Ledger, LoadsWorkAtTheBoundaryAndNotInTheSkeleton)
 {
     for (const bool saturated : {false, true}) {
         Problem problem = free_block(saturated);
-        problem.boundaries =
-            rectangle(0.5, 0.5, 1.5, 1.5, SoilCondition::free, SoilCondition::free, SoilCondition::free);
-        problem.boundaries[1].load = SurfaceLoad{{3e4, -1e4}, 0.0, {}};
+        problem.boundaries = rectangle(0.5, 0.5, 1.5, 1.5, FreeFace{}, FreeFace{}, FreeFace{});
+        problem.boundaries[1].soil = FreeFace{SurfaceLoad{{3e4, -1e4}, 0.0, {}}};
         State state = block_at_centre(problem);
         ASSERT_TRUE(attach_boundaries(problem, state.particles).empty());
         open_ledger(problem, state);
@@ -234,8 +233,7 @@ TEST(Ledger, LoadsWorkAtTheBoundaryAndNotInTheSkeleton)
 TEST(Ledger, CountsDashpotsWhereTheSoilHasTakenThem)
 {
     Problem problem = free_block(true);
-    problem.boundaries =
-        rectangle(0.5, 0.5, 1.5, 1.5, SoilCondition::viscous, SoilCondition::free, SoilCondition::free);
+    problem.boundaries = rectangle(0.5, 0.5, 1.5, 1.5, ViscousFace{}, FreeFace{}, FreeFace{});
     State state = block_at_centre(problem);
     ASSERT_TRUE(attach_boundaries(problem, state.particles).empty());
     set_vibrating(0.0, {0.3, -2.0}, state.particles);

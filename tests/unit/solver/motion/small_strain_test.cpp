@@ -22,8 +22,7 @@ Problem small_strain_block(Interpolation interpolation)
     problem.materials = {stiff_sand()};
     problem.water = water_to(0.4);
     problem.gravity = 0.0;
-    problem.boundaries =
-        rectangle(0.0, 0.0, 0.4, 0.4, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 0.4, 0.4, FixedWall{}, RollerWall{}, FreeFace{});
     return problem;
 }
 
@@ -44,7 +43,7 @@ State stressed_block(const Problem& problem, double stress)
 /// The problem with a pressure and a traction on the top.
 Problem loaded(Problem problem, double load, const State& state)
 {
-    problem.boundaries[2].load = SurfaceLoad{{0.5 * load, 0.0}, load, {}};
+    problem.boundaries[2].soil = FreeFace{SurfaceLoad{{0.5 * load, 0.0}, load, {}}};
     attach_boundaries(problem, state.particles);
     return problem;
 }

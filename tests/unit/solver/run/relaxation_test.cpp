@@ -26,8 +26,7 @@ Problem block_problem(bool saturated)
     problem.grid = {{0.0, 0.0}, 0.25, 6, 6};
     problem.materials = {stiff_sand()};
     if (saturated) problem.water = water_to(2.0);
-    problem.boundaries =
-        rectangle(0.0, 0.0, 1.5, 1.0, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 1.5, 1.0, FixedWall{}, RollerWall{}, FreeFace{});
     return problem;
 }
 

@@ -25,8 +25,7 @@ Problem make_ground()
     problem.materials = {stiff_sand(), stiff_sand()};
     problem.region_names = {"sand", "silt"};
     problem.water = water_to(3.0);
-    problem.boundaries =
-        rectangle(0.0, 0.0, 5.0, 3.0, SoilCondition::fixed, SoilCondition::tied, SoilCondition::free);
+    problem.boundaries = rectangle(0.0, 0.0, 5.0, 3.0, FixedWall{}, TiedSide{}, FreeFace{});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 5.0};
     return problem;
 }
@@ -127,10 +126,10 @@ TEST(SoilColumn, KeepsBodiesOnWhichUnevenThingsAct)
     other.boundaries[2].segments[0].end.y() = 2.5;
     EXPECT_EQ(obstacle(other, state), "the curve \"top\" is no level line from side to side");
     other = body;
-    other.boundaries[2].soil = SoilCondition::moving;
+    other.boundaries[2].soil = MovingWall{};
     EXPECT_EQ(obstacle(other, state), "the curve \"top\" moves");
     other = body;
-    other.boundaries[2].load = SurfaceLoad{};
+    other.boundaries[2].soil = FreeFace{SurfaceLoad{}};
     State loaded = state;
     attach_boundaries(other, loaded.particles);
     EXPECT_TRUE(find_soil_column(other, loaded).column.has_value());

@@ -112,8 +112,7 @@ TEST(Relaxation, ASlopeOfSandSettlesWithinItsStrength)
     problem.grid = {{0.0, 0.0}, 0.5, 14, 9};
     problem.materials = {fixtures::stiff_sand()};
     problem.materials[0].law = nevada;
-    problem.boundaries = fixtures::rectangle(0.0, 0.0, 7.0, 4.0, SoilCondition::fixed, SoilCondition::roller,
-                                             SoilCondition::free);
+    problem.boundaries = fixtures::rectangle(0.0, 0.0, 7.0, 4.0, FixedWall{}, RollerWall{}, FreeFace{});
     const auto surface = [](double x) { return std::min(4.0, std::max(1.0, 4.0 - (x - 1.5) / 1.7)); };
     State state = fixtures::fill(problem, 2, [&](const Vector2& x) { return x.y() < surface(x.x()); });
     const double unit_weight = 0.57 * 2650.0 * standard_gravity;

@@ -19,22 +19,22 @@ Problem box_at(const Vector2& corner, SoilCondition walls)
     Problem problem;
     problem.grid = {{-2.0, -2.0}, 1.0, 9, 8};
     problem.materials = {stiff_sand()};
-    problem.boundaries = rectangle(corner.x(), corner.y(), corner.x() + 4.0, corner.y() + 3.0, walls, walls,
-                                   SoilCondition::free);
+    problem.boundaries =
+        rectangle(corner.x(), corner.y(), corner.x() + 4.0, corner.y() + 3.0, walls, walls, FreeFace{});
     return problem;
 }
 
 TEST(WallChains, WallsOnGridLinesAreNone)
 {
-    EXPECT_TRUE(make_soil_edges(box_at({0.0, 0.0}, SoilCondition::fixed), Stage::shaking).empty());
-    const SoilEdges edges = make_soil_edges(box_at({0.3, 0.0}, SoilCondition::fixed), Stage::shaking);
+    EXPECT_TRUE(make_soil_edges(box_at({0.0, 0.0}, FixedWall{}), Stage::shaking).empty());
+    const SoilEdges edges = make_soil_edges(box_at({0.3, 0.0}, FixedWall{}), Stage::shaking);
     EXPECT_EQ(edges.chains.size(), 2U); // the sides; base and top are other edges
     EXPECT_EQ(edges.others.size(), 2U);
 }
 
 TEST(WallChains, JoinSegmentsThatTurnLittleAndPartAtCorners)
 {
-    Problem problem = box_at({0.3, 0.3}, SoilCondition::roller);
+    Problem problem = box_at({0.3, 0.3}, RollerWall{});
     problem.boundaries[0].segments = {{{0.3, 0.3}, {2.0, 0.0}}, {{2.0, 0.0}, {4.3, 0.3}}};
     const SoilEdges edges = make_soil_edges(problem, Stage::shaking);
     ASSERT_EQ(edges.chains.size(), 3U);
@@ -44,7 +44,7 @@ TEST(WallChains, JoinSegmentsThatTurnLittleAndPartAtCorners)
 
 TEST(WallChains, HatsAddUpToOneEverywhere)
 {
-    Problem problem = box_at({0.3, 0.3}, SoilCondition::fixed);
+    Problem problem = box_at({0.3, 0.3}, FixedWall{});
     problem.boundaries[0].segments = {{{0.3, 0.3}, {2.0, 0.0}}, {{2.0, 0.0}, {4.3, 0.3}}};
     const SoilEdges edges = make_soil_edges(problem, Stage::shaking);
     EXPECT_EQ(edges.chains[0].line_axis, -1);
@@ -64,7 +64,7 @@ TEST(WallChains, HatsAddUpToOneEverywhere)
 
 TEST(WallChains, GoOnBeyondAFreeCornerAsFarAsTheGrid)
 {
-    const SoilEdges edges = make_soil_edges(box_at({0.3, 0.3}, SoilCondition::fixed), Stage::shaking);
+    const SoilEdges edges = make_soil_edges(box_at({0.3, 0.3}, FixedWall{}), Stage::shaking);
     const WallChain& right = edges.chains[1]; // upwards
     EXPECT_EQ(right.first, 0.0);
     EXPECT_GT(right.last, 5.0);
@@ -75,8 +75,8 @@ TEST(WallChains, GoOnBeyondAFreeCornerAsFarAsTheGrid)
 
 TEST(WallChains, ARingHasNoEnds)
 {
-    Problem problem = box_at({0.0, 0.0}, SoilCondition::free);
-    Boundary hole{"hole", SoilCondition::fixed, WaterCondition::impervious, {}};
+    Problem problem = box_at({0.0, 0.0}, FreeFace{});
+    Boundary hole{"hole", FixedWall{}, Impervious{}, {}};
     constexpr int sides = 12;
     const auto corner = [](int k) {
         const double angle = -2.0 * std::numbers::pi * k / sides; // clockwise: the soil lies to the left
@@ -103,7 +103,7 @@ TEST(WallChains, ARingHasNoEnds)
 
 TEST(WallContacts, NodesShareTheLengthOfTheWall)
 {
-    Problem problem = box_at({0.3, 0.3}, SoilCondition::fixed);
+    Problem problem = box_at({0.3, 0.3}, FixedWall{});
     problem.boundaries.resize(1);
     problem.boundaries[0].segments = {{{0.1, 0.2}, {4.3, 1.7}}};
     const NodeConditions conditions = node_conditions(problem);
@@ -177,7 +177,7 @@ Problem turned_square(double angle, SoilCondition walls)
     problem.gravity = 0.0;
     const Vector2 e1(std::cos(angle), std::sin(angle)), e2(-e1.y(), e1.x());
     const Vector2 a = -2.0 * e1 - 2.0 * e2, b = a + 4.0 * e1, c = b + 4.0 * e2, d = a + 4.0 * e2;
-    const WaterCondition water = WaterCondition::impervious;
+    const WaterCondition water = Impervious{};
     problem.boundaries = {{"base", walls, water, {{a, b}}},
                           {"right", walls, water, {{b, c}}},
                           {"top", walls, water, {{c, d}}},
@@ -221,7 +221,7 @@ TEST(WallRows, AConstantPressureIsAtRestInATurnedBox)
     for (const double degrees : {0.0, 7.0, 30.0, 45.0}) {
         for (const TimeScheme scheme : {TimeScheme::explicit_steps, TimeScheme::semi_implicit}) {
             const double angle = degrees * std::numbers::pi / 180.0;
-            Problem problem = turned_square(angle, SoilCondition::roller);
+            Problem problem = turned_square(angle, RollerWall{});
             problem.water = water_to(-10.0);
             problem.scheme = scheme;
             State state = fill_square(problem, angle, 16);

@@ -23,12 +23,19 @@ TEST(WaterTable, AHistoryCountsFromTheWaterAtRest)
     Problem problem;
     problem.water = water_to(1.0);
     const double weight = 1000.0 * standard_gravity;
-    OuterWater outer{WaterHead{6.0}, {}};
-    EXPECT_DOUBLE_EQ(outer_excess_pressure(problem, outer, {0.0, 0.0}, 0.5), 2.5 * weight);
-    outer.at_rest = WaterLine{{{0.0, 2.0}, {2.0, 4.0}}};
-    EXPECT_DOUBLE_EQ(outer_excess_pressure(problem, outer, {0.0, 0.0}, 0.0), 1.0 * weight);
-    EXPECT_DOUBLE_EQ(outer_excess_pressure(problem, outer, {1.0, 0.0}, 0.5), 3.5 * weight);
-    EXPECT_DOUBLE_EQ(outer_excess_pressure(problem, outer, {2.0, 2.0}), 4.0 * weight);
+    const WaterLine line{{{0.0, 2.0}, {2.0, 4.0}}};
+    PrescribedWater given{WaterHead{6.0}};
+    Boundary face{"face", FreeFace{}, given};
+    EXPECT_DOUBLE_EQ(outer_excess_pressure(problem, face, {0.0, 0.0}, 0.5), 2.5 * weight);
+    given.at_rest = line;
+    face.water = given;
+    EXPECT_DOUBLE_EQ(outer_excess_pressure(problem, face, {0.0, 0.0}, 0.0), 1.0 * weight);
+    EXPECT_DOUBLE_EQ(outer_excess_pressure(problem, face, {1.0, 0.0}, 0.5), 3.5 * weight);
+    EXPECT_DOUBLE_EQ(outer_excess_pressure(problem, face, {2.0, 2.0}), 4.0 * weight);
+    face.water = Drained{line};
+    EXPECT_DOUBLE_EQ(outer_excess_pressure(problem, face, {1.0, 0.0}), 2.0 * weight);
+    face.water = Impervious{};
+    EXPECT_EQ(outer_excess_pressure(problem, face, {1.0, 0.0}), 0.0);
 }
 
 /// A block 1 m high whose water stands at 2 m, counted from `level`, and that settles under its weight.
@@ -43,8 +50,7 @@ struct SettledBlock {
         problem.materials[0].law = LinearElastic{1e6, 0.3}; // soft, to settle by much
         problem.water = water_to(level);
         problem.water->rises_above_level = true;
-        problem.boundaries =
-            rectangle(0.0, 0.0, 1.5, 1.0, SoilCondition::fixed, SoilCondition::roller, SoilCondition::free);
+        problem.boundaries = rectangle(0.0, 0.0, 1.5, 1.0, FixedWall{}, RollerWall{}, FreeFace{});
         state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
         Particles& particles = state.particles;
         for (std::size_t p = 0; p < particles.size(); ++p) {

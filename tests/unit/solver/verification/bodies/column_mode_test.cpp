@@ -27,26 +27,25 @@ Column column(int cells, SoilCondition top)
     problem.materials.front().hydraulic_conductivity = 1e-2;
     problem.water = water_to(1.0);
     problem.gravity = 0.0;
-    problem.boundaries =
-        rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, SoilCondition::fixed, SoilCondition::roller, top);
+    problem.boundaries = rectangle(0.0, 0.0, problem.grid.cell_size, 1.0, FixedWall{}, RollerWall{}, top);
     result.state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
     return result;
 }
 
 TEST(Layer, IsReadOffTheParticles)
 {
-    const Column closed = column(8, SoilCondition::fixed);
+    const Column closed = column(8, FixedWall{});
     const Layer layer = read_layer(closed.problem, closed.state);
     EXPECT_NEAR(layer.base, 0.0, 1e-14);
     EXPECT_NEAR(layer.top, 1.0, 1e-14);
     EXPECT_NEAR(layer.soil.constrained_modulus, 350e6, 1.0);
     EXPECT_TRUE(is_closed(closed.problem, layer.top));
-    EXPECT_FALSE(is_closed(column(8, SoilCondition::free).problem, layer.top));
+    EXPECT_FALSE(is_closed(column(8, FreeFace{}).problem, layer.top));
 }
 
 TEST(ColumnMode, HasTheFrequenciesOfTheDispersionRelation)
 {
-    const Column closed = column(8, SoilCondition::fixed);
+    const Column closed = column(8, FixedWall{});
     const Layer layer = read_layer(closed.problem, closed.state);
     const double xi = 2.0 * std::numbers::pi;
     const LongitudinalModes exact = longitudinal_modes(layer.soil, xi);
@@ -57,7 +56,7 @@ TEST(ColumnMode, HasTheFrequenciesOfTheDispersionRelation)
 
 TEST(ColumnMode, IsMeasuredAsItWasStartedAndAloneAmongTheModes)
 {
-    Column closed = column(8, SoilCondition::fixed);
+    Column closed = column(8, FixedWall{});
     const Layer layer = read_layer(closed.problem, closed.state);
     const double xi = 2.0 * std::numbers::pi;
     const LongitudinalModes exact = longitudinal_modes(layer.soil, xi);
@@ -69,7 +68,7 @@ TEST(ColumnMode, IsMeasuredAsItWasStartedAndAloneAmongTheModes)
 
 TEST(ColumnMode, PropagatesWithTheDispersionOfBilinearCells)
 {
-    const Column closed = column(10, SoilCondition::fixed);
+    const Column closed = column(10, FixedWall{});
     const Layer layer = read_layer(closed.problem, closed.state);
     const double xi = 2.0 * std::numbers::pi;
     const ColumnMode slow = column_mode(layer, xi, longitudinal_modes(layer.soil, xi).slow);
@@ -81,7 +80,7 @@ TEST(ColumnMode, PropagatesWithTheDispersionOfBilinearCells)
 
 TEST(ColumnMode, FindsTheFrequencyOfAKnownGrowth)
 {
-    const Column closed = column(8, SoilCondition::fixed);
+    const Column closed = column(8, FixedWall{});
     const Layer layer = read_layer(closed.problem, closed.state);
     const double xi = 2.0 * std::numbers::pi, duration = 1e-3;
     const ColumnMode slow = column_mode(layer, xi, longitudinal_modes(layer.soil, xi).slow);

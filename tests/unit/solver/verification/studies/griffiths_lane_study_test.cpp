@@ -25,9 +25,9 @@ Problem drawn_slope()
         boundary.segments = {{start, end}};
         return boundary;
     };
-    problem.boundaries = {curve("base", SoilCondition::fixed, {0.0, -5.0}, {45.0, -5.0}),
-                          curve("face", SoilCondition::free, {30.0, 10.0}, {10.0, 0.0}),
-                          curve("crest", SoilCondition::free, {45.0, 10.0}, {30.0, 10.0})};
+    problem.boundaries = {curve("base", FixedWall{}, {0.0, -5.0}, {45.0, -5.0}),
+                          curve("face", FreeFace{}, {30.0, 10.0}, {10.0, 0.0}),
+                          curve("crest", FreeFace{}, {45.0, 10.0}, {30.0, 10.0})};
     return problem;
 }
 

@@ -1,6 +1,4 @@
-#include "solver/boundaries/moving_walls.hpp"
-
-#include "solver/boundaries/wall_nodes.hpp"
+#include "solver/faces/moving_wall.hpp"
 
 namespace quicksand {
 
@@ -15,17 +13,18 @@ Vector2 full_motion(const WallMotion& motion, const Segment& segment)
 
 } // namespace
 
-Vector2 wall_displacement(const WallMotion& motion, const Segment& segment, double time)
+GrainHold hold_of(const MovingWall& wall, const Segment&, Stage)
 {
+    return wall.motion.grip == WallGrip::rough ? GrainHold::all : GrainHold::normal;
+}
+
+Vector2 displacement_of(const MovingWall& wall, const Segment& segment, double time)
+{
+    const WallMotion& motion = wall.motion;
     const double factor = motion.quantity == MotionQuantity::velocity
                               ? history_integral(motion.history, time)
                               : history_value(motion.history, time) - history_value(motion.history, 0.0);
     return factor * full_motion(motion, segment);
-}
-
-Vector2 wall_velocity(const WallMotion& motion, const Segment& segment, double time, double dt)
-{
-    return (wall_displacement(motion, segment, time + dt) - wall_displacement(motion, segment, time)) / dt;
 }
 
 } // namespace quicksand

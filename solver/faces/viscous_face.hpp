@@ -1,0 +1,36 @@
+// A face that waves leave through, into rock or into soil like that beside it (viscous_boundary.hpp). While
+// the soil settles it is held: a base fixed, a steep side as a roller.
+#pragma once
+
+#include "solver/faces/face_interface.hpp"
+
+#include <optional>
+
+namespace quicksand {
+
+/// Rock or soil that goes on beyond a viscous boundary.
+struct HalfSpace {
+    double density = 0.0;                // rho [kg/m3]
+    double shear_wave_speed = 0.0;       // V_s [m/s]
+    double compression_wave_speed = 0.0; // V_p [m/s]
+};
+
+struct ViscousFace {
+    std::optional<HalfSpace> half_space = {}; // none: as the soil beside it
+};
+
+GrainHold hold_of(const ViscousFace& face, const Segment& segment, Stage stage);
+
+inline bool lets_go(const ViscousFace&)
+{
+    return true;
+}
+
+inline bool absorbs_waves(const ViscousFace&)
+{
+    return true;
+}
+
+std::optional<Impedance> impedance_beyond(const ViscousFace& face);
+
+} // namespace quicksand
