@@ -39,7 +39,7 @@ Eigen::Matrix2d pressure_compliance(const NodeInverse& R, double n)
 template <class Visit>
 void VelocityRows::for_each_entry_of(std::size_t row, Visit&& visit) const
 {
-    const std::size_t last = row + 1 < size() ? first_[row + 1] : entries_.size();
+    const std::size_t last = end_of(row);
     for (std::size_t k = first_[row]; k < last; ++k) visit(k);
 }
 
@@ -290,12 +290,9 @@ std::vector<HeldRow> VelocityRows::held_rows() const
 {
     constexpr std::size_t none = static_cast<std::size_t>(-1);
     std::vector<std::array<std::size_t, 4>> followed_by(nodes_.size(), {none, none, none, none}); // rows
-    for (std::size_t r = first_follower_; r < size(); ++r) {
-        const Entry& follower = entries_[first_[r]];
-        for (int d = 0; d < 4; ++d)
-            if (follower.coefficients[d] != 0.0) followed_by[follower.place][static_cast<std::size_t>(d)] = r;
-    }
-    const auto end_of = [&](std::size_t r) { return r + 1 < size() ? first_[r + 1] : entries_.size(); };
+    for_each_follower([&](std::size_t row, std::size_t follower, int direction) {
+        followed_by[follower][static_cast<std::size_t>(direction)] = row;
+    });
     std::vector<HeldRow> rows;
     for (std::size_t r = 0; r < first_follower_; ++r) {
         if (scale_[r] == 0.0) continue;
@@ -303,7 +300,7 @@ std::vector<HeldRow> VelocityRows::held_rows() const
         const auto add = [&](std::size_t place, int d, double value) {
             folded.try_emplace(place, NodeVelocities::Zero()).first->second[d] += value;
         };
-        for (std::size_t k = first_[r]; k < end_of(r); ++k) {
+        for_each_entry_of(r, [&](std::size_t k) {
             for (int d = 0; d < 4; ++d) {
                 const double c = entries_[k].coefficients[d];
                 const std::size_t of = followed_by[entries_[k].place][static_cast<std::size_t>(d)];
@@ -314,37 +311,32 @@ std::vector<HeldRow> VelocityRows::held_rows() const
                         add(entries_[m].place, d, -c * entries_[m].coefficients[d]);
                 }
             }
-        }
+        });
         HeldRow& row = rows.emplace_back();
         for (const auto& [place, c] : folded) row.nodes.push_back(held_node(place, c));
     }
-    for (std::size_t r = first_follower_; r < size(); ++r) {
-        const Entry& follower = entries_[first_[r]];
-        const int axis = follower.coefficients[0] != 0.0 ? 0 : 1;
-        if (follower.coefficients[axis] == 0.0) continue;
+    for_each_follower([&](std::size_t r, std::size_t follower, int direction) {
+        if (direction >= 2) return; // of the water
         HeldRow& row = rows.emplace_back();
-        row.compliance = inverses_[follower.place](axis, axis);
+        row.compliance = inverses_[follower](direction, direction);
         for (std::size_t k = first_[r] + 1; k < end_of(r); ++k)
             row.nodes.push_back(held_node(entries_[k].place, entries_[k].coefficients));
-    }
+    });
     return rows;
 }
 
 std::vector<Eigen::Matrix2d> VelocityRows::local_compliances() const
 {
     std::vector<Eigen::Matrix2d> compliances = compliances_;
-    for (std::size_t r = first_follower_; r < size(); ++r) {
-        const std::size_t last = r + 1 < size() ? first_[r + 1] : entries_.size();
-        const Entry& follower = entries_[first_[r]];
-        if (follower.coefficients[0] == 0.0)
-            continue; // one row tells: those of the other directions are alike
+    for_each_follower([&](std::size_t row, std::size_t follower, int direction) {
+        if (direction != 0) return; // one row tells: those of the other directions are alike
         Eigen::Matrix2d of_followed = Eigen::Matrix2d::Zero();
-        for (std::size_t k = first_[r] + 1; k < last; ++k) {
+        for (std::size_t k = first_[row] + 1; k < end_of(row); ++k) {
             const double weight = entries_[k].coefficients[0];
             of_followed += weight * weight * compliances[entries_[k].place];
         }
-        compliances[follower.place] = of_followed;
-    }
+        compliances[follower] = of_followed;
+    });
     return compliances;
 }
 

@@ -58,15 +58,12 @@ public:
     template <class Visit>
     void for_each_followed(Visit&& visit) const
     {
-        for (std::size_t r = first_follower_; r < size(); ++r) {
-            const std::size_t last = r + 1 < size() ? first_[r + 1] : entries_.size();
-            const Entry& follower = entries_[first_[r]];
-            const int axis = follower.coefficients[0] != 0.0 ? 0 : 1;
-            if (follower.coefficients[axis] == 0.0) continue; // of the water
-            for (std::size_t k = first_[r] + 1; k < last; ++k)
-                visit(nodes_[follower.place], axis, nodes_[entries_[k].place],
-                      -entries_[k].coefficients[axis]);
-        }
+        for_each_follower([&](std::size_t row, std::size_t follower, int direction) {
+            if (direction >= 2) return; // of the water
+            for (std::size_t k = first_[row] + 1; k < end_of(row); ++k)
+                visit(nodes_[follower], direction, nodes_[entries_[k].place],
+                      -entries_[k].coefficients[direction]);
+        });
     }
 
     bool empty() const { return values_.empty(); }
@@ -122,6 +119,20 @@ private:
         Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver;
     };
 
+    std::size_t end_of(std::size_t row) const { return row + 1 < size() ? first_[row + 1] : entries_.size(); }
+    /// Call visit(row, place, direction) for the rows of followers with the places of their nodes; directions
+    /// are 0 and 1 of the grains, 2 and 3 of the water. The row's other entries are those of the nodes that
+    /// it follows.
+    template <class Visit>
+    void for_each_follower(Visit&& visit) const
+    {
+        for (std::size_t row = first_follower_; row < size(); ++row) {
+            const Entry& own = entries_[first_[row]];
+            int direction = 0;
+            while (direction < 3 && own.coefficients[direction] == 0.0) ++direction;
+            visit(row, own.place, direction);
+        }
+    }
     HeldNode held_node(std::size_t place, const NodeVelocities& c) const;
     template <class Visit>
     void for_each_entry_of(std::size_t row, Visit&& visit) const;
