@@ -5,7 +5,6 @@
 #include "app/run/machine.hpp"
 #include "app/run/number_format.hpp"
 #include "app/run/scene_setup.hpp"
-#include "app/run/stop_signal.hpp"
 #include "app/verify/verification_runs.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/csv_file.hpp"
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <optional>
 
 namespace quicksand {
 
@@ -90,47 +88,53 @@ std::vector<Setting> step_settings()
             {"semi-implicit, quarter steps", {semi_implicit, quarter}}};
 }
 
+/// What was measured of one problem.
+struct Measurement {
+    SessionEnd end = SessionEnd::finished; // of the run without which there is nothing to measure
+    std::vector<WorkPoint> points;
+};
+
 /// The probes of a scene against an explicit run with a fifth of the step. A setting whose run goes bad is
-/// told and left out; none where the explicit run does.
-std::optional<std::vector<WorkPoint>> measure_scene(const std::string& scene, const BenchChoice& choice,
-                                                    Journal& journal)
+/// told and left out.
+Measurement measure_scene(const std::string& scene, const BenchChoice& choice, Journal& journal)
 {
     const std::string name = default_results(find_scene_file(scene)).filename().string();
     const std::filesystem::path folder = choice.directory / name;
     const Setting fine = {"explicit, a fifth of the step",
                           {"analysis.scheme=\"explicit\"", "analysis.step_share=0.2"}};
-    if (!run_setting(scene, fine, choice, folder / "reference")) {
+    Measurement measured;
+    measured.end = run_setting(scene, fine, choice, folder / "reference").end;
+    if (measured.end == SessionEnd::failed)
         journal.complain(name + ": left out, the explicit run to compare with went bad");
-        return std::nullopt;
-    }
+    if (measured.end != SessionEnd::finished) return measured;
     const std::vector<ProbeHistory> reference = read_probe_histories(folder / "reference");
-    std::vector<WorkPoint> points;
     for (const Setting& setting : step_settings()) {
         const std::string directory = file_name_of(setting.name);
-        const std::optional<double> seconds = run_setting(scene, setting, choice, folder / directory);
-        if (!seconds) {
+        const SettingRun run = run_setting(scene, setting, choice, folder / directory);
+        if (run.end == SessionEnd::stopped) return {run.end, {}};
+        if (run.end == SessionEnd::failed) {
             journal.say(setting.name + ": left out, its run went bad; see " + (folder / directory).string());
             continue;
         }
         for (const HistoryError& each : history_errors(read_probe_histories(folder / directory), reference)) {
             journal.say(setting.name + ": " + text_of(each));
-            points.push_back({name + ", " + each.quantity, setting.name, 0, each.largest(), *seconds});
+            measured.points.push_back(
+                {name + ", " + each.quantity, setting.name, 0, each.largest(), run.seconds});
         }
     }
-    return points;
+    return measured;
 }
 
 /// A problem of `verify` with all settings.
-std::vector<WorkPoint> measure_problem(const std::string& problem, const BenchChoice& choice,
-                                       Journal& journal)
+Measurement measure_problem(const std::string& problem, const BenchChoice& choice, Journal& journal)
 {
-    std::vector<WorkPoint> points;
+    Measurement measured;
     for (const Setting& setting : settings()) {
         journal.say(fmt::format("\n{}, {}", problem, setting.name));
-        const std::string refusal = measure(problem, setting, choice, journal, points);
+        const std::string refusal = measure(problem, setting, choice, journal, measured.points);
         if (!refusal.empty()) journal.say("  left out: " + refusal);
     }
-    return points;
+    return measured;
 }
 
 bool is_a_run(const std::string& word)
@@ -219,19 +223,22 @@ ExitCode measure_all(const BenchChoice& choice, Journal& journal)
     std::string advice;
     ExitCode code = ExitCode::good;
     for (const std::string& problem : problems) {
-        const std::optional<std::vector<WorkPoint>> points = is_a_run(problem)
-                                                                 ? measure_scene(problem, choice, journal)
-                                                                 : measure_problem(problem, choice, journal);
-        if (!points) code = ExitCode::numerical;
-        if (!points || points->empty()) continue;
-        for (const std::vector<WorkPoint>& part : by_problem(*points)) {
+        const Measurement measured = is_a_run(problem) ? measure_scene(problem, choice, journal)
+                                                       : measure_problem(problem, choice, journal);
+        if (measured.end == SessionEnd::stopped) {
+            journal.say("\nStopped on request. What was measured before is in " + choice.directory.string());
+            return ExitCode::good;
+        }
+        if (measured.end == SessionEnd::failed) code = ExitCode::numerical;
+        if (measured.points.empty()) continue;
+        for (const std::vector<WorkPoint>& part : by_problem(measured.points)) {
             const std::string& name = part.front().problem;
             const std::filesystem::path png = choice.directory / ("error_" + file_name_of(name) + ".png");
             draw_pictures({plot_drawing(work_plot(name, part), png)});
             advice += '\n' + name;
             for (const double wanted : {0.05, 0.01, 0.001}) advice += '\n' + recommendation(part, wanted);
         }
-        all.insert(all.end(), points->begin(), points->end());
+        all.insert(all.end(), measured.points.begin(), measured.points.end());
         write_atomically(choice.directory / "error.csv", csv_of(all)); // what is done is not lost
     }
     journal.say("\nThe cheapest settings" + advice);
@@ -247,12 +254,7 @@ ExitCode measure_errors(const BenchChoice& choice)
     std::filesystem::create_directories(choice.directory);
     journal.keep(choice.directory / "error.txt");
     journal.say(machine_text());
-    try {
-        return measure_all(choice, journal);
-    } catch (const StopRequest&) {
-        journal.say("\nStopped on request. What was measured before is in " + choice.directory.string());
-        return ExitCode::good;
-    }
+    return measure_all(choice, journal);
 }
 
 } // namespace quicksand

@@ -6,7 +6,6 @@
 #include "app/run/number_format.hpp"
 #include "app/run/scene_setup.hpp"
 #include "app/run/step_cost.hpp"
-#include "app/run/stop_signal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/csv_file.hpp"
 #include "io/pictures/line_plot.hpp"
@@ -16,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace quicksand {
 
@@ -29,10 +27,9 @@ struct GridRun {
     Setting setting;
     double cell_size = 0.0;     // [m]
     int particles_per_cell = 0; // along each axis; 0 where the drawing's mesh gives them [-]
-    double seconds = 0.0;       // wall time
-    fs::path results;
+    SettingRun outcome = {};
+    fs::path results = {};
     std::vector<ProbeHistory> probes = {};
-    bool went_bad = false; // a numerical failure, unlike a setting that the scene does not allow
 };
 
 std::string length_text(double metres)
@@ -47,7 +44,7 @@ std::vector<GridRun> planned_runs(const Scene& scene, const BackgroundGrid& grid
     const auto* lattice = std::get_if<LatticeSampling>(&scene.sampling);
     const int own = lattice != nullptr ? lattice->per_cell_x : 0;
     const auto run_on = [&](double cell_size, int count) {
-        GridRun run{{length_text(cell_size), on_cells_of(cell_size, grid)}, cell_size, count, 0.0, {}};
+        GridRun run{{length_text(cell_size), on_cells_of(cell_size, grid)}, cell_size, count};
         if (count > 0) run.setting.name += fmt::format(", {} x {}", count, count);
         if (count != own)
             run.setting.overrides.push_back(fmt::format("sampling.particles_per_cell=[{},{}]", count, count));
@@ -68,18 +65,15 @@ bool execute(const std::string& scene, const BenchChoice& choice, const fs::path
     run.results = folder / file_name_of(run.setting.name);
     journal.say('\n' + run.setting.name);
     try {
-        const std::optional<double> seconds = run_setting(scene, run.setting, choice, run.results);
-        run.went_bad = !seconds;
-        run.seconds = seconds.value_or(0.0);
+        run.outcome = run_setting(scene, run.setting, choice, run.results);
     } catch (const InputError& error) {
         const std::string text = error.what();
         journal.say("  left out: " + text.substr(0, text.find('\n')));
         return false;
     }
-    if (run.went_bad) {
+    if (run.outcome.end == SessionEnd::failed)
         journal.say("  left out: the run went bad; see " + run.results.string());
-        return false;
-    }
+    if (run.outcome.end != SessionEnd::finished) return false;
     run.probes = read_probe_histories(run.results);
     return true;
 }
@@ -136,7 +130,7 @@ std::string table_of(const std::vector<GridRun>& runs)
     std::string text = fmt::format("\n{:<52}", "");
     for (const GridRun& run : runs) text += fmt::format("{:>16}", run.setting.name);
     text += fmt::format("\n{:<52}", "run time");
-    for (const GridRun& run : runs) text += fmt::format("{:>16}", duration_text(run.seconds));
+    for (const GridRun& run : runs) text += fmt::format("{:>16}", duration_text(run.outcome.seconds));
     std::vector<std::vector<Answer>> columns;
     for (const GridRun& run : runs) columns.push_back(answers_of(run));
     for (std::size_t row = 0; row < columns.front().size(); ++row) {
@@ -160,7 +154,7 @@ std::string csv_of(const std::vector<GridRun>& runs)
     for (const GridRun& run : runs)
         for (const Answer& answer : answers_of(run))
             text += fmt::format("{},{:.6g},{},{:.6g},{},{},{}\n", csv_text(run.setting.name), run.cell_size,
-                                run.particles_per_cell, run.seconds, csv_text(answer.probe),
+                                run.particles_per_cell, run.outcome.seconds, csv_text(answer.probe),
                                 csv_text(answer.quantity), csv_number(answer.value));
     return text;
 }
@@ -184,7 +178,7 @@ LinePlot histories_of(const ComparedQuantity& quantity, const std::string& title
             if (values == nullptr) continue;
             PlotCurve curve;
             if (plot.panels.empty())
-                curve.name = runs[k].setting.name + ": " + duration_text(runs[k].seconds);
+                curve.name = runs[k].setting.name + ": " + duration_text(runs[k].outcome.seconds);
             curve.colour = curve_colour(k, runs.size());
             curve.x = *same->find("time_s");
             for (const double value : *values) curve.y.push_back(quantity.scale * value);
@@ -227,7 +221,11 @@ ExitCode compare(const SceneSetup& setup, const fs::path& scene, const BenchChoi
     bool went_bad = false;
     for (GridRun& run : planned_runs(setup.assembled.scene, setup.assembled.problem.grid)) {
         const bool reached = execute(scene.string(), choice, folder, journal, run);
-        went_bad = went_bad || run.went_bad;
+        if (run.outcome.end == SessionEnd::stopped) {
+            journal.say("\nStopped on request. The runs before are in " + folder.string());
+            return ExitCode::good;
+        }
+        went_bad = went_bad || run.outcome.end == SessionEnd::failed;
         if (reached) done.push_back(std::move(run));
     }
     if (done.empty()) {
@@ -252,12 +250,7 @@ ExitCode measure_grids(const BenchChoice& choice)
     words.scene = scene;
     words.overrides = choice.overrides;
     const SceneSetup setup = set_up_scene(words, journal);
-    try {
-        return compare(setup, scene, choice, folder, journal);
-    } catch (const StopRequest&) {
-        journal.say("\nStopped on request. The runs before are in " + folder.string());
-        return ExitCode::good;
-    }
+    return compare(setup, scene, choice, folder, journal);
 }
 
 } // namespace quicksand

@@ -1,8 +1,6 @@
 #include "app/bench/bench_runs.hpp"
 
 #include "app/run/journal.hpp"
-#include "app/run/session.hpp"
-#include "app/run/stop_signal.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -16,8 +14,8 @@ std::string file_name_of(std::string name)
     return name;
 }
 
-std::optional<double> run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
-                                  const std::filesystem::path& directory)
+SettingRun run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
+                       const std::filesystem::path& directory)
 {
     RunChoice run;
     run.scene.scene = scene;
@@ -29,10 +27,8 @@ std::optional<double> run_setting(const std::string& scene, const Setting& setti
     run.overwrite = true;
     const auto start = std::chrono::steady_clock::now();
     Journal journal;
-    const SessionOutcome outcome = run_session(run, set_up_scene(run.scene, journal), journal);
-    if (outcome.code != ExitCode::good) return std::nullopt;
-    if (!outcome.finished) throw StopRequest();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const SessionEnd end = run_session(run, set_up_scene(run.scene, journal), journal).end;
+    return {end, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
 } // namespace quicksand

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/run/choices.hpp"
+#include "app/run/session.hpp"
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +19,14 @@ struct Setting {
 /// A name without commas and spaces.
 std::string file_name_of(std::string name);
 
-/// Run a scene with a setting in a folder, in place of what is there; returns the wall time [s], none where
-/// the run goes bad, which it tells itself. Throws InputError, and StopRequest when the user stops the run.
-std::optional<double> run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
-                                  const std::filesystem::path& directory);
+struct SettingRun {
+    SessionEnd end = SessionEnd::finished;
+    double seconds = 0.0; // wall time
+};
+
+/// Run a scene with a setting in a folder, in place of what is there; where the run goes bad, it tells so
+/// itself. Throws InputError.
+SettingRun run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
+                       const std::filesystem::path& directory);
 
 } // namespace quicksand

@@ -5,9 +5,7 @@
 #include "app/run/trial.hpp"
 #include "io/results/output_observers.hpp"
 #include "io/results/results_folder.hpp"
-#include "solver/run/simulation.hpp"
-
-#include <utility>
+#include "solver/run/staged_run.hpp"
 
 namespace quicksand {
 
@@ -48,9 +46,9 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.say(describe_initial_state(assembled));
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
     journal.say(describe_time_step(assembled));
-    const Forecast forecast = forecast_run(assembled, folder.directory);
-    journal.say(describe_cost(forecast));
-    journal.say(describe_left_out(assembled));
+    const StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
+    journal.say(describe_cost(forecast_run(assembled, run, folder.directory)));
+    journal.say(describe_left_out(assembled.scene, run));
     write_initial_frame(assembled, folder);
     journal.say("The initial state is in " + folder.particle_series().string() + " and " +
                 folder.grid_series().string() + "; this plan is in " +

@@ -34,7 +34,7 @@ ExitCode run_demo(const DemoChoice& choice)
     journal.say("The dike example, shortened to its first 0.125 s: about two minutes on two cores.");
     const RunChoice run = shortened_dike(choice);
     const SessionOutcome outcome = run_session(run, set_up_scene(run.scene, journal), journal);
-    if (!outcome.finished) return outcome.code;
+    if (outcome.end != SessionEnd::finished) return outcome.code();
     PictureRequest request;
     request.notify = [&](const std::string& text) { journal.say(text); };
     std::string pictures = "Look at the pictures:";
@@ -43,7 +43,7 @@ ExitCode run_demo(const DemoChoice& choice)
     journal.say(pictures);
     journal.say(describe_files(outcome.folder));
     journal.say(summarize_probes(outcome.folder));
-    return outcome.code;
+    return outcome.code();
 }
 
 } // namespace quicksand

@@ -6,7 +6,6 @@
 #include "solver/base/threads.hpp"
 #include "solver/measure/monitors.hpp"
 #include "solver/problem/motion_measures.hpp"
-#include "solver/run/simulation.hpp"
 
 #include <fmt/format.h>
 
@@ -224,9 +223,8 @@ std::string describe_column(const SoilColumn& column)
         grouped(static_cast<long long>(column.source.size())));
 }
 
-std::string describe_left_out(const AssembledCase& assembled)
+std::string describe_left_out(const Scene& scene, const StagedRun& run)
 {
-    const Scene& scene = assembled.scene;
     std::string text;
     const auto leave_out = [&](bool condition, const char* line) {
         if (condition) text += std::string("  ") + line + '\n';
@@ -247,18 +245,13 @@ std::string describe_left_out(const AssembledCase& assembled)
     leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),
               "meshing: the particles lie on a lattice");
     leave_out(scene.probes.empty(), "probes: none are named");
-    std::string obstacle;
-    if (scene.columns == ColumnsComputed::one) {
-        const ColumnSearch search = find_soil_column(assembled.problem, assembled.state);
-        if (search.column)
-            text +=
-                fmt::format("  {} of {} columns of cells: the soil repeats from cell to cell between tied "
+    if (const SoilColumn* column = run.column())
+        text += fmt::format("  {} of {} columns of cells: the soil repeats from cell to cell between tied "
                             "sides, and one stands for all\n",
-                            search.column->columns - 1, search.column->columns);
-        if (!search.obstacle.empty())
-            obstacle = "All columns of cells between the tied sides are computed: " + search.obstacle + '\n';
-    }
-    return (text.empty() ? text : "Not needed, so left out\n" + text) + obstacle;
+                            column->columns - 1, column->columns);
+    if (!text.empty()) text = "Not needed, so left out\n" + text;
+    if (run.obstacle().empty()) return text;
+    return text + "All columns of cells between the tied sides are computed: " + run.obstacle() + '\n';
 }
 
 } // namespace quicksand

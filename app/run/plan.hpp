@@ -4,7 +4,7 @@
 #include "app/run/scene_setup.hpp"
 #include "app/run/trial.hpp"
 #include "solver/run/patch_test.hpp"
-#include "solver/run/soil_column.hpp"
+#include "solver/run/staged_run.hpp"
 
 #include <string>
 #include <vector>
@@ -39,8 +39,8 @@ std::string describe_time_step(const AssembledCase& assembled);
 /// Steps, memory, disk and run time.
 std::string describe_cost(const Forecast& forecast);
 
-/// What the scene does not need and is left out.
-std::string describe_left_out(const AssembledCase& assembled);
+/// What the run of the scene does not need and is left out.
+std::string describe_left_out(const Scene& scene, const StagedRun& run);
 
 /// "One column of 9 is computed ...", for the journal of a run.
 std::string describe_column(const SoilColumn& column);

@@ -41,6 +41,11 @@ SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal)
     return setup;
 }
 
+RunControls run_controls(const Scene& scene)
+{
+    return {scene.end_time, scene.columns, scene.output.history_interval > 0.0};
+}
+
 std::vector<std::string> on_cells_of(double cell_size, const BackgroundGrid& grid)
 {
     const auto cells = [&](int count) {

@@ -4,6 +4,7 @@
 #include "app/run/choices.hpp"
 #include "app/run/journal.hpp"
 #include "io/assembly/case_assembly.hpp"
+#include "solver/run/staged_run.hpp"
 
 #include <filesystem>
 #include <string>
@@ -20,6 +21,9 @@ struct SceneSetup {
 /// Set the number of threads, read the scene, draw and sample its section, and tell the warnings. Throws
 /// InputError.
 SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal);
+
+/// How a run of the scene goes.
+RunControls run_controls(const Scene& scene);
 
 /// The scene file itself, or the scene.toml of a folder. Throws InputError where there is none.
 std::filesystem::path find_scene_file(const std::filesystem::path& scene);

@@ -11,8 +11,6 @@
 #include "io/results/run_manifest.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/base/threads.hpp"
-#include "solver/measure/ledger.hpp"
-#include "solver/run/soil_column.hpp"
 
 #include <fmt/format.h>
 
@@ -66,10 +64,7 @@ private:
 /// Everything the run needs at hand.
 struct Session {
     const Scene& scene;
-    const Problem& body;      // as drawn
-    const SoilColumn* column; // that stands for it, if one does
-    const Problem& problem;   // that is computed, with its state
-    State& state;
+    StagedRun& run;
     const std::string& hash;
     ResultsFolder folder;
     bool resume = false;
@@ -97,36 +92,36 @@ std::string say_where_good(const ResultsFolder& folder)
 void keep_state(const Session& session)
 {
     std::filesystem::create_directories(session.folder.checkpoint().parent_path());
-    write_checkpoint(session.folder.checkpoint(), session.state, session.hash);
+    write_checkpoint(session.folder.checkpoint(), session.run.state(), session.hash);
 }
 
-void settle(Session& session)
+void begin_unsettled(Session& session)
 {
-    if (!session.scene.relaxation) {
-        const std::size_t limited = begin_shaking(session.problem, session.state);
-        if (limited > 0) {
-            session.journal.say(fmt::format("The initial stress of {} particles was beyond what their sand "
-                                            "can carry, or below its stress "
-                                            "floor, and has been brought back to it.",
-                                            grouped(static_cast<long long>(limited))));
-        }
-        return;
-    }
-    const RelaxationControls& controls = *session.scene.relaxation;
-    ProgressLine progress(0.0, session.scene.end_time, session.state.particles.size(), session.journal);
+    const std::size_t limited = session.run.begin_shaking();
+    if (limited == 0) return;
+    session.journal.say(fmt::format("The initial stress of {} particles was beyond what their sand can "
+                                    "carry, or below its stress floor, and has been brought back to it.",
+                                    grouped(static_cast<long long>(limited))));
+}
+
+/// Settle, or keep what is reached at a stop.
+void settle(Session& session, const RelaxationControls& controls)
+{
+    ProgressLine progress(0.0, session.scene.end_time, session.run.state().particles.size(), session.journal);
     using Clock = std::chrono::steady_clock;
     const std::chrono::duration<double> interval(session.scene.output.checkpoint_interval);
     auto last = Clock::now();
-    const RelaxationReport report =
-        relax(session.problem, controls, session.state, [&](std::int64_t steps, double out_of_balance) {
-            progress.show_relaxation(steps, out_of_balance, controls.tolerance);
-            const bool stop = StopSignal::received();
-            if (stop || Clock::now() - last > interval) {
-                keep_state(session);
-                last = Clock::now();
-            }
-            if (stop) throw StopRequest();
-        });
+    const auto look_on = [&](std::int64_t steps, double out_of_balance) {
+        progress.show_relaxation(steps, out_of_balance, controls.tolerance);
+        if (Clock::now() - last <= interval) return;
+        keep_state(session);
+        last = Clock::now();
+    };
+    const RelaxationReport report = session.run.settle(controls, look_on, StopSignal::received);
+    if (!report.settled) {
+        keep_state(session);
+        return;
+    }
     progress.clear();
     session.journal.say(
         fmt::format("Settled in {} steps, {}: out-of-balance force {} of the weight, displacement up to "
@@ -139,59 +134,39 @@ void settle(Session& session)
     }
 }
 
-/// The writers of the results and what shows the run to them: itself, or the body that its column stands for.
-struct Output {
-    std::vector<std::unique_ptr<Observer>> writers;
-    std::optional<ColumnObserver> of_body;
-    std::vector<Observer*> observers;
-
-    Output(const Session& session, bool resume)
-    {
-        const OutputSettings settings{session.folder.directory, session.hash, resume, &session.state};
-        State wide;
-        if (session.column) widen(*session.column, session.state, wide);
-        writers = make_output_observers(session.scene, session.body, session.column ? wide : session.state,
-                                        settings);
-        for (const auto& writer : writers) observers.push_back(writer.get());
-        if (!session.column) return;
-        of_body.emplace(*session.column, session.body, std::move(observers));
-        observers = {&*of_body};
-    }
-};
-
 /// `begins` the shaking, or goes on with it.
 void shake(Session& session, bool begins)
 {
-    if (begins) {
-        if (session.scene.output.history_interval > 0.0) open_ledger(session.problem, session.state);
-        keep_state(session); // from here a stop or a failure need not settle the soil again
-    }
-    const Output output(session, !begins);
-    ProgressLine progress(session.state.time, session.scene.end_time, session.state.particles.size(),
+    StagedRun& run = session.run;
+    if (begins) keep_state(session); // from here a stop or a failure need not settle the soil again
+    const OutputSettings settings{session.folder.directory, session.hash, !begins, &run.state()};
+    const auto writers = make_output_observers(session.scene, run.body(), run.state_of_body(), settings);
+    ProgressLine progress(run.state().time, session.scene.end_time, run.state().particles.size(),
                           session.journal);
-    std::vector<Observer*> observers = output.observers;
+    std::vector<Observer*> observers;
+    for (const auto& writer : writers) observers.push_back(writer.get());
     observers.push_back(&progress);
     try {
-        run(session.problem, session.scene.end_time, observers, session.state, StopSignal::received);
+        run.shake(observers, StopSignal::received);
     } catch (...) {
         progress.clear();
-        session.manifest.reach(session.state.time, progress.steps());
+        session.manifest.reach(run.state().time, progress.steps());
         throw;
     }
     progress.clear();
-    session.manifest.reach(session.state.time, progress.steps());
+    session.manifest.reach(run.state().time, progress.steps());
     keep_state(session);
     if (!begins && progress.steps() == 0) {
         session.journal.say(fmt::format(
             "No step was left: the results reach t = {} s, and what was missing at their end is written.",
-            short_number(session.state.time, 6)));
+            short_number(run.state().time, 6)));
         return;
     }
     const double seconds = progress.elapsed();
     const double work =
-        static_cast<double>(session.state.particles.size()) * static_cast<double>(progress.steps());
+        static_cast<double>(run.state().particles.size()) * static_cast<double>(progress.steps());
     session.journal.say(fmt::format("Ran {} steps to t = {} s in {}: {} particle-steps/s",
-                                    grouped(progress.steps()), short_number(session.state.time, 6),
+                                    grouped(progress.steps()), short_number(run.state().time, 6),
                                     duration_text(seconds), short_number(work / seconds, 2)));
 }
 
@@ -200,6 +175,8 @@ void shake(Session& session, bool begins)
 void introduce(Session& session)
 {
     const Scene& scene = session.scene;
+    const StagedRun& run = session.run;
+    const BackgroundGrid& grid = run.problem().grid;
     if (session.resume) {
         session.journal.go_on_with(session.folder.log());
     } else {
@@ -208,63 +185,53 @@ void introduce(Session& session)
     session.journal.say(fmt::format(
         "{}{}\n{} particles, {} x {} cells of {} m, {} threads; results in {}",
         session.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
-        grouped(static_cast<long long>(session.state.particles.size())), session.problem.grid.cells_x,
-        session.problem.grid.cells_y, short_number(session.problem.grid.cell_size), thread_count(),
-        session.folder.directory.string()));
-    if (session.column) session.journal.say(describe_column(*session.column));
+        grouped(static_cast<long long>(run.state().particles.size())), grid.cells_x, grid.cells_y,
+        short_number(grid.cell_size), thread_count(), session.folder.directory.string()));
+    if (run.column()) session.journal.say(describe_column(*run.column()));
 }
 
-/// Returns whether the run came to its end.
-bool run_stages(Session& session)
+SessionEnd end_at_stop(Session& session)
+{
+    const bool shaking = session.run.is_shaking();
+    session.manifest.end(RunStatus::stopped,
+                         shaking ? "stopped on request" : "stopped on request while settling");
+    session.journal.say(
+        (shaking ? fmt::format("Stopped on request at t = {} s.", short_number(session.run.state().time, 6))
+                 : "\nStopped on request while settling.") +
+        " Go on with the same command and --resume.");
+    return SessionEnd::stopped;
+}
+
+SessionEnd run_stages(Session& session)
 {
     const StopSignal signal;
     introduce(session);
-    try {
-        const bool begins = !session.resume || session.state.stage == Stage::relaxation;
-        if (begins) settle(session);
-        shake(session, begins);
-    } catch (const StopRequest&) {
-        session.manifest.end(RunStatus::stopped, "stopped on request while settling");
-        session.journal.say("\nStopped on request while settling. Go on with the same command and --resume.");
-        return false;
-    }
-    if (session.state.time < session.scene.end_time) {
-        session.manifest.end(RunStatus::stopped, "stopped on request");
-        session.journal.say(
-            fmt::format("Stopped on request at t = {} s. Go on with the same command and --resume.",
-                        short_number(session.state.time, 6)));
-        return false;
-    }
+    const bool begins = !session.run.is_shaking();
+    const std::optional<RelaxationControls>& relaxation = session.scene.relaxation;
+    if (begins && relaxation) settle(session, *relaxation);
+    if (begins && !relaxation) begin_unsettled(session);
+    if (session.run.is_shaking()) shake(session, begins);
+    if (!session.run.is_finished()) return end_at_stop(session);
     session.manifest.end(RunStatus::finished, "reached the end time");
-    return true;
-}
-
-/// The column that stands for the body, where the scene lets it and a checkpoint is of it.
-std::optional<SoilColumn> choose_column(const AssembledCase& assembled, const std::optional<State>& kept)
-{
-    if (assembled.scene.columns == ColumnsComputed::all) return std::nullopt;
-    std::optional<SoilColumn> column = find_soil_column(assembled.problem, assembled.state).column;
-    if (column && kept && kept->particles.size() != column->state.particles.size()) column.reset();
-    return column;
+    return SessionEnd::finished;
 }
 
 /// Whether a run to the end time would find nothing to do. A run that was killed over its last rows or its
 /// last frame has a checkpoint of the end time as well, but its manifest does not call it finished.
-bool is_complete(const ResultsFolder& folder, const State& state, double end_time)
+bool is_complete(const ResultsFolder& folder, const StagedRun& run, double end_time)
 {
-    if (state.stage != Stage::shaking || state.time < end_time) return false;
-    return state.time > end_time || read_run_status(folder.manifest()) == RunStatus::finished;
+    if (!run.is_finished()) return false;
+    return run.state().time > end_time || read_run_status(folder.manifest()) == RunStatus::finished;
 }
 
-ExitCode run_guarded(Session& session, bool& finished)
+SessionEnd run_guarded(Session& session)
 {
     try {
-        finished = run_stages(session);
-        return ExitCode::good;
+        return run_stages(session);
     } catch (const NumericalError& error) {
         session.manifest.end_quietly(error.what());
         session.journal.complain(error.what() + say_where_good(session.folder));
-        return ExitCode::numerical;
+        return SessionEnd::failed;
     } catch (const std::exception& error) {
         session.manifest.end_quietly(error.what());
         session.journal.note_failure(error.what());
@@ -289,28 +256,23 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
         kept = read_checkpoint(outcome.folder.checkpoint(), setup.hash);
         require_same_inputs(outcome.folder.manifest(), inputs);
     }
-    const Problem& body = setup.assembled.problem;
-    std::optional<SoilColumn> column = choose_column(setup.assembled, kept);
-    const Problem& problem = column ? column->problem : body;
-    State& state = column ? column->state : setup.assembled.state;
-    if (kept) state = std::move(*kept);
+    StagedRun run(setup.assembled.problem, std::move(setup.assembled.state), run_controls(scene),
+                  std::move(kept));
+    const State& state = run.state();
 
     RunManifest manifest =
         begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
     manifest.inputs = inputs;
-    if (choice.resume && state.stage == Stage::shaking) manifest.resumed_at = state.time;
-    if (choice.resume && is_complete(outcome.folder, state, scene.end_time)) {
+    if (run.is_shaking()) manifest.resumed_at = state.time;
+    if (is_complete(outcome.folder, run, scene.end_time)) {
         journal.go_on_with(outcome.folder.log());
         journal.say(
             fmt::format("Nothing to do: the results reach t = {} s already.", short_number(state.time, 6)));
-        outcome.finished = true;
         return outcome;
     }
     ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
-    const SoilColumn* narrow = column ? &*column : nullptr;
-    Session session{scene,      body,           narrow,        problem, state,
-                    setup.hash, outcome.folder, choice.resume, journal, keeper};
-    outcome.code = run_guarded(session, outcome.finished);
+    Session session{scene, run, setup.hash, outcome.folder, choice.resume, journal, keeper};
+    outcome.end = run_guarded(session);
     return outcome;
 }
 

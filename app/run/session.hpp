@@ -8,10 +8,13 @@
 
 namespace quicksand {
 
+enum class SessionEnd { finished, stopped, failed };
+
 struct SessionOutcome {
-    ExitCode code = ExitCode::good;
-    bool finished = false; // false: stopped on request or failed
+    SessionEnd end = SessionEnd::finished;
     ResultsFolder folder;
+    /// Of the program: a stop is no failure.
+    ExitCode code() const { return end == SessionEnd::failed ? ExitCode::numerical : ExitCode::good; }
 };
 
 /// Run the scene into the results folder. A numerical failure is told, kept in the log and the manifest, and

@@ -2,8 +2,6 @@
 // of a step.
 #pragma once
 
-#include <exception>
-
 namespace quicksand {
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP is remembered, and the first two are answered on
@@ -16,12 +14,6 @@ public:
     StopSignal& operator=(const StopSignal&) = delete;
 
     static bool received();
-};
-
-/// Leaves what is under way, because a stop was asked for.
-class StopRequest : public std::exception {
-public:
-    const char* what() const noexcept override { return "stopped on request"; }
 };
 
 } // namespace quicksand

@@ -1,13 +1,10 @@
 #include "app/run/trial.hpp"
 
-#include "app/run/stop_signal.hpp"
 #include "io/files/file_error.hpp"
 #include "io/frames/observation_clock.hpp"
 #include "io/results/output_observers.hpp"
 #include "solver/base/threads.hpp"
 #include "solver/measure/ledger.hpp"
-#include "solver/run/simulation.hpp"
-#include "solver/run/soil_column.hpp"
 
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -79,13 +76,11 @@ private:
     std::int64_t steps_ = 0;
 };
 
-double measure_step(const AssembledCase& assembled)
+double measure_step(StagedRun run)
 {
-    State state = assembled.state;
-    begin_shaking(assembled.problem, state);
-    open_ledger(assembled.problem, state);
+    run.begin_shaking();
     StepWatch watch;
-    run(assembled.problem, assembled.scene.end_time, {&watch}, state, [&] { return watch.has_enough(); });
+    run.shake({&watch}, [&] { return watch.has_enough(); });
     return watch.seconds_of_a_step();
 }
 
@@ -104,28 +99,22 @@ struct Decay {
     }
 };
 
-RelaxationForecast forecast_relaxation(const AssembledCase& assembled)
+RelaxationForecast forecast_relaxation(const RelaxationControls& controls, StagedRun run)
 {
-    RelaxationForecast forecast;
-    if (!assembled.scene.relaxation) return forecast;
-    forecast.needed = true;
-    const RelaxationControls& controls = *assembled.scene.relaxation;
-    State state = assembled.state;
     Decay decay;
     const StopWatch watch;
-    try {
-        relax(assembled.problem, controls, state, [&](std::int64_t steps, double out_of_balance) {
-            decay.steps.push_back(static_cast<double>(steps));
-            decay.logarithms.push_back(std::log(out_of_balance));
-            forecast.step_seconds = watch.seconds() / static_cast<double>(steps);
-            if (watch.seconds() > relaxation_trial_seconds) throw StopRequest();
-        });
-    } catch (const StopRequest&) {
-        // The trial ends before the soil has settled; the rest is extrapolated.
-    }
-    if (decay.steps.empty()) return forecast;
-    const double steps = decay.steps_until(controls.tolerance);
-    forecast.reliable = steps < static_cast<double>(controls.max_steps);
+    const auto note = [&](std::int64_t steps, double out_of_balance) {
+        decay.steps.push_back(static_cast<double>(steps));
+        decay.logarithms.push_back(std::log(out_of_balance));
+    };
+    const auto enough = [&] { return watch.seconds() > relaxation_trial_seconds; };
+    const RelaxationReport report = run.settle(controls, note, enough);
+    RelaxationForecast forecast;
+    forecast.needed = true;
+    forecast.step_seconds = watch.seconds() / static_cast<double>(report.steps);
+    const double steps =
+        report.settled ? static_cast<double>(report.steps) : decay.steps_until(controls.tolerance);
+    forecast.reliable = report.settled || steps < static_cast<double>(controls.max_steps);
     forecast.steps = forecast.reliable ? static_cast<std::int64_t>(steps) : controls.max_steps;
     return forecast;
 }
@@ -237,20 +226,14 @@ std::int64_t count_steps(const Scene& scene, double dt)
     return steps;
 }
 
-Forecast forecast_run(const AssembledCase& assembled, const fs::path& directory)
+Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, const fs::path& directory)
 {
-    AssembledCase computed = assembled;
-    if (assembled.scene.columns == ColumnsComputed::one) {
-        if (auto column = find_soil_column(assembled.problem, assembled.state).column) {
-            computed.problem = std::move(column->problem);
-            computed.state = std::move(column->state);
-        }
-    }
     Forecast forecast;
     forecast.steps =
         count_steps(assembled.scene, stable_time_step(assembled.problem, assembled.state.particles).dt);
-    forecast.step_seconds = measure_step(computed);
-    forecast.relaxation = forecast_relaxation(computed);
+    forecast.step_seconds = measure_step(run);
+    if (assembled.scene.relaxation)
+        forecast.relaxation = forecast_relaxation(*assembled.scene.relaxation, run);
     forecast.output = forecast_output(assembled, directory);
     forecast.memory = peak_memory();
     return forecast;

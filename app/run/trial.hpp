@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/assembly/case_assembly.hpp"
+#include "solver/run/staged_run.hpp"
 
 #include <algorithm>
 #include <cstdint>
@@ -48,8 +49,9 @@ struct Forecast {
 /// Steps that a run takes at a time step, which it shortens so that every output time is hit.
 std::int64_t count_steps(const Scene& scene, double dt);
 
-/// Step copies of the state for a few seconds and write a few frames into a folder of their own in
-/// `directory`, which is removed again: so the disk of the results is measured. Throws FileError.
-Forecast forecast_run(const AssembledCase& assembled, const std::filesystem::path& directory);
+/// Let copies of the run of the scene go on for a few seconds and write a few frames into a folder of their
+/// own in `directory`, which is removed again: so the disk of the results is measured. Throws FileError.
+Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run,
+                      const std::filesystem::path& directory);
 
 } // namespace quicksand

@@ -3,7 +3,7 @@
 
 #include "io/keys/source_place.hpp"
 #include "solver/problem/problem.hpp"
-#include "solver/run/simulation.hpp"
+#include "solver/run/staged_run.hpp"
 #include "solver/verification/studies/study.hpp"
 
 #include <filesystem>
@@ -78,9 +78,6 @@ struct SceneVerification {
     std::map<std::string, double> orders;          // least order by quantity [-]
     SourcePlace place, limits_place, orders_place; // of the table and of two of its keys
 };
-
-/// Which columns of cells a run computes where all of them are the same.
-enum class ColumnsComputed { one, all };
 
 struct Scene {
     std::filesystem::path file;

@@ -6,6 +6,7 @@
 #include "solver/step/time_step_control.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace quicksand {
@@ -35,6 +36,9 @@ public:
     /// The run has come to its end or was stopped: wait for what is still under way, and throw its failure.
     virtual void finish() {}
 };
+
+/// Asked between two steps from which a run can go on with the same bits: true stops it there.
+using StopRule = std::function<bool()>;
 
 /// The earliest time that one of the observers waits for, `latest` when none waits for an earlier one [s].
 double next_event(const std::vector<Observer*>& observers, double latest);

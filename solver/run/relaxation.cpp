@@ -105,7 +105,7 @@ Problem settling_problem(const Problem& problem)
 }
 
 RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls, State& state,
-                       const std::function<void(std::int64_t, double)>& progress)
+                       const std::function<void(std::int64_t, double)>& progress, const StopRule& stop)
 {
     const Problem problem = settling_problem(shaken);
     if (state.stage != Stage::relaxation) {
@@ -122,11 +122,13 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
         if (state.step % steps_between_checks != 0) continue;
         check_particles(dt, state);
         report.out_of_balance = out_of_balance(problem, work);
-        if (progress) progress(state.step, report.out_of_balance);
-        if (report.out_of_balance <= controls.tolerance) break;
+        report.steps = state.step;
+        report.settled = report.out_of_balance <= controls.tolerance;
+        if (report.settled) break;
         if (state.step >= controls.max_steps) fail_to_settle(controls, report.out_of_balance, dt, state);
+        if (progress) progress(state.step, report.out_of_balance);
+        if (stop && stop()) return report;
     }
-    report.steps = state.step;
     report.max_displacement = monitor(problem, state, {}).max_displacement;
     report.at_failure = count_at_failure(shaken, state.particles);
     set_at_rest(state.particles);

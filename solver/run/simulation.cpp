@@ -34,8 +34,8 @@ bool marks_restart(const std::vector<Observer*>& observers, const State& state)
 
 } // namespace
 
-void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
-         const std::function<bool()>& stop_requested)
+bool run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
+         const StopRule& stop)
 {
     if (state.step == 0) hold_reactions(problem, state);
     const std::unique_ptr<Stepper> stepper = make_stepper(problem);
@@ -59,9 +59,10 @@ void run(const Problem& problem, double end_time, const std::vector<Observer*>& 
         if (arrives) observe_due(problem, observers, state, report);
         if (!report.is_restart_point) continue;
         stepper->restart();
-        if (stop_requested && stop_requested()) break;
+        if (stop && stop()) break;
     }
     for (Observer* observer : observers) observer->finish();
+    return state.time >= end_time;
 }
 
 } // namespace quicksand

@@ -19,6 +19,7 @@ struct RelaxationControls {
 
 /// Outcome of the relaxation stage.
 struct RelaxationReport {
+    bool settled = false;          // false: stopped
     std::int64_t steps = 0;        // [-]
     double out_of_balance = 0.0;   // out-of-balance force / body force at the end [-]
     double max_displacement = 0.0; // how far the soil moved while settling [m]
@@ -31,10 +32,11 @@ double out_of_balance(const Problem& problem, const State& state);
 
 /// Settle under gravity, damped and with the pore pressures held; then velocities are zero, displacements are
 /// counted from the settled shape and sigma'_v0 is frozen. A state of the stage relaxation goes on where it
-/// stopped. `progress(steps, out_of_balance)` is called now and then, between two steps; it may throw to
-/// stop.
+/// stopped. Now and then, between two steps and before the soil has settled, `progress(steps,
+/// out_of_balance)` is called and `stop` asked. Throws NumericalError.
 RelaxationReport relax(const Problem& problem, const RelaxationControls& controls, State& state,
-                       const std::function<void(std::int64_t, double)>& progress = {});
+                       const std::function<void(std::int64_t, double)>& progress = {},
+                       const StopRule& stop = {});
 
 /// The problem while it settles under gravity: laws with a memory of cycles are replaced by what they are in
 /// a static stage.
@@ -48,10 +50,10 @@ std::size_t begin_shaking(const Problem& problem, State& state);
 /// The same for a body whose laws have no memory.
 void begin_shaking(State& state);
 
-/// Run from state.time to end_time. Throws NumericalError. What serves several steps is set up anew at
-/// restart points: at the end, where observers look on that mark them, and every few dozen steps. There
-/// `stop_requested` is asked.
-void run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
-         const std::function<bool()>& stop_requested = {});
+/// Run from state.time to end_time; returns whether it is reached, false after a stop. What serves several
+/// steps is set up anew at restart points: at the end, where observers look on that mark them, and every few
+/// dozen steps. There `stop` is asked. Throws NumericalError.
+bool run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
+         const StopRule& stop = {});
 
 } // namespace quicksand

@@ -1,5 +1,6 @@
 // The same bits for any number of threads, and from a copy of the state taken in mid-run.
 #include "solver/base/threads.hpp"
+#include "tests/fixtures/same_bits.hpp"
 #include "tests/fixtures/sand_box.hpp"
 
 #include <gtest/gtest.h>
@@ -25,17 +26,6 @@ Problem shaken_block()
 State block(const Problem& problem)
 {
     return fill(problem, 3, [](const Vector2& x) { return x.x() > 0.1 && x.x() < 1.1 && x.y() < 0.6; });
-}
-
-/// All bits of the particles.
-void expect_same_bits(const Particles& a, const Particles& b)
-{
-    std::vector<const Scalars*> arrays;
-    for_each_array(a, [&](const char*, const Scalars& values) { arrays.push_back(&values); });
-    std::size_t k = 0;
-    for_each_array(b,
-                   [&](const char* name, const Scalars& values) { EXPECT_EQ(values, *arrays[k++]) << name; });
-    EXPECT_EQ(a.identifier, b.identifier);
 }
 
 TEST(Determinism, OneTwoAndFourThreadsGiveTheSameBits)

@@ -1,7 +1,6 @@
 // One column of cells for all of them: the same answer as the run of all columns, but for rounding.
 #include "solver/boundaries/boundary_pieces.hpp"
-#include "solver/measure/ledger.hpp"
-#include "solver/run/soil_column.hpp"
+#include "solver/run/staged_run.hpp"
 #include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/sand_box.hpp"
 
@@ -41,9 +40,27 @@ State make_state(const Problem& problem)
     State state = fill(problem, 3,
                        [](const Vector2& x) { return x.x() > 0.0 && x.x() < 4.0 * cell && x.y() < height; });
     set_level_ground_stress(problem, height, 0.5, state);
-    begin_shaking(problem, state);
     return state;
 }
+
+/// The runs of all columns and of the one that stands for them.
+struct Pair {
+    StagedRun all, one;
+
+    Pair(const Problem& body, const State& state, double end_time)
+        : all(body, state, {end_time, ColumnsComputed::all, true}),
+          one(body, state, {end_time, ColumnsComputed::one, true})
+    {
+    }
+    void shake()
+    {
+        for (StagedRun* each : {&all, &one}) {
+            each->begin_shaking();
+            EXPECT_TRUE(each->shake({}));
+        }
+        EXPECT_EQ(all.state().step, one.state().step);
+    }
+};
 
 /// The vector or tensor that a component belongs to: what is zero but for rounding is small beside the
 /// others.
@@ -87,18 +104,13 @@ void expect_same(const Particles& a, const Particles& b, double tolerance)
 TEST(SoilColumn, RunsAsAllColumnsDoExplicitly)
 {
     const Problem body = make_ground();
-    State all = make_state(body);
-    SoilColumn column = *find_soil_column(body, all).column;
-    EXPECT_EQ(column.columns, 4);
-    EXPECT_EQ(4 * column.state.particles.size(), all.particles.size());
-    open_ledger(body, all);
-    open_ledger(column.problem, column.state);
-    const double end_time = 2.0 / 180.0;
-    run(body, end_time, {}, all);
-    run(column.problem, end_time, {}, column.state);
-    EXPECT_EQ(all.step, column.state.step);
-    State wide;
-    widen(column, column.state, wide);
+    Pair runs(body, make_state(body), 2.0 / 180.0);
+    const State& all = runs.all.state();
+    ASSERT_NE(runs.one.column(), nullptr);
+    EXPECT_EQ(runs.one.column()->columns, 4);
+    EXPECT_EQ(4 * runs.one.state().particles.size(), all.particles.size());
+    runs.shake();
+    const State& wide = runs.one.state_of_body();
     expect_same(wide.particles, all.particles, 1e-10);
     EXPECT_GT(*std::max_element(all.particles.pore_pressure.begin(), all.particles.pore_pressure.end()), 5e3);
 
@@ -128,6 +140,7 @@ TEST(SoilColumn, RunsAsAllColumnsDoSemiImplicitly)
     Problem body = make_ground();
     body.scheme = TimeScheme::semi_implicit;
     State all = make_state(body);
+    begin_shaking(body, all);
     SoilColumn column = *find_soil_column(body, all).column;
     const double dt = 0.8 * stable_time_step(body, all.particles).dt;
     const int steps = static_cast<int>(2.0 / 180.0 / dt);
@@ -146,31 +159,29 @@ TEST(SoilColumn, RunsAsAllColumnsDoUnderALoadOnRock)
     body.boundaries[2].soil = FreeFace{SurfaceLoad{{2e3, -2e4}, 0.0, {}}};
     State all = make_state(body);
     ASSERT_TRUE(attach_boundaries(body, all.particles).empty());
-    SoilColumn column = *find_soil_column(body, all).column;
-    EXPECT_FALSE(column.problem.boundaries[2].pieces.empty());
-    run(body, 0.5 / 180.0, {}, all);
-    run(column.problem, 0.5 / 180.0, {}, column.state);
-    State wide;
-    widen(column, column.state, wide);
-    expect_same(wide.particles, all.particles, 1e-10);
+    Pair runs(body, all, 0.5 / 180.0);
+    ASSERT_NE(runs.one.column(), nullptr);
+    EXPECT_FALSE(runs.one.problem().boundaries[2].pieces.empty());
+    runs.shake();
+    expect_same(runs.one.state_of_body().particles, runs.all.state().particles, 1e-10);
 }
 
 TEST(SoilColumn, SettlesAsAllColumnsDo)
 {
     Problem body = make_ground();
     body.materials[0].law = LinearElastic{20e6, 0.3};
-    State all = make_state(body);
-    all.stage = Stage::relaxation;
-    for (Scalars* stress : {&all.particles.stress.xx, &all.particles.stress.yy, &all.particles.stress.zz})
+    State drawn = make_state(body);
+    for (Scalars* stress :
+         {&drawn.particles.stress.xx, &drawn.particles.stress.yy, &drawn.particles.stress.zz})
         std::fill(stress->begin(), stress->end(), 0.0);
-    SoilColumn column = *find_soil_column(body, all).column;
+    Pair runs(body, drawn, 0.0);
+    ASSERT_NE(runs.one.column(), nullptr);
     RelaxationControls controls;
     controls.tolerance = 1e-2; // nearer to rest the damping, by the sign of velocities, lets rounding grow
-    EXPECT_EQ(relax(body, controls, all).steps, relax(column.problem, controls, column.state).steps);
-    State wide;
-    widen(column, column.state, wide);
-    expect_same(wide.particles, all.particles, 1e-10);
-    EXPECT_LT(*std::min_element(all.particles.stress.yy.begin(), all.particles.stress.yy.end()), -1e5);
+    EXPECT_EQ(runs.all.settle(controls).steps, runs.one.settle(controls).steps);
+    const Particles& all = runs.all.state().particles;
+    expect_same(runs.one.state_of_body().particles, all, 1e-10);
+    EXPECT_LT(*std::min_element(all.stress.yy.begin(), all.stress.yy.end()), -1e5);
 }
 
 } // namespace

@@ -17,27 +17,6 @@ using namespace fixtures;
 
 namespace {
 
-/// Level ground of 5 x 3 cells of 1 m between tied sides, in a grid with room on both sides.
-Problem make_ground()
-{
-    Problem problem;
-    problem.grid = {{-2.0, 0.0}, 1.0, 9, 5};
-    problem.materials = {stiff_sand(), stiff_sand()};
-    problem.region_names = {"sand", "silt"};
-    problem.water = water_to(3.0);
-    problem.boundaries = rectangle(0.0, 0.0, 5.0, 3.0, FixedWall{}, TiedSide{}, FreeFace{});
-    problem.tied_sides = TiedSides{"left", "right", 0.0, 5.0};
-    return problem;
-}
-
-State make_state(const Problem& problem)
-{
-    State state =
-        fill(problem, 2, [](const Vector2& x) { return x.x() > 0.0 && x.x() < 5.0 && x.y() < 3.0; });
-    set_level_ground_stress(problem, 3.0, 0.5, state);
-    return state;
-}
-
 std::string obstacle(const Problem& problem, const State& state)
 {
     const ColumnSearch search = find_soil_column(problem, state);
@@ -51,8 +30,8 @@ constexpr const char* soil_differs = "the soil does not repeat from cell to cell
 
 TEST(SoilColumn, IsOneCellWideWithTheCurvesOfTheBody)
 {
-    const Problem body = make_ground();
-    const ColumnSearch search = find_soil_column(body, make_state(body));
+    const Problem body = tied_ground();
+    const ColumnSearch search = find_soil_column(body, level_state(body));
     ASSERT_TRUE(search.column.has_value());
     EXPECT_EQ(search.obstacle, "");
     const SoilColumn& column = *search.column;
@@ -73,8 +52,8 @@ TEST(SoilColumn, IsOneCellWideWithTheCurvesOfTheBody)
 
 TEST(SoilColumn, WidensToTheBodyItWasFoundIn)
 {
-    const Problem body = make_ground();
-    State state = make_state(body);
+    const Problem body = tied_ground();
+    State state = level_state(body);
     open_ledger(body, state);
     SoilColumn column = *find_soil_column(body, state).column;
     column.state.ledger.reset();
@@ -96,14 +75,14 @@ TEST(SoilColumn, WidensToTheBodyItWasFoundIn)
 
 TEST(SoilColumn, KeepsBodiesWhoseColumnsDiffer)
 {
-    const Problem body = make_ground();
-    State state = make_state(body);
+    const Problem body = tied_ground();
+    State state = level_state(body);
     state.particles.stress.xy[17] += 1.0;
     EXPECT_EQ(obstacle(body, state), soil_differs);
-    state = make_state(body);
+    state = level_state(body);
     state.particles.material[17] = 1;
     EXPECT_EQ(obstacle(body, state), soil_differs);
-    state = make_state(body);
+    state = level_state(body);
     state.particles.position.x[17] += 0.01;
     EXPECT_EQ(obstacle(body, state), soil_differs);
     State hollow = fill(body, 2, [](const Vector2& x) {
@@ -114,8 +93,8 @@ TEST(SoilColumn, KeepsBodiesWhoseColumnsDiffer)
 
 TEST(SoilColumn, KeepsBodiesOnWhichUnevenThingsAct)
 {
-    const Problem body = make_ground();
-    const State state = make_state(body);
+    const Problem body = tied_ground();
+    const State state = level_state(body);
     Problem other = body;
     other.body_acceleration = [](const Vector2&, double) { return Vector2(0.0, 0.0); };
     EXPECT_EQ(obstacle(other, state), "the body force varies from place to place");
@@ -142,8 +121,8 @@ TEST(SoilColumn, KeepsBodiesOnWhichUnevenThingsAct)
 
 TEST(SoilColumn, LetsSoilInByTheOtherSide)
 {
-    const Problem body = make_ground();
-    SoilColumn column = *find_soil_column(body, make_state(body)).column;
+    const Problem body = tied_ground();
+    SoilColumn column = *find_soil_column(body, level_state(body)).column;
     Particles& particles = column.state.particles;
     const Particles drawn = particles;
     for (const double drift : {2.625, -3.5}) {
@@ -157,7 +136,7 @@ TEST(SoilColumn, LetsSoilInByTheOtherSide)
             EXPECT_LT(particles.position.x[p], 1.0);
             EXPECT_EQ(particles.position.x[p] - particles.reference_position.x[p], drift);
         }
-        const State body_state = make_state(body);
+        const State body_state = level_state(body);
         for (std::size_t p = 0; p < wide.particles.size(); ++p) {
             EXPECT_NEAR(wide.particles.position.x[p], body_state.particles.position.x[p] + drift, 1e-12);
             EXPECT_NEAR(wide.particles.reference_position.x[p], body_state.particles.position.x[p], 1e-12);
@@ -191,8 +170,8 @@ public:
 
 TEST(SoilColumn, ObserversAreShownTheWholeBody)
 {
-    const Problem body = make_ground();
-    SoilColumn column = *find_soil_column(body, make_state(body)).column;
+    const Problem body = tied_ground();
+    SoilColumn column = *find_soil_column(body, level_state(body)).column;
     Witness due, later;
     later.next = 1.0;
     ColumnObserver observer(column, body, {&later, &due});

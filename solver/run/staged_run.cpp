@@ -1,0 +1,63 @@
+#include "solver/run/staged_run.hpp"
+
+#include "solver/base/failure.hpp"
+#include "solver/measure/ledger.hpp"
+
+#include <utility>
+
+namespace quicksand {
+
+StagedRun::StagedRun(const Problem& body, State initial, const RunControls& controls,
+                     std::optional<State> kept)
+    : body_(&body), controls_(controls)
+{
+    if (controls.columns == ColumnsComputed::one) search_ = find_soil_column(body, initial);
+    const bool is_of_all_columns =
+        kept && search_.column && kept->particles.size() != search_.column->state.particles.size();
+    if (is_of_all_columns) search_.column.reset();
+    if (!search_.column) state_ = std::move(initial);
+    if (!kept) return;
+    is_shaking_ = kept->stage == Stage::shaking;
+    computed() = std::move(*kept);
+}
+
+const State& StagedRun::state_of_body()
+{
+    if (!column()) return state_;
+    widen(*column(), state(), wide_);
+    return wide_;
+}
+
+RelaxationReport StagedRun::settle(const RelaxationControls& relaxation,
+                                   const std::function<void(std::int64_t, double)>& progress,
+                                   const StopRule& stop)
+{
+    ENSURE(!is_shaking_);
+    const RelaxationReport report = relax(problem(), relaxation, computed(), progress, stop);
+    if (report.settled) enter_shaking();
+    return report;
+}
+
+std::size_t StagedRun::begin_shaking()
+{
+    ENSURE(!is_shaking_);
+    const std::size_t limited = quicksand::begin_shaking(problem(), computed());
+    enter_shaking();
+    return limited;
+}
+
+void StagedRun::enter_shaking()
+{
+    is_shaking_ = true;
+    if (controls_.keeps_balances) open_ledger(problem(), computed());
+}
+
+bool StagedRun::shake(const std::vector<Observer*>& observers, const StopRule& stop)
+{
+    ENSURE(is_shaking_);
+    if (!column()) return run(*body_, controls_.end_time, observers, state_, stop);
+    ColumnObserver of_body(*column(), *body_, observers);
+    return run(problem(), controls_.end_time, {&of_body}, computed(), stop);
+}
+
+} // namespace quicksand
