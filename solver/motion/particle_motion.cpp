@@ -5,7 +5,6 @@
 #include "solver/problem/material_runs.hpp"
 #include "solver/soil/rotation.hpp"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace quicksand {
@@ -35,63 +34,47 @@ void advance_chunk(double dt, const Vectors& grid_velocity, std::size_t first, s
     }
 }
 
-/// The rotation of a particle in the step.
-inline Rotation turn_of(double dt, const Gradients& L, std::size_t p)
-{
-    return rotation_of(0.5 * dt * (L.yx[p] - L.xy[p]));
-}
+/// The rotations of a chunk's particles in a step.
+struct Rotations {
+    double cosine[chunk], sine[chunk];
+};
 
+/// Turn the stress, and keep the rotations for what laws remember.
 VECTOR_KERNEL
-void turn_stress(double dt, std::size_t first, std::size_t last, Particles& particles)
+void turn_stress(double dt, std::size_t first, std::size_t last, Particles& particles, Rotations& turns)
 {
+    const Gradients& L = particles.velocity_gradient_solid;
     SymmetricTensors& stress = particles.stress;
 #pragma GCC ivdep
     for (std::size_t p = first; p < last; ++p) {
-        const Rotation turn = turn_of(dt, particles.velocity_gradient_solid, p);
-        const double mean = 0.5 * (stress.xx[p] + stress.yy[p]),
-                     deviator = 0.5 * (stress.xx[p] - stress.yy[p]);
-        const double shear = stress.xy[p];
-        const double turned = turn.cosine * deviator - turn.sine * shear;
-        stress.xx[p] = mean + turned;
-        stress.yy[p] = mean - turned;
-        stress.xy[p] = turn.sine * deviator + turn.cosine * shear;
-    }
-}
-
-constexpr std::size_t block = 64; // particles whose rotations are kept at hand
-
-struct Rotations {
-    double cosine[block], sine[block];
-};
-
-VECTOR_KERNEL
-void find_rotations(double dt, const Gradients& L, std::size_t first, std::size_t count, Rotations& turns)
-{
-    for (std::size_t k = 0; k < count; ++k) {
-        const Rotation turn = turn_of(dt, L, first + k);
-        turns.cosine[k] = turn.cosine;
-        turns.sine[k] = turn.sine;
+        const Rotation turn = rotation_of(0.5 * dt * (L.yx[p] - L.xy[p]));
+        turns.cosine[p - first] = turn.cosine;
+        turns.sine[p - first] = turn.sine;
+        const double mean = 0.5 * (stress.xx[p] + stress.yy[p]);
+        double deviator = 0.5 * (stress.xx[p] - stress.yy[p]), shear = stress.xy[p];
+        turn_vector(turn, deviator, shear);
+        stress.xx[p] = mean + deviator;
+        stress.yy[p] = mean - deviator;
+        stress.xy[p] = shear;
     }
 }
 
 VECTOR_KERNEL
-void turn_vectors(const Rotations& turns, std::size_t count, double* x, double* y)
+void turn_vectors(const double* cosine, const double* sine, std::size_t count, double* x, double* y)
 {
 #pragma GCC ivdep
-    for (std::size_t k = 0; k < count; ++k) turn_vector({turns.cosine[k], turns.sine[k]}, x[k], y[k]);
+    for (std::size_t k = 0; k < count; ++k) turn_vector({cosine[k], sine[k]}, x[k], y[k]);
 }
 
-/// The vectors that laws remember turn with the stress.
-void turn_memory(double dt, LawMemory memory, std::size_t first, std::size_t last, Particles& particles)
+/// The vectors that laws remember turn with the stress; `turns` are those of the chunk from `chunk_first` on.
+void turn_memory(const Rotations& turns, std::size_t chunk_first, LawMemory memory, std::size_t first,
+                 std::size_t last, Particles& particles)
 {
-    Rotations turns;
-    for (; first < last && !memory.empty(); first += block) {
-        const std::size_t count = std::min(block, last - first);
-        find_rotations(dt, particles.velocity_gradient_solid, first, count, turns);
-        for (std::size_t k = 0; k < memory.size(); ++k)
-            if (memory[k].component == Component::x)
-                turn_vectors(turns, count, &particles.memory[k][first], &particles.memory[k + 1][first]);
-    }
+    const double *cosine = &turns.cosine[first - chunk_first], *sine = &turns.sine[first - chunk_first];
+    for (std::size_t k = 0; k < memory.size(); ++k)
+        if (memory[k].component == Component::x)
+            turn_vectors(cosine, sine, last - first, &particles.memory[k][first],
+                         &particles.memory[k + 1][first]);
 }
 
 } // namespace
@@ -130,12 +113,13 @@ void update_porosity(const Problem& problem, Particles& particles)
 void update_effective_stress(const Problem& problem, double dt, Particles& particles)
 {
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
-        if (problem.strain == StrainForm::large) turn_stress(dt, first, last, particles);
+        Rotations turns;
+        if (problem.strain == StrainForm::large) turn_stress(dt, first, last, particles, turns);
         for_each_material_run(
             problem, particles, first, last,
             [&](const Material& material, std::size_t run_first, std::size_t run_last) {
                 if (problem.strain == StrainForm::large)
-                    turn_memory(dt, memory_of(material.law), run_first, run_last, particles);
+                    turn_memory(turns, first, memory_of(material.law), run_first, run_last, particles);
                 std::visit([&](const auto& law) { update_stress(law, dt, run_first, run_last, particles); },
                            material.law);
             });
