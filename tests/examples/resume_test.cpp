@@ -7,6 +7,7 @@
 
 #include <csignal>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace quicksand {
@@ -200,12 +201,16 @@ TEST(Hangup, StopsARunWithACheckpoint)
 
 TEST(Benchmark, StopsWithItsRun)
 {
-    const WorkFolder folder;
-    const Outcome outcome = run_until("bench grid " + example("column") + " -o " + folder.string(),
-                                      "[ -f " + folder.string() + "/column/*/steps.csv ]");
-    EXPECT_EQ(outcome.code, 0) << outcome.output;
-    EXPECT_NE(outcome.output.find("Stopped on request. The runs before are in"), std::string::npos)
-        << outcome.output;
+    for (const auto& [name, message] :
+         {std::pair("grid", "Stopped on request. The runs before are in "),
+          std::pair("error", "Stopped on request. What was measured before is in ")}) {
+        const WorkFolder folder;
+        const Outcome outcome =
+            run_until("bench " + std::string(name) + ' ' + example("column") + " -o " + folder.string(),
+                      "[ -f " + folder.string() + "/column/*/steps.csv ]");
+        EXPECT_EQ(outcome.code, 0) << outcome.output;
+        EXPECT_NE(outcome.output.find(message), std::string::npos) << outcome.output;
+    }
 }
 
 TEST(Settling, GoesOnWhereItWasStopped)
