@@ -6,7 +6,8 @@ PLACE = re.compile(r"\{([a-z]\w*\.\w+)(?:\[(\d)\])?(?::([^}]+))?\}")
 
 
 def documents(root):
-    return [root / "README.md", root / "examples/TUTORIAL.md", *sorted((root / "examples").glob("*/README.md"))]
+    return [root / "README.md", root / "examples/TUTORIAL.md", root / "examples/GUIDE.md",
+            *sorted((root / "examples").glob("*/README.md"))]
 
 
 def shown(value, form):
