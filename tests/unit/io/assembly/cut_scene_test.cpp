@@ -5,6 +5,7 @@
 #include "io/results/result_reader.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
 #include "solver/boundaries/surface_loads.hpp"
+#include "solver/measure/nodal_fields.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/particles/cell_lists.hpp"
 #include "tests/fixtures/cut_scene.hpp"

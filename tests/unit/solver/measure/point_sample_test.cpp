@@ -1,4 +1,3 @@
-#include "io/assembly/probe_places.hpp"
 #include "solver/measure/point_sample.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
 
@@ -8,50 +7,6 @@
 #include <cmath>
 
 namespace quicksand {
-
-TEST(PointSample, NearestParticleGoesByTheStartAndTheLowestNumber)
-{
-    const Problem problem = fixtures::small_problem(true);
-    State state = fixtures::small_state(problem);
-    // (0.5, 0.5) is equally near to four particles; they have moved since, and the arrays are in another
-    // order.
-    const std::int32_t expected = state.particles.identifier[nearest_particle(state.particles, {0.5, 0.5})];
-    for (double& x : state.particles.position.x) x += 0.3;
-    std::vector<std::int32_t> order;
-    for (std::size_t p = state.particles.size(); p-- > 0;) order.push_back(static_cast<std::int32_t>(p));
-    reorder(state.particles, order);
-    EXPECT_EQ(state.particles.identifier[nearest_particle(state.particles, {0.5, 0.5})], expected);
-}
-
-TEST(PointSample, SurfaceIsTheHighestDomainOverTheLine)
-{
-    const Problem problem = fixtures::small_problem(true);
-    State state = fixtures::small_state(problem);
-    Particles& particles = state.particles;
-    const std::size_t p = nearest_particle(particles, {1.1, 1.4});
-    EXPECT_EQ(surface_point(problem, particles, 1.1).particle, p);
-    EXPECT_NEAR(surface_point(problem, particles, 1.1).height, 1.5, 1e-12);
-    // a top that slopes up to the right by 0.1 over the half edge
-    particles.half_edge_1.y[p] = 0.1;
-    const double x = particles.position.x[p] + 0.5 * particles.half_edge_1.x[p];
-    EXPECT_NEAR(surface_point(problem, particles, x).height, 1.55, 1e-12);
-    EXPECT_FALSE(surface_point(problem, particles, 7.0).found);
-}
-
-TEST(PointSample, ASurfaceIsFoundWhereDomainsMeetButForRounding)
-{
-    const Problem problem = fixtures::small_problem(true);
-    State state = fixtures::small_state(problem);
-    Particles& particles = state.particles;
-    double edge = 0.0; // of the body, on its right
-    for (std::size_t p = 0; p < particles.size(); ++p)
-        edge = std::max(edge, particles.position.x[p] + std::abs(particles.half_edge_1.x[p]) +
-                                  std::abs(particles.half_edge_2.x[p]));
-    const SurfacePoint beside = surface_point(problem, particles, std::nextafter(edge, 2.0 * edge));
-    EXPECT_TRUE(beside.found);
-    EXPECT_NEAR(beside.height, surface_point(problem, particles, 0.999 * edge).height, 1e-9);
-    EXPECT_FALSE(surface_point(problem, particles, 1.001 * edge).found);
-}
 
 TEST(PointSample, FixedPointInterpolatesLinearFieldsExactly)
 {
