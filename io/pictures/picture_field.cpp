@@ -29,6 +29,12 @@ std::string unit_of(const ParticleFrame& frame, const std::string& name)
     return found == frame.units.end() || found->second == "-" ? "" : found->second;
 }
 
+bool may_be_negative(const std::string& name)
+{
+    const QuantityComponent known = find_component(name);
+    return known.quantity == nullptr || known.quantity->range == QuantityRange::any;
+}
+
 /// The smaller side of zero has at least a twentieth of the larger one.
 bool takes_both_signs(const std::vector<double>& values)
 {
@@ -57,8 +63,9 @@ std::optional<DrawnField> drawn_field(const ParticleFrame& frame, const std::str
     const auto scalar = frame.scalars.find(name);
     const auto x = frame.scalars.find(name + "_x"), y = frame.scalars.find(name + "_y");
     if (scalar != frame.scalars.end()) {
-        const ColourMap colours =
-            takes_both_signs(scalar->second) ? ColourMap::diverging : ColourMap::sequential;
+        const ColourMap colours = may_be_negative(name) && takes_both_signs(scalar->second)
+                                      ? ColourMap::diverging
+                                      : ColourMap::sequential;
         return DrawnField{label_of(name), unit_of(frame, name), colours, scalar->second};
     }
     if (x == frame.scalars.end() || y == frame.scalars.end()) return std::nullopt;

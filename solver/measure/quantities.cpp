@@ -72,7 +72,7 @@ constexpr std::array table = {
     Quantity{.name = "deviatoric_stress", .symbol = "q", .unit = "Pa", .label = "Deviatoric stress",
         .meaning = "sqrt(3 J_2)", .places = on_particles,
         .value = [](const Problem&, const Particles& particles, std::size_t p) {
-            return QuantityValues{deviatoric_stress(particles.stress, p)}; }},
+            return QuantityValues{deviatoric_stress(particles.stress, p)}; }, .range = QuantityRange::not_negative},
     Quantity{.name = "shear_stress_xy", .symbol = "tau_xy", .unit = "Pa", .label = "Shear stress",
         .meaning = "sigma'_xy of the tensor that is positive in tension", .places = on_nodes | at_probes,
         .value = [](const Problem&, const Particles& particles, std::size_t p) { return QuantityValues{particles.stress.xy[p]}; }},
@@ -89,7 +89,7 @@ constexpr std::array table = {
         .places = on_particles,
         .value = [](const Problem&, const Particles& particles, std::size_t p) {
             return QuantityValues{greatest_shear_strain(deformation_gradient(particles, p))}; },
-        .drawn = "%"},
+        .range = QuantityRange::not_negative, .drawn = "%"},
     Quantity{.name = "volumetric_strain", .symbol = "eps_v", .unit = "-", .label = "Volumetric strain",
         .meaning = "det F - 1, expansion positive", .places = on_particles,
         .value = [](const Problem&, const Particles& particles, std::size_t p) {
@@ -97,7 +97,8 @@ constexpr std::array table = {
         .drawn = "%"},
     Quantity{.name = "porosity", .symbol = "n", .unit = "-", .label = "Porosity",
         .meaning = "volume of the pores over that of the soil", .of = QuantityOf::wet_soil, .places = on_particles | on_nodes,
-        .value = [](const Problem&, const Particles& particles, std::size_t p) { return QuantityValues{particles.porosity[p]}; }},
+        .value = [](const Problem&, const Particles& particles, std::size_t p) { return QuantityValues{particles.porosity[p]}; },
+        .range = QuantityRange::not_negative},
 };
 // clang-format on
 

@@ -27,6 +27,12 @@ enum class QuantityOf : std::uint8_t {
     moving_water, // whose water has a velocity of its own
 };
 
+/// The numbers that a quantity takes: its colours in pictures.
+enum class QuantityRange : std::uint8_t {
+    any,          // colours diverge from zero where it takes both signs
+    not_negative, // dark to light
+};
+
 /// Where a quantity is written; combined by or.
 enum QuantityPlace : std::uint8_t {
     on_particles = 1, // fields.pvd
@@ -59,6 +65,7 @@ struct Quantity {
     ParticleValue averaged = nullptr; // what nodes average where it is not the value
     FoundBy found_by = FoundBy::average;
     int length_power = 0; // where lengths and times are drawn s times as large, it is by s to this power [-]
+    QuantityRange range = QuantityRange::any;
     std::string_view drawn = {}; // unit in pictures where it is not the SI unit
 };
 

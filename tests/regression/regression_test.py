@@ -61,7 +61,7 @@ class Regression(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
         for name, text in {"numbers.toml": TABLE, "README.md": README, "tables/dike.md": TEMPLATE,
-                           "examples/TUTORIAL.md": "", "history.csv": HISTORY,
+                           "examples/TUTORIAL.md": "", "examples/GUIDE.md": "", "history.csv": HISTORY,
                            "run_manifest.json": '{"steps": 12400}', "errors.csv": "cells,error\n10,4\n20,1\n"}.items():
             file = self.root / name
             file.parent.mkdir(exist_ok=True)

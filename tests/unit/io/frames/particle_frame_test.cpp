@@ -35,11 +35,10 @@ TEST(ParticleFrame, HasTheFieldsOfASaturatedScene)
     const Problem problem = fixtures::small_problem(true);
     const Frame frame = particle_frame(problem, fixtures::small_state(problem));
     EXPECT_EQ(names_of(frame.cell_data),
-              (std::vector<std::string>{"displacement", "velocity_solid", "mean_effective_stress",
-                                        "vertical_effective_stress", "deviatoric_stress", "stress",
-                                        "shear_strain", "volumetric_strain", "velocity_fluid",
-                                        "pore_pressure", "excess_pore_pressure", "ru", "porosity", "material",
-                                        "region", "particle_id"}));
+              (std::vector<std::string>{
+                  "displacement", "velocity_solid", "velocity_fluid", "pore_pressure", "excess_pore_pressure",
+                  "ru", "mean_effective_stress", "vertical_effective_stress", "deviatoric_stress", "stress",
+                  "shear_strain", "volumetric_strain", "porosity", "material", "region", "particle_id"}));
     EXPECT_EQ(find(frame, "stress").components, (std::vector<std::string>{"XX", "YY", "ZZ", "XY"}));
     EXPECT_EQ(find(frame, "velocity_fluid").unit, "m/s");
     EXPECT_EQ(frame.texts[0].lines, std::vector<std::string>{"sand"});
@@ -66,6 +65,23 @@ TEST(ParticleFrame, LeavesOutTheWaterOfADryScene)
     const auto names = names_of(particle_frame(problem, fixtures::small_state(problem)).cell_data);
     for (const char* name : {"velocity_fluid", "pore_pressure", "excess_pore_pressure", "ru", "porosity"})
         EXPECT_EQ(std::count(names.begin(), names.end(), name), 0) << name;
+}
+
+TEST(ParticleFrame, ShowsWhatSoilLawsRemember)
+{
+    Problem problem = fixtures::small_problem(true);
+    problem.materials.push_back(problem.materials[0]);
+    problem.materials[1].law = UbcSand();
+    State state = fixtures::small_state(problem);
+    state.particles.material[2] = 1;
+    const LawMemory memory = memory_of(problem.materials[1].law);
+    add_memory(state.particles, memory.size());
+    state.particles.memory[column_of(memory, "half_cycles")][2] = 7.0;
+    const Frame frame = particle_frame(problem, state);
+    EXPECT_EQ(single(frame, "half_cycles", 2), 7.0F);
+    EXPECT_TRUE(std::isnan(single(frame, "half_cycles", 3))); // of a law that counts none
+    const auto names = names_of(frame.cell_data);
+    EXPECT_EQ(std::count(names.begin(), names.end(), "waiting"), 0);
 }
 
 TEST(ParticleFrame, CarriesTheStateInItsSigns)

@@ -54,7 +54,7 @@ TEST(ProbePlot, LabelsCarryUnitsWithPrefix)
     const std::string script = plot_drawing(*plot, "out.png").commands;
     EXPECT_TRUE(contains(script, "'Excess pore pressure [kPa]'"));
     EXPECT_TRUE(contains(script, "'Displacement [mm]'"));
-    EXPECT_TRUE(contains(script, "'Velocity [mm/s]'"));
+    EXPECT_TRUE(contains(script, "'Velocity of the grains [mm/s]'"));
     EXPECT_TRUE(contains(script, "'Acceleration [mm/s²]'"));
     EXPECT_TRUE(contains(script, "'Time [s]'"));
     EXPECT_TRUE(contains(script, "'Probe P_1'"));
