@@ -3,6 +3,7 @@
 #include "app/run/number_format.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/progress_line.hpp"
+#include "app/run/run_verdict.hpp"
 #include "app/run/stop_signal.hpp"
 #include "io/files/file_error.hpp"
 #include "io/frames/vtk_series.hpp"
@@ -37,6 +38,7 @@ public:
         manifest_.simulated_time = time;
         manifest_.steps = steps;
     }
+    void judge(const std::vector<Finding>& findings) { manifest_.findings = findings; }
     void end(RunStatus status, const std::string& reason)
     {
         manifest_.status = status;
@@ -202,6 +204,22 @@ SessionEnd end_at_stop(Session& session)
     return SessionEnd::stopped;
 }
 
+/// The run has reached its end; whether it is a good one its own balances say.
+SessionEnd end_with_verdict(Session& session)
+{
+    const std::vector<Finding> findings = judge_history(session.folder);
+    session.manifest.judge(findings);
+    if (worst_grade(findings) == Grade::bad) {
+        const std::string reason = explain_bad_verdict(findings);
+        session.manifest.end(RunStatus::failed, reason);
+        session.journal.complain(reason);
+        return SessionEnd::failed;
+    }
+    session.journal.say(describe_verdict(findings));
+    session.manifest.end(RunStatus::finished, "reached the end time");
+    return SessionEnd::finished;
+}
+
 SessionEnd run_stages(Session& session)
 {
     const StopSignal signal;
@@ -212,8 +230,7 @@ SessionEnd run_stages(Session& session)
     if (begins && !relaxation) begin_unsettled(session);
     if (session.run.is_shaking()) shake(session, begins);
     if (!session.run.is_finished()) return end_at_stop(session);
-    session.manifest.end(RunStatus::finished, "reached the end time");
-    return SessionEnd::finished;
+    return end_with_verdict(session);
 }
 
 /// Whether a run to the end time would find nothing to do. A run that was killed over its last rows or its

@@ -88,6 +88,14 @@ Json hashes_of(const RunManifest& manifest)
     return hashes;
 }
 
+Json errors_of(const RunManifest& manifest)
+{
+    Json errors = Json::object();
+    for (const Finding& finding : manifest.findings)
+        errors[std::string(finding.criterion->quantity)] = finding.worst;
+    return errors;
+}
+
 // One row, one field: the formatter would make it three lines.
 // clang-format off
 const std::array fields = {
@@ -109,6 +117,8 @@ const std::array fields = {
     Field{"steps", "taken by this process", [](const RunManifest& m) { return Json(m.steps); }},
     Field{"particles", "computed", [](const RunManifest& m) { return Json(m.particles); }},
     Field{"particle_steps_per_s", "particles times steps over the wall time", [](const RunManifest& m) { return Json(particle_steps_per_second(m)); }},
+    Field{"verdict", "good, usable or bad, by the largest errors; empty before the end", [](const RunManifest& m) { return Json(m.findings.empty() ? "" : name_of(worst_grade(m.findings))); }},
+    Field{"largest_errors", "of the balances and checkerboards over the run", errors_of},
     Field{"compiler", "that built the program", [](const RunManifest&) { return Json(compiler_name()); }},
     Field{"build_type", "of the program", [](const RunManifest&) { return Json(QUICKSAND_BUILD_TYPE); }},
     Field{"processor", "of the machine", [](const RunManifest&) { return Json(processor_name()); }},

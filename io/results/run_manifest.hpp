@@ -4,6 +4,7 @@
 #include "io/results/documented_name.hpp"
 #include "io/scene/scene_file.hpp"
 #include "io/tables/scene.hpp"
+#include "solver/measure/verdict.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -62,6 +63,7 @@ struct RunManifest {
     double simulated_time = 0.0;      // t reached [s]
     std::int64_t steps = 0;           // taken by this process [-]
     std::size_t particles = 0;
+    std::vector<Finding> findings;    // of the verdict; none before the end
     std::vector<std::string> outputs; // relative to the results folder
 };
 

@@ -75,6 +75,34 @@ TEST_F(Results, HaveHistoriesOfTheirFieldsInTheirSoil)
     EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
 }
 
+/// Changes a row of the history that the run has written, as steps that lose water would.
+TEST(Run, EndsBadlyWhereItsBalancesDoNotClose)
+{
+    const WorkFolder folder;
+    const std::string results = (folder / "out").string();
+    const std::string command =
+        "run " + example("column") + " --set output.history_interval=1e-6 -o " + results;
+    const Outcome good = run_program(command + " --until 4e-6");
+    ASSERT_EQ(good.code, 0) << good.output;
+    EXPECT_NE(good.output.find("Verdict: good; largest energy error "), std::string::npos) << good.output;
+    EXPECT_NE(read_file(results + "/run_manifest.json").find("\"verdict\": \"good\""), std::string::npos);
+
+    std::string history = read_file(results + "/history.csv");
+    const std::size_t last_comma = history.rfind(',');
+    history.replace(last_comma + 1, history.size() - last_comma - 2, "0.76"); // water_error
+    std::ofstream(results + "/history.csv") << history;
+    const Outcome bad = run_program(command + " --until 6e-6 --resume");
+    EXPECT_EQ(bad.code, 3) << bad.output;
+    EXPECT_NE(bad.output.find("the balances of the run do not close, so its results are not to be used:\n"
+                              "  water error 0.76 at t = 4e-6 s: water is lost or made by the steps\n"
+                              "likely causes: "),
+              std::string::npos)
+        << bad.output;
+    const std::string manifest = read_file(results + "/run_manifest.json");
+    EXPECT_NE(manifest.find("\"verdict\": \"bad\""), std::string::npos) << manifest;
+    EXPECT_NE(manifest.find("\"status\": \"failed\""), std::string::npos) << manifest;
+}
+
 } // namespace
 
 } // namespace quicksand

@@ -1,0 +1,95 @@
+#include "app/run/run_verdict.hpp"
+
+#include "app/run/number_format.hpp"
+#include "io/pictures/picture_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+/// "energy error" of energy_error.
+std::string in_words(std::string_view name)
+{
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    return words;
+}
+
+std::string amount(const Finding& finding)
+{
+    return fmt::format("{} {}", in_words(finding.criterion->quantity),
+                       std::isnan(finding.worst) ? "no number" : short_number(finding.worst, 2));
+}
+
+std::string what_is_wrong(const Finding& finding)
+{
+    return fmt::format("{} at t = {} s: {}", amount(finding), short_number(finding.time),
+                       finding.criterion->meaning);
+}
+
+/// Energy that the run has turned over by each row: the sizes of all terms of the balance [J].
+std::vector<double> turnover(const PictureTable& table)
+{
+    std::vector<double> sum;
+    for (const char* name :
+         {"kinetic_energy_J", "skeleton_work_J", "gravity_work_J", "base_work_J", "boundary_work_J",
+          "numerical_loss_J", "drag_dissipation_J", "storage_energy_water_J"}) {
+        const std::vector<double>* values = table.find(name);
+        if (values == nullptr) continue;
+        sum.resize(values->size(), 0.0);
+        for (std::size_t row = 0; row < values->size(); ++row) sum[row] += std::abs((*values)[row]);
+    }
+    return sum;
+}
+
+std::vector<Finding> judge_rows(const PictureTable& table, const std::vector<double>& times)
+{
+    std::vector<Finding> findings;
+    for (const Criterion& criterion : verdict_criteria()) {
+        const std::vector<double>* values = table.find(criterion.quantity);
+        if (values == nullptr) continue;
+        const bool of_energy = criterion.quantity == "energy_error";
+        findings.push_back(
+            judge(criterion, times, *values, of_energy ? turnover(table) : std::vector<double>()));
+    }
+    return findings;
+}
+
+} // namespace
+
+std::vector<Finding> judge_history(const ResultsFolder& folder)
+{
+    const PictureTable table = read_picture_table(folder.history());
+    const std::vector<double>* times = table.find("time_s");
+    return times == nullptr ? std::vector<Finding>() : judge_rows(table, *times);
+}
+
+std::string describe_verdict(const std::vector<Finding>& findings)
+{
+    const Grade grade = worst_grade(findings);
+    std::string text = fmt::format("Verdict: {}", name_of(grade));
+    if (grade == Grade::good) {
+        for (const Finding& finding : findings)
+            text += fmt::format("{} {}", &finding == &findings.front() ? "; largest" : ",", amount(finding));
+        return text;
+    }
+    for (const Finding& finding : findings)
+        if (finding.grade != Grade::good) text += "\n  " + what_is_wrong(finding);
+    return text;
+}
+
+std::string explain_bad_verdict(const std::vector<Finding>& findings)
+{
+    std::string text = "the balances of the run do not close, so its results are not to be used:";
+    for (const Finding& finding : findings)
+        if (finding.grade == Grade::bad) text += "\n  " + what_is_wrong(finding);
+    return text + "\nlikely causes: a time step that is too long for the soil (try half of it, "
+                  "analysis.step_share), domains that are torn";
+}
+
+} // namespace quicksand
