@@ -154,8 +154,8 @@ std::string describe_heads(const std::pair<double, double>& heads)
 /// What the curve leaves unbalanced of pressures that it should bear.
 std::string describe_patch_test(const PatchTest& test)
 {
-    const auto percent = [](double share) {
-        return share < 1e-8 ? std::string("0") : short_number(100.0 * share, 2);
+    const auto percent = [](double fraction) {
+        return fraction < 1e-8 ? std::string("0") : short_number(100.0 * fraction, 2);
     };
     return fmt::format("patch tests: {} % of a constant pressure left unbalanced, {} % of a geostatic one",
                        percent(test.constant_pressure), percent(test.geostatic));

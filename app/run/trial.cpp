@@ -4,7 +4,7 @@
 #include "io/frames/observation_clock.hpp"
 #include "io/results/output_observers.hpp"
 #include "solver/base/threads.hpp"
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -187,7 +187,7 @@ OutputForecast forecast_output(const AssembledCase& assembled, const fs::path& d
     forecast.has_own_core = static_cast<unsigned>(thread_count()) < std::thread::hardware_concurrency();
     State state = assembled.state;
     begin_shaking(assembled.problem, state);
-    open_ledger(assembled.problem, state);
+    open_balances(assembled.problem, state);
     const ScratchFolder scratch(directory);
     const auto writers =
         make_output_observers(assembled.scene, assembled.problem, state, {scratch.path(), "", false});

@@ -39,9 +39,9 @@ double distance_to_chord(const Point3& point, const Point3& a, const Point3& b)
     if (length == 0.0) return distance(point, a);
     double along = 0.0;
     for (std::size_t k = 0; k < 3; ++k) along += (point[k] - a[k]) * (b[k] - a[k]);
-    const double share = std::clamp(along / (length * length), 0.0, 1.0);
+    const double fraction = std::clamp(along / (length * length), 0.0, 1.0);
     Point3 foot;
-    for (std::size_t k = 0; k < 3; ++k) foot[k] = a[k] + share * (b[k] - a[k]);
+    for (std::size_t k = 0; k < 3; ++k) foot[k] = a[k] + fraction * (b[k] - a[k]);
     return distance(point, foot);
 }
 
@@ -51,9 +51,9 @@ void append_chords(int curve, double begin, double end, double tolerance, int ha
 {
     const Point3 start = line.back(), stop = point_on_curve(curve, end);
     double error = 0.0;
-    for (const double share : {0.25, 0.5, 0.75}) {
+    for (const double fraction : {0.25, 0.5, 0.75}) {
         error = std::max(
-            error, distance_to_chord(point_on_curve(curve, begin + share * (end - begin)), start, stop));
+            error, distance_to_chord(point_on_curve(curve, begin + fraction * (end - begin)), start, stop));
     }
     if (error <= tolerance || halvings == deepest_halving) {
         line.push_back(stop);

@@ -191,11 +191,11 @@ CutBox content_of(std::size_t index, const std::vector<CountedPolygon>& polygons
     for (const CountedPolygon& polygon : polygons) {
         double& area = area_of_region[polygon.region];
         for (const Ring& ring : polygon.rings) area += signed_area(ring);
-        if (area >= 1.0 - smallest_share) box.filled_by = polygon.region;
+        if (area >= 1.0 - smallest_fraction) box.filled_by = polygon.region;
     }
     if (box.filled_by) return box;
     for (const CountedPolygon& polygon : polygons) {
-        for (Ring& piece : convex_pieces(polygon.rings, rounding, smallest_share))
+        for (Ring& piece : convex_pieces(polygon.rings, rounding, smallest_fraction))
             box.pieces.push_back({polygon.region, std::move(piece)});
     }
     return box;

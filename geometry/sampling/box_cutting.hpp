@@ -40,7 +40,7 @@ struct CutBox {
 };
 
 /// The least of a box that counts: smaller pieces are left out, and a box that lacks less is whole [-].
-inline constexpr double smallest_share = 1e-6;
+inline constexpr double smallest_fraction = 1e-6;
 
 /// All boxes that an outline runs through, row by row from the lower left.
 std::vector<CutBox> cut_boxes(const Section& section, const Lattice& lattice);

@@ -32,8 +32,8 @@ void collect_crossings(const Ring& ring, double x, Side side, std::vector<double
         if (beyond(a) == beyond(b)) continue;
         // from the left end, so that neighbours' common edge gives the same bits both ways
         const Vector2 &left = a.x() < b.x() ? a : b, &right = a.x() < b.x() ? b : a;
-        const double share = (x - left.x()) / (right.x() - left.x());
-        heights.push_back((1.0 - share) * left.y() + share * right.y());
+        const double fraction = (x - left.x()) / (right.x() - left.x());
+        heights.push_back((1.0 - fraction) * left.y() + fraction * right.y());
     }
 }
 

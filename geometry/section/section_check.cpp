@@ -83,13 +83,13 @@ void find_duplicate_names(const std::vector<Named>& named, const char* kind,
     }
 }
 
-/// The part of a segment, as shares of its length, that runs along an edge.
+/// The part of a segment, as fractions of its length, that runs along an edge.
 struct Stretch {
     double from = 0.0, to = 0.0; // [-]
 };
 
 /// Where an edge runs along the segment within the tolerance; empty (from >= to) where it does not.
-Stretch shared_stretch(const Segment& segment, const Vector2& a, const Vector2& b, double tolerance)
+Stretch common_stretch(const Segment& segment, const Vector2& a, const Vector2& b, double tolerance)
 {
     const Vector2 along = segment.end - segment.start;
     const double length = along.norm();
@@ -111,7 +111,7 @@ bool lies_on_a_rim(const Section& section, const Segment& segment)
     for (const Region& region : section.regions) {
         for (const Polygon& polygon : region.polygons) {
             for_each_edge(polygon, [&](const Vector2& a, const Vector2& b) {
-                const Stretch stretch = shared_stretch(segment, a, b, tolerance);
+                const Stretch stretch = common_stretch(segment, a, b, tolerance);
                 if (stretch.from < stretch.to) stretches.push_back(stretch);
             });
         }
@@ -158,8 +158,8 @@ Vector2 nearest_on_edge(const Vector2& point, const Vector2& a, const Vector2& b
 {
     const Vector2 along = b - a;
     const double squared = along.squaredNorm();
-    const double share = squared > 0.0 ? std::clamp(along.dot(point - a) / squared, 0.0, 1.0) : 0.0;
-    return a + share * along;
+    const double fraction = squared > 0.0 ? std::clamp(along.dot(point - a) / squared, 0.0, 1.0) : 0.0;
+    return a + fraction * along;
 }
 
 Vector2 nearest_on_polygon(const Vector2& point, const Polygon& polygon)

@@ -23,21 +23,21 @@ void for_each_region_edge(const Section& section, Visit&& visit)
     }
 }
 
-/// Where a neighbour's vertices divide the edge between two points: shares of its length, from 0 to 1.
+/// Where a neighbour's vertices divide the edge between two points: fractions of its length, from 0 to 1.
 std::vector<double> divisions(const Section& section, const Vector2& start, const Vector2& end)
 {
     constexpr double on_edge = 1e-9; // distance from the edge over its length [-]
     const Vector2 along = end - start;
-    std::vector<double> shares = {0.0, 1.0};
+    std::vector<double> fractions = {0.0, 1.0};
     for_each_region_edge(section, [&](const Vector2& vertex, const Vector2&) {
-        const double share = (vertex - start).dot(along) / along.squaredNorm();
-        const bool inside = share > on_edge && share < 1.0 - on_edge;
-        if (inside && (start + share * along - vertex).norm() < on_edge * along.norm())
-            shares.push_back(share);
+        const double fraction = (vertex - start).dot(along) / along.squaredNorm();
+        const bool inside = fraction > on_edge && fraction < 1.0 - on_edge;
+        if (inside && (start + fraction * along - vertex).norm() < on_edge * along.norm())
+            fractions.push_back(fraction);
     });
-    std::sort(shares.begin(), shares.end());
-    shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
-    return shares;
+    std::sort(fractions.begin(), fractions.end());
+    fractions.erase(std::unique(fractions.begin(), fractions.end()), fractions.end());
+    return fractions;
 }
 
 } // namespace
@@ -48,9 +48,10 @@ std::vector<Segment> rim_of(const Section& section)
     std::vector<Segment> rim;
     for_each_region_edge(section, [&](const Vector2& start, const Vector2& end) {
         if (start == end) return;
-        const std::vector<double> shares = divisions(section, start, end);
-        for (std::size_t k = 0; k + 1 < shares.size(); ++k) {
-            const Vector2 a = start + shares[k] * (end - start), b = start + shares[k + 1] * (end - start);
+        const std::vector<double> fractions = divisions(section, start, end);
+        for (std::size_t k = 0; k + 1 < fractions.size(); ++k) {
+            const Vector2 a = start + fractions[k] * (end - start),
+                          b = start + fractions[k + 1] * (end - start);
             const Vector2 to_right = 1e-6 * Vector2(b.y() - a.y(), a.x() - b.x());
             if (!locator.locate(0.5 * (a + b) + to_right)) rim.push_back({a, b});
         }

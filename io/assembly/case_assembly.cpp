@@ -125,7 +125,7 @@ Problem make_problem(const Scene& scene, const Section& section)
     problem.interpolation = scene.interpolation;
     problem.strain = scene.strain;
     problem.scheme = scene.scheme;
-    problem.step_share = scene.step_share;
+    problem.step_fraction = scene.step_fraction;
     problem.water = scene.water;
     problem.gravity = scene.gravity;
     problem.base_motion = scene.base_motion;

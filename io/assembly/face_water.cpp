@@ -79,9 +79,9 @@ bool bears_still_water(const Boundary& boundary)
 bool lies_on(const Vector2& point, const Segment& segment)
 {
     const Vector2 along = segment.end - segment.start, from = point - segment.start;
-    const double length = along.norm(), share = from.dot(along) / (length * length);
+    const double length = along.norm(), fraction = from.dot(along) / (length * length);
     const double aside = std::abs(along.x() * from.y() - along.y() * from.x()) / length;
-    return share > -rounding && share < 1.0 + rounding && aside < rounding * length;
+    return fraction > -rounding && fraction < 1.0 + rounding && aside < rounding * length;
 }
 
 /// Whether one of the segments goes along the middle of another.

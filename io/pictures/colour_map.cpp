@@ -42,11 +42,11 @@ Colour map_colour(ColourMap map, double fraction)
     const ColourTable& table = map == ColourMap::sequential ? viridis : blue_to_red;
     const double place = std::clamp(fraction, 0.0, 1.0) * static_cast<double>(table_size - 1);
     const std::size_t below = std::min(static_cast<std::size_t>(place), table_size - 2);
-    const double share = place - static_cast<double>(below);
+    const double part = place - static_cast<double>(below);
     const Colour a = unpack(table[below]);
     const Colour b = unpack(table[below + 1]);
-    return {std::lerp(a.red, b.red, share), std::lerp(a.green, b.green, share),
-            std::lerp(a.blue, b.blue, share)};
+    return {std::lerp(a.red, b.red, part), std::lerp(a.green, b.green, part),
+            std::lerp(a.blue, b.blue, part)};
 }
 
 std::string hex_code(const Colour& colour)

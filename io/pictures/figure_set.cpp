@@ -200,10 +200,10 @@ std::optional<LinePlot> isochrone_figure(const SceneFigure& figure, const Figure
             return std::vector<double>(column.begin() + static_cast<std::ptrdiff_t>(chosen[k].begin),
                                        column.begin() + static_cast<std::ptrdiff_t>(chosen[k].end));
         };
-        const double share =
+        const double fraction =
             chosen.size() > 1 ? static_cast<double>(k) / static_cast<double>(chosen.size() - 1) : 0.0;
         PlotCurve curve{fmt::format("t = {:.4g} s", figure.scale * chosen[k].time),
-                        map_colour(ColourMap::sequential, 0.9 * share),
+                        map_colour(ColourMap::sequential, 0.9 * fraction),
                         scaled(times(factor_of(figure), part(*values)), unit),
                         times(figure.scale, part(*places))};
         if (!upright) std::swap(curve.x, curve.y);

@@ -56,10 +56,10 @@ std::optional<PlotPanel> make_panel(const ProfileQuantity& quantity, const Pictu
     PlotPanel panel{label_with_unit(quantity.label, unit), place.label, {}};
     if (!place.upright) std::swap(panel.x_label, panel.y_label);
     for (std::size_t k = 0; k < profiles.size(); ++k) {
-        const double share =
+        const double fraction =
             profiles.size() > 1 ? static_cast<double>(k) / static_cast<double>(profiles.size() - 1) : 0.0;
         PlotCurve curve{fmt::format("t = {:.4g} s", profiles[k].time),
-                        map_colour(ColourMap::sequential, 0.9 * share),
+                        map_colour(ColourMap::sequential, 0.9 * fraction),
                         scaled(slice(*values, profiles[k]), unit), slice(*place.values, profiles[k])};
         if (!place.upright) std::swap(curve.x, curve.y);
         panel.curves.push_back(std::move(curve));

@@ -9,7 +9,7 @@
 namespace quicksand {
 namespace {
 
-// Share of a step by which rounding may miss a tick.
+// Fraction of a step by which rounding may miss a tick.
 constexpr double slack = 1e-9;
 
 double next_round_step(double least)

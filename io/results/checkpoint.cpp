@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 5;
+constexpr std::int64_t format_version = 6;
 constexpr hsize_t chunk_entries = 8192;
 
 /// An HDF5 call failed; the caller knows the file and makes a FileError of it.
@@ -208,8 +208,8 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
     write_number(file, "last_step", state.last_step);
     write_number(file, "particles", static_cast<std::int64_t>(state.particles.size()));
     write_number(file, "memory_columns", static_cast<std::int64_t>(state.particles.memory.size()));
-    if (state.ledger)
-        for_each_number(*state.ledger,
+    if (state.balance_terms)
+        for_each_number(*state.balance_terms,
                         [&](const char* name, double value) { write_number(file, name, value); });
     // Arrays a dry scene does not need are empty and left out.
     const auto write = [&](const char* name, const auto& values) {
@@ -233,9 +233,9 @@ State read_state(const Handle& file)
     const auto count = static_cast<std::size_t>(read_number<std::int64_t>(file, "particles"));
     state.particles.memory.resize(
         static_cast<std::size_t>(read_number<std::int64_t>(file, "memory_columns")));
-    if (H5Aexists(file, "ledger_kinetic_change") > 0) {
-        state.ledger.emplace();
-        for_each_number(*state.ledger,
+    if (H5Aexists(file, "balance_kinetic_change") > 0) {
+        state.balance_terms.emplace();
+        for_each_number(*state.balance_terms,
                         [&](const char* name, double& value) { value = read_number<double>(file, name); });
     }
     const auto read = [&](const char* name, auto& values) { read_array(file, name, count, values); };

@@ -114,10 +114,10 @@ std::optional<std::vector<double>> interpolate(const Frame& frame, const std::ve
         const Vector2& lower = frame.points[static_cast<std::size_t>(quad[0])];
         const Vector2& upper = frame.points[static_cast<std::size_t>(quad[2])];
         if ((at.array() < lower.array()).any() || (at.array() > upper.array()).any()) continue;
-        const Vector2 share = (at - lower).cwiseQuotient(upper - lower);
-        const std::array<double, 4> weights{(1.0 - share.x()) * (1.0 - share.y()),
-                                            share.x() * (1.0 - share.y()), share.x() * share.y(),
-                                            (1.0 - share.x()) * share.y()};
+        const Vector2 fraction = (at - lower).cwiseQuotient(upper - lower);
+        const std::array<double, 4> weights{(1.0 - fraction.x()) * (1.0 - fraction.y()),
+                                            fraction.x() * (1.0 - fraction.y()), fraction.x() * fraction.y(),
+                                            (1.0 - fraction.x()) * fraction.y()};
         std::vector<double> values(fields.size(), 0.0);
         for (std::size_t f = 0; f < fields.size(); ++f)
             for (std::size_t k = 0; k < 4; ++k)

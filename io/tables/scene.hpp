@@ -26,7 +26,8 @@ struct MeshSampling {
 
 struct SceneMaterial {
     Material material;
-    double saturation_above_water = 0.0; // share of the pores filled above the phreatic line [-]
+    double saturation_above_water =
+        0.0; // fraction of the pores filled with water above the phreatic line [-]
     SourcePlace place;
 };
 
@@ -97,7 +98,7 @@ struct Scene {
     Interpolation interpolation = Interpolation::cpdi;
     StrainForm strain = StrainForm::large;
     TimeScheme scheme = TimeScheme::explicit_steps;
-    double step_share = 1.0; // of the stable time step [-]
+    double step_fraction = 1.0; // of the stable time step [-]
     ColumnsComputed columns = ColumnsComputed::one;
 
     double gravity = standard_gravity;  // [m/s2]

@@ -74,7 +74,7 @@ std::vector<SceneKey> analysis_keys()
                 "implicit."},
         {.pattern = "analysis.columns", .type = word, .default_value = "one", .words = {"one", "all"},
          .doc = "Whether one column of cells stands for all between tied sides, where all of them are the same."},
-        {.pattern = "analysis.step_share", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
+        {.pattern = "analysis.step_fraction", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
          .doc = "Part of the stable time step that is taken: less shows what the steps cost in accuracy."},
     };
 }

@@ -1,7 +1,7 @@
 // The threads of the kernels, and when they pay.
 #pragma once
 
-#include "solver/base/work_shares.hpp"
+#include "solver/base/work_queues.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -38,12 +38,12 @@ void for_each_part(std::size_t count, std::size_t length, Work&& work)
         for (std::uint32_t k = 0; k < parts; ++k) take(k);
         return;
     }
-    WorkShares shares(threads, [&](int k, int n) {
+    WorkQueues queues(threads, [&](int k, int n) {
         return static_cast<std::uint32_t>(std::uint64_t{parts} * static_cast<std::uint64_t>(k) /
                                           static_cast<std::uint64_t>(n));
     });
 #pragma omp parallel num_threads(threads)
-    while (const auto k = shares.take(thread_number())) take(*k);
+    while (const auto k = queues.take(thread_number())) take(*k);
 }
 
 /// Call work(i) for i < count.

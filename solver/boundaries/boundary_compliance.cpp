@@ -6,7 +6,7 @@ namespace quicksand {
 
 namespace {
 
-/// Velocities of grains and water per impulse of the pressure's force, which the two share as 1-n and n.
+/// Velocities of grains and water per impulse of the pressure's force, which acts on them as 1-n and n.
 NodeResponse pressure_response(double n, const NodeResponse& response)
 {
     return {(1.0 - n) * response.solid + n * response.exchange, 0.0,

@@ -1,7 +1,7 @@
 #include "solver/boundaries/boundary_conditions.hpp"
 
 #include "solver/base/failure.hpp"
-#include "solver/boundaries/film_ends.hpp"
+#include "solver/boundaries/seal_ends.hpp"
 #include "solver/boundaries/wall_nodes.hpp"
 
 #include <cmath>
@@ -17,25 +17,25 @@ std::uint8_t conditions_of(const WallHold& hold)
     if (hold.grains != GrainHold::none) bits |= solid_x_fixed;
     if (hold.grains == GrainHold::all) bits |= solid_y_fixed;
     if (hold.water == WaterHold::sealed) bits |= fluid_x_fixed;
-    if (hold.water == WaterHold::with_grains) bits |= film_x;
+    if (hold.water == WaterHold::with_grains) bits |= seal_x;
     return bits;
 }
 
 /// The same with x and y exchanged.
 std::uint8_t turned(std::uint8_t conditions)
 {
-    constexpr unsigned all_x = solid_x_fixed | fluid_x_fixed | film_x;
-    constexpr unsigned all_y = solid_y_fixed | fluid_y_fixed | film_y;
+    constexpr unsigned all_x = solid_x_fixed | fluid_x_fixed | seal_x;
+    constexpr unsigned all_y = solid_y_fixed | fluid_y_fixed | seal_y;
     return static_cast<std::uint8_t>((conditions & all_x) << 1 | (conditions & all_y) >> 1);
 }
 
 void add_segment(const Problem& problem, const Segment& segment, const WallHold& hold, Stage stage,
                  NodeConditions& result)
 {
-    const bool film = hold.water == WaterHold::with_grains;
+    const bool seal = hold.water == WaterHold::with_grains;
     const double length = (segment.end - segment.start).norm(), tolerance = on_wall * problem.grid.cell_size;
-    const double before = film ? drained_end(problem, segment, false, length, stage) : 0.0,
-                 after = film ? drained_end(problem, segment, true, length, stage) : 0.0;
+    const double before = seal ? drained_end(problem, segment, false, length, stage) : 0.0,
+                 after = seal ? drained_end(problem, segment, true, length, stage) : 0.0;
     const Vector2 along = (segment.end - segment.start) / length;
     const std::uint8_t conditions =
         normal_axis(segment) == 0 ? conditions_of(hold) : turned(conditions_of(hold));

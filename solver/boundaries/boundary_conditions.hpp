@@ -20,8 +20,8 @@ enum NodeCondition : std::uint8_t {
     solid_y_fixed = 2,
     fluid_x_fixed = 4,
     fluid_y_fixed = 8,
-    film_x = 16, // an impervious film: grains and water move together in x; held grains hold the water
-    film_y = 32,
+    seal_x = 16, // a seal: grains and water move together in x; held grains hold the water
+    seal_y = 32,
 };
 
 /// Nodes that share one velocity with another: the second carries the sum of both.

@@ -16,7 +16,7 @@ namespace quicksand {
 namespace {
 
 /// The bilinear functions of the domain's corners at local coordinates.
-std::array<double, 4> corner_shares(const Vector2& local)
+std::array<double, 4> corner_fractions(const Vector2& local)
 {
     const double xi = local.x(), eta = local.y();
     return {0.25 * (1.0 - xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 - eta), 0.25 * (1.0 + xi) * (1.0 + eta),
@@ -25,8 +25,9 @@ std::array<double, 4> corner_shares(const Vector2& local)
 
 Vector2 at_local(const std::array<Vector2, 4>& corners, const Vector2& local)
 {
-    const std::array<double, 4> share = corner_shares(local);
-    return share[0] * corners[0] + share[1] * corners[1] + share[2] * corners[2] + share[3] * corners[3];
+    const std::array<double, 4> fraction = corner_fractions(local);
+    return fraction[0] * corners[0] + fraction[1] * corners[1] + fraction[2] * corners[2] +
+           fraction[3] * corners[3];
 }
 
 /// Local coordinates of a point: Newton's method, done after one iteration in a parallelogram.
@@ -78,8 +79,8 @@ std::int32_t nearest_edge(const Candidate& candidate, const Vector2& point)
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < x.size(); ++c) {
         const Vector2 along = x[(c + 1) % x.size()] - x[c];
-        const double share = std::clamp((point - x[c]).dot(along) / along.squaredNorm(), 0.0, 1.0);
-        const double distance = (x[c] + share * along - point).norm();
+        const double fraction = std::clamp((point - x[c]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        const double distance = (x[c] + fraction * along - point).norm();
         if (distance < least) nearest = c, least = distance;
     }
     return static_cast<std::int32_t>(nearest);
@@ -257,7 +258,7 @@ PresentPiece piece_on_edge(const Problem& problem, const Particles& particles, c
     const std::size_t from = static_cast<std::size_t>(piece.edge), to = (from + 1) % shape->corners.size();
     const Vector2 along = shape->corners[to] - shape->corners[from];
     const Vector2 middle = 0.5 * (piece.start + piece.end);
-    const double share = (middle - shape->corners[from]).dot(along) / along.squaredNorm();
+    const double fraction = (middle - shape->corners[from]).dot(along) / along.squaredNorm();
 
     std::vector<Vector2> corners = corners_in_frame(*shape, centre, r1, r2);
     limit_polygon(problem.grid.cell_size, centre, corners);
@@ -265,7 +266,7 @@ PresentPiece piece_on_edge(const Problem& problem, const Particles& particles, c
     present.start = centre + piece.start.x() * r1 + piece.start.y() * r2;
     present.end = centre + piece.end.x() * r1 + piece.end.y() * r2;
     present.corners = {corners[from], corners[to], corners[from], corners[to]};
-    present.shares = {1.0 - share, share, 0.0, 0.0};
+    present.fractions = {1.0 - fraction, fraction, 0.0, 0.0};
     present.tolerance = line_tolerance(problem.grid, centre);
     if (problem.interpolation != Interpolation::cpdi) move_into_reach(problem, particles, p, present.corners);
     return present;
@@ -311,12 +312,13 @@ PresentPiece present_piece(const Problem& problem, const Particles& particles, c
 {
     if (piece.edge >= 0) return piece_on_edge(problem, particles, piece, p);
     const std::array<Vector2, 4> domain = domain_corners(problem, particles, p);
-    const std::array<double, 4> at_start = corner_shares(piece.start), at_end = corner_shares(piece.end);
+    const std::array<double, 4> at_start = corner_fractions(piece.start),
+                                at_end = corner_fractions(piece.end);
     PresentPiece present;
     present.start = at_local(domain, piece.start);
     present.end = at_local(domain, piece.end);
     present.corners = loaded_corners(problem, particles, p);
-    for (std::size_t c = 0; c < 4; ++c) present.shares[c] = 0.5 * (at_start[c] + at_end[c]);
+    for (std::size_t c = 0; c < 4; ++c) present.fractions[c] = 0.5 * (at_start[c] + at_end[c]);
     return present;
 }
 

@@ -37,7 +37,7 @@ private:
 PresentPiece present_piece(const Problem& problem, const Particles& particles, const BoundaryPiece& piece,
                            std::size_t p);
 
-/// Call add(node, share) for the nodes that a piece's load goes to; the shares add up to 1.
+/// Call add(node, fraction) for the nodes that a piece's load acts on; the fractions add up to 1.
 template <class Add>
 void for_each_loaded_node(const BackgroundGrid& grid, const PresentPiece& piece, Add&& add);
 
@@ -47,10 +47,10 @@ void for_each_loaded_node(const BackgroundGrid& grid, const PresentPiece& piece,
     for (std::size_t c = 0; c < 4; ++c) {
         const auto [i, j, xi, eta] = place_in_cell(grid.cells_from_rim(piece.corners[c]), piece.tolerance);
         const std::size_t node = grid.node_index(i, j), above = grid.node_index(i, j + 1);
-        add(node, piece.shares[c] * (1.0 - xi) * (1.0 - eta));
-        add(node + 1, piece.shares[c] * xi * (1.0 - eta));
-        add(above, piece.shares[c] * (1.0 - xi) * eta);
-        add(above + 1, piece.shares[c] * xi * eta);
+        add(node, piece.fractions[c] * (1.0 - xi) * (1.0 - eta));
+        add(node + 1, piece.fractions[c] * xi * (1.0 - eta));
+        add(above, piece.fractions[c] * (1.0 - xi) * eta);
+        add(above + 1, piece.fractions[c] * xi * eta);
     }
 }
 

@@ -17,15 +17,15 @@ struct Balance {
 };
 
 /// Solve with the conditions of one direction inside: a held solid still drags the water.
-PhaseVelocities solve_direction(const Balance& balance, bool solid_fixed, bool fluid_fixed, bool film)
+PhaseVelocities solve_direction(const Balance& balance, bool solid_fixed, bool fluid_fixed, bool seal)
 {
     if (solid_fixed) {
-        const double fluid = fluid_fixed || film || balance.mass_fluid == 0.0
+        const double fluid = fluid_fixed || seal || balance.mass_fluid == 0.0
                                  ? 0.0
                                  : balance.impulse_fluid / (balance.mass_fluid + balance.dt_drag);
         return {0.0, fluid};
     }
-    if (film) {
+    if (seal) {
         const double both =
             (balance.impulse_solid + balance.impulse_fluid) / (balance.mass_solid + balance.mass_fluid);
         return {both, both};
@@ -86,13 +86,13 @@ TwoPhaseMotion solve_aligned(const TwoPhaseSums& node, const NodeImpulses& impul
                              std::uint8_t held)
 {
     const PhaseVelocities x = solve_direction(balance_along(node, impulses, dt, Vector2::UnitX()),
-                                              held & solid_x_fixed, held & fluid_x_fixed, held & film_x);
+                                              held & solid_x_fixed, held & fluid_x_fixed, held & seal_x);
     const PhaseVelocities y = solve_direction(balance_along(node, impulses, dt, Vector2::UnitY()),
-                                              held & solid_y_fixed, held & fluid_y_fixed, held & film_y);
+                                              held & solid_y_fixed, held & fluid_y_fixed, held & seal_y);
     return {.solid_x = x.solid, .solid_y = y.solid, .fluid_x = x.fluid, .fluid_y = y.fluid};
 }
 
-/// Impulses of a force of the pressure over a unit of time, shared by grains and water.
+/// Impulses of a force of the pressure over a unit of time, on grains and water.
 NodeImpulses unit_pressure_impulses(double porosity, const Vector2& force)
 {
     return {(1.0 - porosity) * force, porosity * force};
@@ -189,8 +189,8 @@ PhaseVelocities solve_drag(double mass_solid, double mass_fluid, double dt_drag,
     const double mixture = (impulse_solid + impulse_fluid) / (mass_solid + mass_fluid);
     const double relative = (impulse_fluid / mass_fluid - impulse_solid / mass_solid) /
                             (1.0 + dt_drag * (1.0 / mass_solid + 1.0 / mass_fluid));
-    const double fluid_share = mass_fluid / (mass_solid + mass_fluid);
-    return {mixture - fluid_share * relative, mixture + (1.0 - fluid_share) * relative};
+    const double fluid_fraction = mass_fluid / (mass_solid + mass_fluid);
+    return {mixture - fluid_fraction * relative, mixture + (1.0 - fluid_fraction) * relative};
 }
 
 void solve_two_phase_momentum(const Problem& problem, const NodeConditions& conditions, double dt,

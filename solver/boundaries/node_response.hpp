@@ -17,7 +17,7 @@ struct NodeResponse {
 /// Conditions on the directions of a node, x first.
 inline constexpr std::uint8_t solid_fixed[2] = {solid_x_fixed, solid_y_fixed};
 inline constexpr std::uint8_t fluid_fixed[2] = {fluid_x_fixed, fluid_y_fixed};
-inline constexpr std::uint8_t film[2] = {film_x, film_y};
+inline constexpr std::uint8_t seal[2] = {seal_x, seal_y};
 
 inline NodeResponse response(const SinglePhaseSums& node, double, std::uint8_t held, int axis)
 {
@@ -30,10 +30,10 @@ inline NodeResponse response(const TwoPhaseSums& node, double dt, std::uint8_t h
     if (!node.active()) return {};
     const double m_s = node.mass_solid, m_w = node.mass_fluid, dt_drag = dt * node.drag;
     const bool fluid_held = (held & fluid_fixed[axis]) != 0 || m_w == 0.0;
-    const bool sealed = fluid_held || (held & film[axis]);
+    const bool sealed = fluid_held || (held & seal[axis]);
     if (held & solid_fixed[axis]) return {0.0, 0.0, sealed ? 0.0 : 1.0 / (m_w + dt_drag)};
     if (fluid_held) return {1.0 / (m_s + dt_drag), 0.0, 0.0};
-    if (held & film[axis]) {
+    if (held & seal[axis]) {
         const double both = 1.0 / (m_s + m_w);
         return {both, both, both};
     }

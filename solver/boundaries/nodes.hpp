@@ -29,7 +29,7 @@ struct TwoPhaseMotion {
     double fluid_change_x = 0.0, fluid_change_y = 0.0; // v_w - momentum_fluid / m_w [m/s]
 };
 
-/// Outer forces at a node that the sums hold among those of stress and pressure, kept for the ledger.
+/// Outer forces at a node that the sums hold among those of stress and pressure, kept for the balances.
 struct OuterForce {
     double load_x, load_y;   // of loads and held reactions, within the force of the stress [N/m]
     double water_x, water_y; // of water beyond a curve, within the force of the pressure [N/m]

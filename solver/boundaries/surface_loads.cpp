@@ -8,17 +8,17 @@ namespace quicksand {
 
 namespace {
 
-/// Call add(node, force) for every share of the forces force_of(carried piece) on a curve.
+/// Call add(node, force) for every nodal part of the forces force_of(carried piece) on a curve.
 template <class ForceOf, class Add>
-void share_out(const Problem& problem, const Boundary& boundary, const Particles& particles,
-               ParticlePlaces& places, ForceOf&& force_of, Add&& add)
+void distribute(const Problem& problem, const Boundary& boundary, const Particles& particles,
+                ParticlePlaces& places, ForceOf&& force_of, Add&& add)
 {
     for (const BoundaryPiece& piece : boundary.pieces) {
         const std::size_t p = places.find(particles, piece.identifier);
         const PresentPiece present = present_piece(problem, particles, piece, p);
         const Vector2 force = force_of(CarriedPiece{piece, present, particles, p});
         for_each_loaded_node(problem.grid, present,
-                             [&](std::size_t i, double share) { add(i, share * force); });
+                             [&](std::size_t i, double fraction) { add(i, fraction * force); });
     }
 }
 
@@ -31,7 +31,7 @@ void for_each_nodal_load(const Problem& problem, double time, const Particles& p
         const auto force = [&](const CarriedPiece& carried) {
             return force_on(boundary.soil, carried, time);
         };
-        share_out(problem, boundary, particles, places, force, add);
+        distribute(problem, boundary, particles, places, force, add);
     }
 }
 
@@ -48,7 +48,7 @@ void for_each_nodal_water(const Problem& problem, double time, const Particles& 
             const double excess = outer_excess_pressure(problem, boundary, present.middle(), factor);
             return -excess * present.outward();
         };
-        share_out(problem, boundary, particles, places, force, add);
+        distribute(problem, boundary, particles, places, force, add);
     }
 }
 

@@ -28,7 +28,7 @@ void scatter_outer_water(const Problem& problem, double time, const Particles& p
 /// Whether anything on the boundary curves acts on the nodes: loads, water, held reactions.
 bool has_outer_forces(const Problem& problem);
 
-/// The same forces, and the reactions held where curves have let go, kept apart for the ledger.
+/// The same forces, and the reactions held where curves have let go, kept apart for the balances.
 void note_outer_forces(const Problem& problem, double time, const State& state, ParticlePlaces& places,
                        std::vector<OuterForce>& outer);
 

@@ -107,9 +107,9 @@ void gather_dashpots(const Problem& problem, const Particles& particles, const N
                          extra = piece.length * (beyond.normal - beyond.shear);
             const double xx = shear + extra * n.x() * n.x(), xy = extra * n.x() * n.y(),
                          yy = shear + extra * n.y() * n.y();
-            for_each_loaded_node(problem.grid, present, [&](std::size_t i, double share) {
-                if (share != 0.0)
-                    dashpots.push_back({conditions.master[i], share * xx, share * xy, share * yy});
+            for_each_loaded_node(problem.grid, present, [&](std::size_t i, double fraction) {
+                if (fraction != 0.0)
+                    dashpots.push_back({conditions.master[i], fraction * xx, fraction * xy, fraction * yy});
             });
         }
     }

@@ -58,7 +58,7 @@ void brake_by_dashpots(const Problem& problem, const NodeConditions& conditions,
 void brake_by_dashpots(const NodeConditions& conditions, double dt, const std::vector<Dashpot>& dashpots,
                        const std::vector<SinglePhaseSums>& sums, std::vector<SinglePhaseMotion>& motion);
 
-/// Call add(node, force) for every share of the held forces.
+/// Call add(node, force) for every nodal part of the held forces.
 template <class Add>
 void for_each_nodal_reaction(const Problem& problem, const State& state, ParticlePlaces& places, Add&& add);
 
@@ -79,7 +79,7 @@ void for_each_nodal_reaction(const Problem& problem, const State& state, Particl
             const std::size_t p = places.find(state.particles, piece.identifier);
             const Vector2 force = state.reactions[k++];
             for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
-                                 [&](std::size_t i, double share) { add(i, share * force); });
+                                 [&](std::size_t i, double fraction) { add(i, fraction * force); });
         }
     }
 }

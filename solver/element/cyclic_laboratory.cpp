@@ -32,8 +32,8 @@ struct Leg {
 /// Place in cycles of a value on a leg: legs end at 0.25, 0.75, 1.25, ...
 double cycle_of(const Leg& leg, double value)
 {
-    const double share = std::clamp((value - leg.from) / (leg.to - leg.from), 0.0, 1.0);
-    return leg.number == 0 ? 0.25 * share : 0.5 * leg.number - 0.25 + 0.5 * share;
+    const double fraction = std::clamp((value - leg.from) / (leg.to - leg.from), 0.0, 1.0);
+    return leg.number == 0 ? 0.25 * fraction : 0.5 * leg.number - 0.25 + 0.5 * fraction;
 }
 
 /// Half cycles are counted at the reversals.
@@ -214,8 +214,8 @@ std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, 
     for (std::size_t k = 1; k < points.size(); ++k) {
         const StrengthPoint &weak = points[k - 1], &strong = points[k];
         if (cycles > weak.cycles || cycles < strong.cycles || weak.cycles == strong.cycles) continue;
-        const double share = std::log(cycles / weak.cycles) / std::log(strong.cycles / weak.cycles);
-        return weak.csr * std::pow(strong.csr / weak.csr, share);
+        const double fraction = std::log(cycles / weak.cycles) / std::log(strong.cycles / weak.cycles);
+        return weak.csr * std::pow(strong.csr / weak.csr, fraction);
     }
     return std::nullopt;
 }

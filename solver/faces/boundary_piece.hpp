@@ -22,10 +22,10 @@ struct BoundaryPiece {
 
 /// A piece where it is now.
 struct PresentPiece {
-    Vector2 start, end;             // [m]
-    std::array<Vector2, 4> corners; // where its load reaches the grid: corners of the domain [m]
-    std::array<double, 4> shares;   // of the load for the corners, adding up to 1 [-]
-    double tolerance = 0.0;         // how near to a grid line a corner lies on it [cells]
+    Vector2 start, end;              // [m]
+    std::array<Vector2, 4> corners;  // where its load reaches the grid: corners of the domain [m]
+    std::array<double, 4> fractions; // of the load for the corners, adding up to 1 [-]
+    double tolerance = 0.0;          // how near to a grid line a corner lies on it [cells]
 
     Vector2 middle() const { return 0.5 * (start + end); }
     /// Outward normal times the present length [m].

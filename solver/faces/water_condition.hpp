@@ -15,7 +15,7 @@ namespace quicksand {
 enum class WaterHold {
     none,
     sealed,      // the water has the wall's velocity
-    with_grains, // an impervious film: the water has the grains' velocity
+    with_grains, // a seal, impervious but free to move: the water has the grains' velocity
 };
 
 /// Still water up to a line, level beyond its ends; at every x as deep as the line is high there.

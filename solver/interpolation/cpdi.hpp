@@ -22,7 +22,7 @@ struct ParallelogramDomain {
 
 struct Cpdi {
     static bool evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                         NodePatch& patch);
+                         NodeStencil& stencil);
 };
 
 /// Scale down a domain that reaches farther than BackgroundGrid::domain_reach cells from its centre (Homel,
@@ -32,23 +32,23 @@ struct Cpdi {
 bool limit_domain(double cell_size, ParallelogramDomain& domain);
 
 /// Weights of a domain whose centre lies in the grid and whose edges are limited.
-void evaluate_cpdi(const BackgroundGrid& grid, const ParallelogramDomain& domain, NodePatch& patch);
+void evaluate_cpdi(const BackgroundGrid& grid, const ParallelogramDomain& domain, NodeStencil& stencil);
 
 /// Weights of all particles of a tile, in the order of the lists: what evaluate gives, to rounding. Returns
 /// how many domains were scaled down.
 std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& particles,
-                                  const CellLists& lists, const Tile& tile, PatchStore& store);
+                                  const CellLists& lists, const Tile& tile, StencilStore& store);
 
-/// One corner of a domain: its share in the value and in the gradient.
+/// One corner of a domain: its part of the value and of the gradient.
 struct CornerWeights {
     Vector2 position; // [m]
     double value;     // [-]
     Vector2 gradient; // [1/m]
 };
 
-/// phi = sum_c value_c N_i(x_c), grad phi = sum_c gradient_c N_i(x_c) on the patch of all nodes concerned. A
-/// corner nearer to a grid line than `tolerance` [cells] lies on it.
-void sum_corner_weights(const BackgroundGrid& grid, std::span<const CornerWeights> corners, NodePatch& patch,
-                        double tolerance = 0.0);
+/// phi = sum_c value_c N_i(x_c), grad phi = sum_c gradient_c N_i(x_c) on the stencil of all nodes concerned.
+/// A corner nearer to a grid line than `tolerance` [cells] lies on it.
+void sum_corner_weights(const BackgroundGrid& grid, std::span<const CornerWeights> corners,
+                        NodeStencil& stencil, double tolerance = 0.0);
 
 } // namespace quicksand

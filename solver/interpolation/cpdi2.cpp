@@ -78,7 +78,8 @@ double domain_area(const Particles& particles, std::size_t p)
     return 4.0 * cross(particles.half_edge_1[p], particles.half_edge_2[p]);
 }
 
-bool Cpdi2::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p, NodePatch& patch)
+bool Cpdi2::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
+                     NodeStencil& stencil)
 {
     std::array<Vector2, 4> x = quadrilateral_corners(particles, p);
     const double scale_of_domain = limit_corners(grid.cell_size, particles.position[p], x);
@@ -91,7 +92,7 @@ bool Cpdi2::evaluate(const BackgroundGrid& grid, const Particles& particles, std
                                       {x[1], (6.0 * V - a + b) * scale, g2},
                                       {x[2], (6.0 * V + a + b) * scale, -g1},
                                       {x[3], (6.0 * V + a - b) * scale, -g2}};
-    sum_corner_weights(grid, corners, patch);
+    sum_corner_weights(grid, corners, stencil);
     return scale_of_domain < 1.0;
 }
 

@@ -19,7 +19,7 @@ namespace quicksand {
 
 struct Cpdi2 {
     static bool evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                         NodePatch& patch);
+                         NodeStencil& stencil);
 };
 
 /// Shrink the quadrilateral about its centroid to what may be reached from there; returns the factor [-].

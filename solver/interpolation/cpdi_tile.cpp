@@ -11,10 +11,10 @@ namespace quicksand {
 
 namespace {
 
-/// Parts of a domain that the rows share; corners counter-clockwise as in cpdi.hpp.
+/// Values of a domain that all rows use; corners counter-clockwise as in cpdi.hpp.
 struct DomainRows {
     Lanes along_x[4];              // hats of each corner over the nodes of a row
-    Lanes corners_y;               // of the corners, from the patch's lowest row [cells]
+    Lanes corners_y;               // of the corners, from the stencil's lowest row [cells]
     double g1_x, g1_y, g2_x, g2_y; // gradients of the corners 1 and 2 [1/m]
 };
 
@@ -23,7 +23,7 @@ inline Lanes hats(const Lanes& distance)
     return positive_part(1.0 - absolute(distance));
 }
 
-/// Write row b of a patch: phi and grad phi of four nodes.
+/// Write row b of a stencil: phi and grad phi of four nodes.
 inline void write_row(const DomainRows& domain, int b, double* value, double* gradient_x, double* gradient_y)
 {
     const Lanes along_y = hats(domain.corners_y - static_cast<double>(b));
@@ -42,7 +42,7 @@ inline Lanes corner_offsets(double sum, double apart)
     return Lanes{-sum, apart, sum, -apart};
 }
 
-/// Where the rows of a patch start and how far they go, along one axis.
+/// Where the rows of a stencil start and how far they go, along one axis.
 struct Extent {
     double centre; // of the domain, from the rim [cells]
     int first;     // node
@@ -78,19 +78,19 @@ struct WeightArrays {
     std::size_t room;
 };
 
-inline WeightArrays arrays_of(PatchStore& store)
+inline WeightArrays arrays_of(StencilStore& store)
 {
     return {store.value.data(), store.gradient_x.data(), store.gradient_y.data(), store.value.size()};
 }
 
-/// Store the patch of a domain of any size as that of the particle `k` of the tile; returns whether the
+/// Store the stencil of a domain of any size as that of the particle `k` of the tile; returns whether the
 /// domain was scaled down. Apart from the loop over the usual ones, which so keeps its numbers in registers.
 [[gnu::noinline]] bool put_large_domain(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                                        std::size_t k, PatchStore& store)
+                                        std::size_t k, StencilStore& store)
 {
-    NodePatch patch;
-    const bool limited = Cpdi::evaluate(grid, particles, p, patch);
-    store.put(k, patch);
+    NodeStencil stencil;
+    const bool limited = Cpdi::evaluate(grid, particles, p, stencil);
+    store.put(k, stencil);
     return limited;
 }
 
@@ -98,7 +98,7 @@ inline WeightArrays arrays_of(PatchStore& store)
 
 VECTOR_KERNEL
 std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& particles,
-                                  const CellLists& lists, const Tile& tile, PatchStore& store)
+                                  const CellLists& lists, const Tile& tile, StencilStore& store)
 {
     constexpr int widest = 4; // nodes that a row of lanes covers
     const double rim_x = grid.rim_origin().x(), rim_y = grid.rim_origin().y();
@@ -106,7 +106,7 @@ std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& p
     const std::size_t first = lists.first_entry(tile), last = lists.last_entry(tile);
     std::int64_t limited = 0;
     store.clear_for(last - first);
-    StoredPatch* const patches = store.patches.data();
+    StoredStencil* const stencils = store.stencils.data();
     WeightArrays arrays = arrays_of(store);
     std::size_t used = 0;
     for (std::size_t k = 0; k < last - first; ++k) {
@@ -124,15 +124,15 @@ std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& p
             continue;
         }
         const auto count = static_cast<std::size_t>(along.nodes * up.nodes);
-        if (used + count + PatchStore::lanes > arrays.room) {
+        if (used + count + StencilStore::lanes > arrays.room) {
             store.used = used;
             store.extend(count);
             arrays = arrays_of(store);
         }
 
         const DomainRows domain = rows_of(r1_x, r1_y, r2_x, r2_y, inverse, along, up);
-        patches[k] = {along.first, up.first, static_cast<std::int32_t>(used),
-                      static_cast<std::int16_t>(along.nodes), static_cast<std::int16_t>(up.nodes)};
+        stencils[k] = {along.first, up.first, static_cast<std::int32_t>(used),
+                       static_cast<std::int16_t>(along.nodes), static_cast<std::int16_t>(up.nodes)};
         for (int b = 0; b < up.nodes; ++b) {
             const std::size_t at = used + static_cast<std::size_t>(b * along.nodes);
             write_row(domain, b, arrays.value + at, arrays.gradient_x + at, arrays.gradient_y + at);

@@ -38,10 +38,10 @@ CutDomain make_cut_domain(std::vector<Vector2> corners)
     double sum = 0.0;
     for (std::size_t c = 0; c < count; ++c) {
         const Vector2 &before = corners[(c + count - 1) % count], &after = corners[(c + 1) % count];
-        shape.shares.push_back(0.5 * (cross(before, corners[c]) + cross(corners[c], after)) / twice_area);
-        sum += shape.shares.back();
+        shape.fractions.push_back(0.5 * (cross(before, corners[c]) + cross(corners[c], after)) / twice_area);
+        sum += shape.fractions.back();
     }
-    for (double& share : shape.shares) share /= sum;
+    for (double& fraction : shape.fractions) fraction /= sum;
     shape.corners = std::move(corners);
     return shape;
 }
@@ -95,7 +95,7 @@ bool limit_polygon(double cell_size, const Vector2& centre, std::vector<Vector2>
 }
 
 void evaluate_polygon(const BackgroundGrid& grid, const CutDomain& shape, const std::vector<Vector2>& corners,
-                      NodePatch& patch)
+                      NodeStencil& stencil)
 {
     const std::size_t count = corners.size();
     const double half = 0.5 / polygon_area(corners);
@@ -105,14 +105,14 @@ void evaluate_polygon(const BackgroundGrid& grid, const CutDomain& shape, const 
         const Vector2& before = corners[c > 0 ? c - 1 : count - 1];
         const Vector2& after = corners[c + 1 < count ? c + 1 : 0];
         const Vector2 across = after - before;
-        weights.push_back({corners[c], shape.shares[c], half * Vector2(across.y(), -across.x())});
+        weights.push_back({corners[c], shape.fractions[c], half * Vector2(across.y(), -across.x())});
     }
-    sum_corner_weights(grid, weights, patch, line_tolerance(grid, corners.front()));
+    sum_corner_weights(grid, weights, stencil, line_tolerance(grid, corners.front()));
 }
 
 std::int64_t weigh_cut_domains(const BackgroundGrid& grid, const CutDomains& cut_domains,
                                const Particles& particles, const CellLists& lists, const Tile& tile,
-                               PatchStore& store)
+                               StencilStore& store)
 {
     const std::size_t first = lists.first_entry(tile);
     const auto particle = [&](std::size_t entry) {
@@ -126,7 +126,7 @@ std::int64_t weigh_cut_domains(const BackgroundGrid& grid, const CutDomains& cut
                 store.cut.push_back(static_cast<std::uint32_t>(k));
     }
     std::int64_t limited = 0;
-    NodePatch patch;
+    NodeStencil stencil;
     std::vector<Vector2> corners;
     for (const std::uint32_t k : store.cut) {
         const std::size_t p = particle(k);
@@ -135,8 +135,8 @@ std::int64_t weigh_cut_domains(const BackgroundGrid& grid, const CutDomains& cut
         corners_in_frame(shape, frame.centre, frame.half_edge_1, frame.half_edge_2, corners);
         if (limit_polygon(grid.cell_size, frame.centre, corners))
             limited += limit_domain(grid.cell_size, frame) ? 0 : 1;
-        evaluate_polygon(grid, shape, corners, patch);
-        store.put(k, patch);
+        evaluate_polygon(grid, shape, corners, stencil);
+        store.put(k, stencil);
     }
     return limited;
 }

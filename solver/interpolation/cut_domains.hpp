@@ -19,17 +19,17 @@ namespace quicksand {
 
 struct BackgroundGrid;
 struct CellLists;
-struct NodePatch;
-struct PatchStore;
+struct NodeStencil;
+struct StencilStore;
 struct Tile;
 
 /// The convex polygon that stands for the domain of a particle that an outline cuts.
 struct CutDomain {
-    std::vector<Vector2> corners; // (alpha, beta), counter-clockwise [-]
-    std::vector<double> shares;   // w_c, adding up to 1 [-]
+    std::vector<Vector2> corners;  // (alpha, beta), counter-clockwise [-]
+    std::vector<double> fractions; // w_c, adding up to 1 [-]
 };
 
-/// With the shares of the corners; their centroid is the origin.
+/// With the fractions w_c of the corners; their centroid is the origin.
 CutDomain make_cut_domain(std::vector<Vector2> corners);
 
 /// A piece too small for a state of its own, carried by a neighbour (slivers.hpp); lasting numbers.
@@ -87,12 +87,12 @@ bool limit_polygon(double cell_size, const Vector2& centre, std::vector<Vector2>
 
 /// Weights of a polygon, counter-clockwise, within the reach of its centre.
 void evaluate_polygon(const BackgroundGrid& grid, const CutDomain& shape, const std::vector<Vector2>& corners,
-                      NodePatch& patch);
+                      NodeStencil& stencil);
 
 /// Replace the weights of the cut domains of a tile, which are in the store as those of their parallelograms.
 /// Returns how many polygons were scaled down whose parallelograms were not.
 std::int64_t weigh_cut_domains(const BackgroundGrid& grid, const CutDomains& cut_domains,
                                const Particles& particles, const CellLists& lists, const Tile& tile,
-                               PatchStore& store);
+                               StencilStore& store);
 
 } // namespace quicksand

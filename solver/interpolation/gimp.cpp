@@ -22,8 +22,8 @@ double hat_primitive(double z)
 /// Weights of one direction.
 struct LineWeights {
     int first = 0, count = 0; // nodes [-]
-    double value[NodePatch::max_width];
-    double slope[NodePatch::max_width]; // [1/m]
+    double value[NodeStencil::max_width];
+    double slope[NodeStencil::max_width]; // [1/m]
 };
 
 LineWeights line_weights(double cells, double length_in_cells, double cell_size)
@@ -49,17 +49,17 @@ Vector2 limited(const BackgroundGrid& grid, const Vector2& lengths)
 }
 
 /// The weights of a box of such lengths [m] around a centre; whether they reached too far and were limited.
-bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 lengths, NodePatch& patch)
+bool evaluate_box(const BackgroundGrid& grid, const Vector2& centre, Vector2 lengths, NodeStencil& stencil)
 {
     const Vector2 asked = lengths;
     lengths = limited(grid, asked);
     const Vector2 cells = grid.cells_from_rim(centre);
     const LineWeights x = line_weights(cells.x(), lengths.x() / grid.cell_size, grid.cell_size);
     const LineWeights y = line_weights(cells.y(), lengths.y() / grid.cell_size, grid.cell_size);
-    patch.column = x.first, patch.row = y.first;
-    patch.width = x.count;
-    patch.height = y.count;
-    NodeWeight* weight = patch.weights;
+    stencil.column = x.first, stencil.row = y.first;
+    stencil.width = x.count;
+    stencil.height = y.count;
+    NodeWeight* weight = stencil.weights;
     for (int b = 0; b < y.count; ++b) {
         for (int a = 0; a < x.count; ++a) {
             *weight++ = {x.value[a] * y.value[b], x.slope[a] * y.value[b], x.value[a] * y.slope[b]};
@@ -99,15 +99,15 @@ Vector2 contiguous_box(const BackgroundGrid& grid, const Particles& particles, s
 }
 
 bool UniformGimp::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                           NodePatch& patch)
+                           NodeStencil& stencil)
 {
-    return evaluate_box(grid, particles.position[p], reference_lengths(particles, p), patch);
+    return evaluate_box(grid, particles.position[p], reference_lengths(particles, p), stencil);
 }
 
 bool ContiguousGimp::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                              NodePatch& patch)
+                              NodeStencil& stencil)
 {
-    return evaluate_box(grid, particles.position[p], stretched_lengths(particles, p), patch);
+    return evaluate_box(grid, particles.position[p], stretched_lengths(particles, p), stencil);
 }
 
 } // namespace quicksand

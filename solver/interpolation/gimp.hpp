@@ -11,14 +11,14 @@ namespace quicksand {
 /// The box keeps the size it had when displacements were last set to zero.
 struct UniformGimp {
     static bool evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                         NodePatch& patch);
+                         NodeStencil& stencil);
 };
 
 /// The box follows the stretch along the axes: l_a = l_a0 U_aa with the right stretch U of F = R U. (F_aa
 /// instead would shrink the box when it only turns: Coombs and others 2020.)
 struct ContiguousGimp {
     static bool evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                         NodePatch& patch);
+                         NodeStencil& stencil);
 };
 
 /// Sizes of the boxes of the two members, limited as in their weights [m].

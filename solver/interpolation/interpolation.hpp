@@ -1,7 +1,7 @@
 // The family of interpolations between particles and nodes, chosen per scene and compiled as separate
 // kernels.
 //
-// A member is a type with one static function, evaluate(grid, particles, p, patch): it fills the weights
+// A member is a type with one static function, evaluate(grid, particles, p, stencil): it fills the weights
 // phi_ip and their gradients on the nodes around particle p and returns whether it had to shorten the
 // particle's domain. Every member is a partition of unity and reproduces linear fields at the particle.
 #pragma once
@@ -25,10 +25,10 @@ enum class Interpolation {
 
 template <class Member>
 concept NodeInterpolation = requires(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                                     NodePatch& patch)
+                                     NodeStencil& stencil)
 {
     {
-        Member::evaluate(grid, particles, p, patch)
+        Member::evaluate(grid, particles, p, stencil)
         } -> std::same_as<bool>;
 };
 

@@ -3,16 +3,17 @@
 namespace quicksand {
 
 bool LinearInterpolation::evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                                   NodePatch& patch)
+                                   NodeStencil& stencil)
 {
     const double inverse = 1.0 / grid.cell_size;
     const auto [i, j, xi, eta] = place_in_cell((particles.position[p] - grid.rim_origin()) * inverse);
-    patch.column = i, patch.row = j;
-    patch.width = patch.height = 2;
+    stencil.column = i, stencil.row = j;
+    stencil.width = stencil.height = 2;
     const double Nx[2] = {1.0 - xi, xi}, Ny[2] = {1.0 - eta, eta};
     const double dN[2] = {-inverse, inverse};
     for (int b = 0; b < 2; ++b) {
-        for (int a = 0; a < 2; ++a) patch.weights[2 * b + a] = {Nx[a] * Ny[b], dN[a] * Ny[b], Nx[a] * dN[b]};
+        for (int a = 0; a < 2; ++a)
+            stencil.weights[2 * b + a] = {Nx[a] * Ny[b], dN[a] * Ny[b], Nx[a] * dN[b]};
     }
     return false;
 }

@@ -7,7 +7,7 @@ namespace quicksand {
 
 struct LinearInterpolation {
     static bool evaluate(const BackgroundGrid& grid, const Particles& particles, std::size_t p,
-                         NodePatch& patch);
+                         NodeStencil& stencil);
 };
 
 } // namespace quicksand

@@ -1,7 +1,7 @@
-// The weights of one particle on a rectangular patch of nodes, whatever the interpolation.
+// The weights of one particle on a rectangular stencil of nodes, whatever the interpolation.
 //
-// An interpolation is a function object that fills a NodePatch from a particle's domain; scatter and gather
-// only see patches. Patches are kept for a step in one store per tile, so that scatter and gather share them.
+// An interpolation is a function object that fills a NodeStencil from a particle's domain; scatter and gather
+// use stencils only. Each tile stores its stencils for the step; scatter and gather both use them.
 #pragma once
 
 #include "solver/base/conventions.hpp"
@@ -20,7 +20,7 @@ struct NodeWeight {
 };
 
 /// Weights on width x height nodes, row by row from the lower left one.
-struct NodePatch {
+struct NodeStencil {
     static constexpr int max_width = 8; // reach of three cells on either side
 
     std::int32_t column = 0, row = 0; // of the lower left node, from the rim's corner [-]
@@ -29,8 +29,8 @@ struct NodePatch {
     NodeWeight weights[max_width * max_width];
 };
 
-/// A patch in a PatchStore.
-struct StoredPatch {
+/// A stencil in a StencilStore.
+struct StoredStencil {
     std::int32_t column, row; // of its lower left node
     std::int32_t first;       // of its weights in the store
     std::int16_t width, height;
@@ -39,7 +39,7 @@ struct StoredPatch {
     std::int32_t base(std::int32_t nodes_x) const { return row * nodes_x + column; }
 };
 
-/// Lengthen work space to `needed` numbers and an eighth to spare; left to itself a vector doubles.
+/// Lengthen work space to `needed` numbers plus an eighth; a vector by itself would double.
 inline void make_room(std::vector<double>& values, std::size_t needed)
 {
     if (needed <= values.size()) return;
@@ -47,25 +47,25 @@ inline void make_room(std::vector<double>& values, std::size_t needed)
     values.resize(values.capacity());
 }
 
-/// The patches of one tile's particles, in the order of the cell lists. The three parts of the weights stand
-/// in arrays of their own, so that rows of a patch are written four nodes at a time.
-struct PatchStore {
+/// The stencils of one tile's particles, in the order of the cell lists. The three parts of the weights
+/// have separate arrays, so that rows of a stencil are written four nodes at a time.
+struct StencilStore {
     static constexpr std::size_t lanes = 4; // a row may be written this far beyond its end
 
-    std::vector<StoredPatch> patches;
+    std::vector<StoredStencil> stencils;
     std::vector<double> value, gradient_x, gradient_y; // as NodeWeight; longer than what is in use
-    std::size_t used = 0;                              // weights of the patches so far
-    std::vector<std::uint32_t> cut;                    // patches of domains that an outline cuts
+    std::size_t used = 0;                              // weights of the stencils so far
+    std::vector<std::uint32_t> cut;                    // stencils of domains that an outline cuts
     std::int64_t cut_of = -1;                          // CellLists::changes for which they were found
 
-    /// Room for the patches of so many particles, none of them with weights yet.
+    /// Room for the stencils of so many particles, none of them with weights yet.
     void clear_for(std::size_t particles)
     {
-        patches.resize(particles);
+        stencils.resize(particles);
         used = 0;
     }
 
-    /// Make room for a patch of `count` nodes.
+    /// Make room for a stencil of `count` nodes.
     void extend(std::size_t count)
     {
         const std::size_t needed = used + count + lanes;
@@ -73,29 +73,31 @@ struct PatchStore {
         for (std::vector<double>* part : {&value, &gradient_x, &gradient_y}) make_room(*part, needed);
     }
 
-    /// Store the patch of a particle, counted in the tile, after those of the particles before it.
-    void put(std::size_t particle, const NodePatch& patch)
+    /// Store the stencil of a particle, counted in the tile, after those of the particles before it.
+    void put(std::size_t particle, const NodeStencil& stencil)
     {
-        const int count = patch.width * patch.height;
+        const int count = stencil.width * stencil.height;
         extend(static_cast<std::size_t>(count));
-        patches[particle] = {patch.column, patch.row, static_cast<std::int32_t>(used),
-                             static_cast<std::int16_t>(patch.width), static_cast<std::int16_t>(patch.height)};
+        stencils[particle] = {stencil.column, stencil.row, static_cast<std::int32_t>(used),
+                              static_cast<std::int16_t>(stencil.width),
+                              static_cast<std::int16_t>(stencil.height)};
         for (int k = 0; k < count; ++k, ++used) {
-            value[used] = patch.weights[k].value;
-            gradient_x[used] = patch.weights[k].gradient_x;
-            gradient_y[used] = patch.weights[k].gradient_y;
+            value[used] = stencil.weights[k].value;
+            gradient_x[used] = stencil.weights[k].gradient_x;
+            gradient_y[used] = stencil.weights[k].gradient_y;
         }
     }
 };
 
-/// Call visit(node, weight) for the nodes of a patch.
+/// Call visit(node, weight) for the nodes of a stencil.
 template <class Visit>
-void for_each_node(const StoredPatch& patch, const PatchStore& store, std::int32_t nodes_x, Visit&& visit)
+void for_each_node(const StoredStencil& stencil, const StencilStore& store, std::int32_t nodes_x,
+                   Visit&& visit)
 {
-    auto k = static_cast<std::size_t>(patch.first);
-    for (std::int32_t b = 0; b < patch.height; ++b) {
-        const auto row = static_cast<std::size_t>(patch.base(nodes_x) + b * nodes_x);
-        for (std::int32_t a = 0; a < patch.width; ++a, ++k) {
+    auto k = static_cast<std::size_t>(stencil.first);
+    for (std::int32_t b = 0; b < stencil.height; ++b) {
+        const auto row = static_cast<std::size_t>(stencil.base(nodes_x) + b * nodes_x);
+        for (std::int32_t a = 0; a < stencil.width; ++a, ++k) {
             visit(row + static_cast<std::size_t>(a),
                   NodeWeight{store.value[k], store.gradient_x[k], store.gradient_y[k]});
         }

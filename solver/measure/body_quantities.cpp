@@ -45,11 +45,11 @@ constexpr std::array table = {
     BodyQuantity{"limited_domains", "-", "particle domains scaled down in the last step, as they reached farther than 2.5 cells from their centre", any_body,
         [](const MeasuredBody& body) { return static_cast<double>(body.limited_domains); }},
     BodyQuantity{"mean_stress_checkerboard", "-", "|sum (-1)^(i+j) p_c V_c| / sum |p_c| V_c over the cells, of the mean effective stress; above 0.05 neighbours disagree", any_body,
-        [](const MeasuredBody& body) { return body.noise.mean_stress_checkerboard; }},
+        [](const MeasuredBody& body) { return body.oscillations.mean_stress_checkerboard; }},
     BodyQuantity{"mean_stress_scatter", "-", "mean effective stress of the particles off the plane through their cells / its size; tenths where volume locks", any_body,
-        [](const MeasuredBody& body) { return body.noise.mean_stress_scatter; }},
+        [](const MeasuredBody& body) { return body.oscillations.mean_stress_scatter; }},
     BodyQuantity{"pore_pressure_checkerboard", "-", "as mean_stress_checkerboard, of the excess pore pressure", wet_body,
-        [](const MeasuredBody& body) { return body.noise.pore_pressure_checkerboard; }},
+        [](const MeasuredBody& body) { return body.oscillations.pore_pressure_checkerboard; }},
     BodyQuantity{"kinetic_energy_water", "J", "kinetic energy of the water, relative to the base", wet_body,
         [](const MeasuredBody& body) { return body.monitors.kinetic_energy_fluid; }},
     BodyQuantity{"storage_energy_water", "J", "energy stored in the compressed water", wet_body,
@@ -59,29 +59,29 @@ constexpr std::array table = {
     BodyQuantity{"water_content", "m3", "volume of the pore water without its pressure", wet_body,
         [](const MeasuredBody& body) { return water_content(body.problem, body.state.particles); }},
     BodyQuantity{"skeleton_work", "J", "work of the effective stress on the skeleton since t = 0, stored and dissipated", balanced_body,
-        [](const MeasuredBody& body) { return body.state.ledger->skeleton_work; }},
+        [](const MeasuredBody& body) { return body.state.balance_terms->skeleton_work; }},
     BodyQuantity{"gravity_work", "J", "work of the weight since t = 0, buoyant below water", balanced_body,
-        [](const MeasuredBody& body) { return body.state.ledger->gravity_work; }},
+        [](const MeasuredBody& body) { return body.state.balance_terms->gravity_work; }},
     BodyQuantity{"base_work", "J", "work of the base's acceleration since t = 0", balanced_body,
-        [](const MeasuredBody& body) { return body.state.ledger->base_work; }},
+        [](const MeasuredBody& body) { return body.state.balance_terms->base_work; }},
     BodyQuantity{"boundary_work", "J", "work of loads, heads, moving walls and viscous boundaries since t = 0", balanced_body,
-        [](const MeasuredBody& body) { return body.state.ledger->boundary_work; }},
+        [](const MeasuredBody& body) { return body.state.balance_terms->boundary_work; }},
     BodyQuantity{"numerical_loss", "J", "kinetic energy lost between particles and grid and at walls, by the scheme alone", balanced_body,
         [](const MeasuredBody& body) { return body.balance.numerical_loss; }},
     BodyQuantity{"energy_error", "-", "what kinetic energy, stored energy, works and losses leave / the sum of their sizes", balanced_body,
         [](const MeasuredBody& body) { return body.balance.energy_error; }},
     BodyQuantity{"impulse_x", "N s", "horizontal impulse of weight, base and boundaries since t = 0", balanced_body,
-        [](const MeasuredBody& body) { return body.state.ledger->impulse_x; }},
+        [](const MeasuredBody& body) { return body.state.balance_terms->impulse_x; }},
     BodyQuantity{"impulse_y", "N s", "vertical impulse of weight, base and boundaries since t = 0, upward", balanced_body,
-        [](const MeasuredBody& body) { return body.state.ledger->impulse_y; }},
+        [](const MeasuredBody& body) { return body.state.balance_terms->impulse_y; }},
     BodyQuantity{"momentum_error_x", "N s", "horizontal momentum less that at t = 0, the impulses and what came with changes of pore volume", balanced_body,
         [](const MeasuredBody& body) { return body.balance.momentum_error_x; }},
     BodyQuantity{"momentum_error_y", "N s", "vertical momentum less that at t = 0, the impulses and what came with changes of pore volume", balanced_body,
         [](const MeasuredBody& body) { return body.balance.momentum_error_y; }},
     BodyQuantity{"drag_dissipation", "J", "energy that the drag between water and grains has dissipated since t = 0", balanced_wet_body,
-        [](const MeasuredBody& body) { return body.state.ledger->drag_dissipation; }},
+        [](const MeasuredBody& body) { return body.state.balance_terms->drag_dissipation; }},
     BodyQuantity{"water_outflow", "m3", "volume of water that left the soil since t = 0", balanced_wet_body,
-        [](const MeasuredBody& body) { return body.state.ledger->outflow; }},
+        [](const MeasuredBody& body) { return body.state.balance_terms->outflow; }},
     BodyQuantity{"water_error", "-", "what water_content and water_outflow leave / the content at t = 0", balanced_wet_body,
         [](const MeasuredBody& body) { return body.balance.water_error; }},
 };
@@ -89,7 +89,7 @@ constexpr std::array table = {
 
 bool has(const Problem& problem, const State& state, BodyQuantityOf of)
 {
-    const bool wet = problem.water.has_value(), balanced = state.ledger.has_value();
+    const bool wet = problem.water.has_value(), balanced = state.balance_terms.has_value();
     return of == any_body || (of == wet_body && wet) || (of == balanced_body && balanced) ||
            (of == balanced_wet_body && wet && balanced);
 }
@@ -102,8 +102,8 @@ MeasuredBody measure_body(const Problem& problem, const State& state, const std:
     return {problem,
             state,
             monitor(problem, state, crest),
-            measure_pressure_noise(problem, state.particles),
-            state.ledger ? balance(problem, state) : LedgerBalance{},
+            measure_pressure_oscillations(problem, state.particles),
+            state.balance_terms ? balance(problem, state) : BalanceErrors{},
             limited_domains};
 }
 

@@ -2,9 +2,9 @@
 // and io/RESULTS.md follow from this table.
 #pragma once
 
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 #include "solver/measure/monitors.hpp"
-#include "solver/measure/pressure_noise.hpp"
+#include "solver/measure/pressure_oscillations.hpp"
 
 #include <cstdint>
 #include <span>
@@ -19,8 +19,8 @@ struct MeasuredBody {
     const Problem& problem;
     const State& state;
     Monitors monitors;
-    PressureNoise noise;
-    LedgerBalance balance;            // of a run that keeps a ledger, zeros otherwise
+    PressureOscillations oscillations;
+    BalanceErrors balance;            // of a run with balances, zeros otherwise
     std::int64_t limited_domains = 0; // particle domains scaled down in the last step [-]
 };
 
@@ -32,7 +32,7 @@ MeasuredBody measure_body(const Problem& problem, const State& state, const std:
 enum class BodyQuantityOf : std::uint8_t {
     any_body,
     wet_body,         // of a scene with water
-    balanced_body,    // of a run that keeps a ledger
+    balanced_body,    // of a run with balances
     balanced_wet_body // of such a run with water
 };
 

@@ -87,8 +87,8 @@ bool may_reach(const BackgroundGrid& grid, const PresentDomain& domain, const No
 }
 
 /// Weights of a domain that may lie partly outside the grid, as displaced domains of small strain do: the
-/// patch's columns and rows then lie outside, too.
-void evaluate_anywhere(const BackgroundGrid& grid, const PresentDomain& domain, NodePatch& patch)
+/// stencil's columns and rows then lie outside, too.
+void evaluate_anywhere(const BackgroundGrid& grid, const PresentDomain& domain, NodeStencil& stencil)
 {
     const Vector2 lower = grid.cells_from_rim(domain.whole.centre) - domain.reach / grid.cell_size;
     const int columns = std::max(0, static_cast<int>(std::ceil(-lower.x()))),
@@ -96,11 +96,11 @@ void evaluate_anywhere(const BackgroundGrid& grid, const PresentDomain& domain, 
     BackgroundGrid around = grid;
     around.origin -= grid.cell_size * Vector2(columns, rows);
     if (domain.shape == nullptr)
-        evaluate_cpdi(around, domain.whole, patch);
+        evaluate_cpdi(around, domain.whole, stencil);
     else
-        evaluate_polygon(around, *domain.shape, domain.corners, patch);
-    patch.column -= columns;
-    patch.row -= rows;
+        evaluate_polygon(around, *domain.shape, domain.corners, stencil);
+    stencil.column -= columns;
+    stencil.row -= rows;
 }
 
 NodalFields empty_fields(const BackgroundGrid& grid, const Particles& particles)
@@ -137,19 +137,19 @@ NodalFields average(const Problem& problem, const Particles& particles, const No
     for (NodalField& field : fields.fields)
         for (Scalars& component : field.components) arrays.push_back(&component);
 
-    NodePatch patch;
+    NodeStencil stencil;
     std::vector<double> values;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const PresentDomain domain = present_domain(problem, particles, p);
         if (!may_reach(grid, domain, wanted)) continue;
-        evaluate_anywhere(grid, domain, patch);
+        evaluate_anywhere(grid, domain, stencil);
         take_values(fields, problem, particles, p, values);
-        for (int k = 0; k < patch.width * patch.height; ++k) {
-            const int i = patch.column + k % patch.width, j = patch.row + k / patch.width;
+        for (int k = 0; k < stencil.width * stencil.height; ++k) {
+            const int i = stencil.column + k % stencil.width, j = stencil.row + k / stencil.width;
             if (i < 0 || j < 0 || i >= grid.nodes_x() || j >= grid.nodes_y()) continue;
             const std::size_t node = grid.node_index(i, j);
             if (wanted[node] == 0) continue;
-            const double weight = patch.weights[k].value * particles.volume[p];
+            const double weight = stencil.weights[k].value * particles.volume[p];
             fields.volume[node] += weight;
             for (std::size_t f = 0; f < arrays.size(); ++f) (*arrays[f])[node] += weight * values[f];
         }

@@ -27,9 +27,9 @@ double shear_strain(const BackgroundGrid& grid, const NodalFields& fields, const
     for (const std::size_t node : weights.node) {
         // dN/dx = +-(1 - |y - y_i|/h)/h, dN/dy alike
         const Vector2 place = grid.node_position(node);
-        const Vector2 share = Vector2::Ones() - (point - place).cwiseAbs() / grid.cell_size;
-        const double slope_x = std::copysign(share.y() / grid.cell_size, place.x() - centre.x());
-        const double slope_y = std::copysign(share.x() / grid.cell_size, place.y() - centre.y());
+        const Vector2 fraction = Vector2::Ones() - (point - place).cwiseAbs() / grid.cell_size;
+        const double slope_x = std::copysign(fraction.y() / grid.cell_size, place.x() - centre.x());
+        const double slope_y = std::copysign(fraction.x() / grid.cell_size, place.y() - centre.y());
         strain += slope_y * displacement[0][node] + slope_x * displacement[1][node];
     }
     return strain;

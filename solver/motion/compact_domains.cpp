@@ -89,12 +89,12 @@ void limit_reference(std::size_t p, Particles& particles)
     Vectors &R1 = particles.reference_edge_1, &R2 = particles.reference_edge_2;
     const double area = R1.x[p] * R2.y[p] - R1.y[p] * R2.x[p];
     const Vector2 longer = R1[p].squaredNorm() < R2[p].squaredNorm() ? R2[p] : R1[p];
-    const double share = largest_recorded_stretch * std::sqrt(area) / longer.norm();
-    if (share >= 1.0) return;
+    const double fraction = largest_recorded_stretch * std::sqrt(area) / longer.norm();
+    if (fraction >= 1.0) return;
     const Vector2 along = longer.normalized(), across(-along.y(), along.x());
     for (Vectors* edge : {&R1, &R2}) {
         const Vector2 R = (*edge)[p];
-        edge->set(p, share * along.dot(R) * along + across.dot(R) / share * across);
+        edge->set(p, fraction * along.dot(R) * along + across.dot(R) / fraction * across);
     }
 }
 

@@ -6,7 +6,7 @@
 #include "solver/interpolation/cpdi2.hpp"
 #include "solver/interpolation/gimp.hpp"
 #include "solver/interpolation/linear_interpolation.hpp"
-#include "solver/interpolation/patch_walk.hpp"
+#include "solver/interpolation/stencil_walk.hpp"
 #include "solver/problem/problem.hpp"
 
 #include <algorithm>
@@ -22,18 +22,18 @@ struct CarriedField {
 };
 
 /// What a particle gives to its nodes: with weight phi and offset d from the particle, node sums grow by
-///   phi amounts,  phi (momentum + its slopes times d),  grad_x flow_x + grad_y flow_y
+///   phi amounts,  phi (momentum + its derivatives times d),  grad_x flow_x + grad_y flow_y
 /// for the masses, momenta and forces in the order of TwoPhaseSums.
-struct TwoPhaseShare {
+struct TwoPhaseContribution {
     Lanes amounts;         // m_s, m_w, V_w of saturated soil, C V_w
     CarriedField momentum; // m_s v_s and m_w v_w
     Lanes flow_x, flow_y;  // -V sigma' of the grains and V p, columns x and y
 };
 
-inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles, std::size_t p)
+inline TwoPhaseContribution contribution_of(const Problem& problem, const Particles& particles, std::size_t p)
 {
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-    const Gradients &Cs = particles.velocity_slope_solid, &Cw = particles.velocity_slope_fluid;
+    const Gradients &Cs = particles.affine_velocity_solid, &Cw = particles.affine_velocity_fluid;
     const double V = particles.volume[p], n = particles.porosity[p];
     const double V_w = material.saturated ? V : 0.0;
     const double m_s = particles.mass_solid[p], m_w = n * problem.water->density * V_w;
@@ -41,16 +41,17 @@ inline TwoPhaseShare share_of(const Problem& problem, const Particles& particles
     const double xx = particles.stress.xx[p], yy = particles.stress.yy[p], xy = particles.stress.xy[p];
     const double pressure = particles.pore_pressure[p];
     const Lanes masses = {m_s, m_s, m_w, m_w};
-    TwoPhaseShare share;
-    share.amounts = Lanes{m_s, m_w, V_w, drag};
-    share.momentum.at_particle = masses * Lanes{particles.velocity_solid.x[p], particles.velocity_solid.y[p],
-                                                particles.velocity_fluid.x[p], particles.velocity_fluid.y[p]};
-    share.momentum.slope_x = masses * Lanes{Cs.xx[p], Cs.yx[p], Cw.xx[p], Cw.yx[p]};
-    share.momentum.slope_y = masses * Lanes{Cs.xy[p], Cs.yy[p], Cw.xy[p], Cw.yy[p]};
+    TwoPhaseContribution contribution;
+    contribution.amounts = Lanes{m_s, m_w, V_w, drag};
+    contribution.momentum.at_particle =
+        masses * Lanes{particles.velocity_solid.x[p], particles.velocity_solid.y[p],
+                       particles.velocity_fluid.x[p], particles.velocity_fluid.y[p]};
+    contribution.momentum.slope_x = masses * Lanes{Cs.xx[p], Cs.yx[p], Cw.xx[p], Cw.yx[p]};
+    contribution.momentum.slope_y = masses * Lanes{Cs.xy[p], Cs.yy[p], Cw.xy[p], Cw.yy[p]};
     const Lanes volumes = {-V, -V, V, V};
-    share.flow_x = volumes * Lanes{xx, xy, pressure, 0.0};
-    share.flow_y = volumes * Lanes{xy, yy, 0.0, pressure};
-    return share;
+    contribution.flow_x = volumes * Lanes{xx, xy, pressure, 0.0};
+    contribution.flow_y = volumes * Lanes{xy, yy, 0.0, pressure};
+    return contribution;
 }
 
 inline void add_to(double* target, const Lanes& increment)
@@ -58,7 +59,7 @@ inline void add_to(double* target, const Lanes& increment)
     store_lanes(load_lanes(target) + increment, target);
 }
 
-/// The grid as a patch sees it.
+/// Rows of the grid's nodes.
 struct NodeRows {
     double rim_x, rim_y; // corner of its lower left node [m]
     double h;            // between nodes [m]
@@ -71,19 +72,19 @@ inline NodeRows rows_of(const BackgroundGrid& grid)
     return {rim.x(), rim.y(), grid.cell_size, grid.nodes_x()};
 }
 
-/// Call add(node, phi, d phi/dx, d phi/dy, the field at the node) for the nodes of the patch of a particle at
-/// (x, y).
+/// Call add(node, phi, d phi/dx, d phi/dy, the field at the node) for the nodes of the stencil of a particle
+/// at (x, y).
 template <class Node, class Add>
 inline void carry_to_nodes(const CarriedField& field, double x, double y, const NodeRows& rows,
-                           const StoredPatch& patch, const PatchStore& store, Node* nodes, Add&& add)
+                           const StoredStencil& stencil, const StencilStore& store, Node* nodes, Add&& add)
 {
     const double h = rows.h;
     const Lanes node_step = h * field.slope_x, row_step = h * field.slope_y; // from one to the next
-    const double dx = rows.rim_x + patch.column * h - x, dy = rows.rim_y + patch.row * h - y;
+    const double dx = rows.rim_x + stencil.column * h - x, dy = rows.rim_y + stencil.row * h - y;
     Lanes at_row = field.at_particle + dx * field.slope_x + dy * field.slope_y; // at its first node
     Lanes at_node;
-    walk_patch(
-        patch, store, rows.nodes_x, nodes,
+    walk_stencil(
+        stencil, store, rows.nodes_x, nodes,
         [&] {
             at_node = at_row;
             at_row += row_step;
@@ -97,62 +98,62 @@ inline void carry_to_nodes(const CarriedField& field, double x, double y, const 
 
 template <NodeInterpolation Member>
 std::int64_t evaluate_tile(const BackgroundGrid& grid, const Particles& particles, const CellLists& lists,
-                           const Tile& tile, PatchStore& store)
+                           const Tile& tile, StencilStore& store)
 {
     store.clear_for(lists.last_entry(tile) - lists.first_entry(tile));
     std::int64_t limited = 0;
-    NodePatch patch;
+    NodeStencil stencil;
     const std::size_t first = lists.first_entry(tile);
     for (std::size_t k = first; k < lists.last_entry(tile); ++k) {
-        limited += Member::evaluate(grid, particles, static_cast<std::size_t>(lists.order[k]), patch);
-        store.put(k - first, patch);
+        limited += Member::evaluate(grid, particles, static_cast<std::size_t>(lists.order[k]), stencil);
+        store.put(k - first, stencil);
     }
     return limited;
 }
 
-/// What a particle of a body that moves as one gives to its nodes, as TwoPhaseShare: lanes mass, weight and
-/// momentum, and the force's flows -V sigma.
-struct SinglePhaseShare {
+/// What a particle of a body that moves as one gives to its nodes, as TwoPhaseContribution: lanes mass,
+/// weight and momentum, and the force's flows -V sigma.
+struct SinglePhaseContribution {
     CarriedField carried;
     double flow_xx, flow_yy, flow_xy; // [N m/m]
 };
 
 /// `pressure` acts besides the effective stress [Pa].
-inline SinglePhaseShare share_of(const Particles& particles, const CarriedMasses& masses, std::size_t p,
-                                 double pressure)
+inline SinglePhaseContribution contribution_of(const Particles& particles, const CarriedMasses& masses,
+                                               std::size_t p, double pressure)
 {
-    const Gradients& C = particles.velocity_slope_solid;
+    const Gradients& C = particles.affine_velocity_solid;
     const double V = particles.volume[p], m = masses.inertia[p];
-    SinglePhaseShare share;
-    share.carried.at_particle =
+    SinglePhaseContribution contribution;
+    contribution.carried.at_particle =
         Lanes{m, masses.weight[p], m * particles.velocity_solid.x[p], m * particles.velocity_solid.y[p]};
-    share.carried.slope_x = Lanes{0.0, 0.0, m * C.xx[p], m * C.yx[p]};
-    share.carried.slope_y = Lanes{0.0, 0.0, m * C.xy[p], m * C.yy[p]};
-    share.flow_xx = -V * (particles.stress.xx[p] - pressure);
-    share.flow_yy = -V * (particles.stress.yy[p] - pressure);
-    share.flow_xy = -V * particles.stress.xy[p];
-    return share;
+    contribution.carried.slope_x = Lanes{0.0, 0.0, m * C.xx[p], m * C.yx[p]};
+    contribution.carried.slope_y = Lanes{0.0, 0.0, m * C.xy[p], m * C.yy[p]};
+    contribution.flow_xx = -V * (particles.stress.xx[p] - pressure);
+    contribution.flow_yy = -V * (particles.stress.yy[p] - pressure);
+    contribution.flow_xy = -V * particles.stress.xy[p];
+    return contribution;
 }
 
 /// `pressure(p)` acts besides the effective stress [Pa].
 template <class Pressure>
 inline void scatter_one_velocity(const Problem& problem, const Particles& particles,
                                  const CarriedMasses& masses, const CellLists& lists, const Tile& tile,
-                                 const PatchStore& store, std::vector<SinglePhaseSums>& sums,
+                                 const StencilStore& store, std::vector<SinglePhaseSums>& sums,
                                  Pressure&& pressure)
 {
     const Vectors& place = place_in_equations(problem, particles);
     const NodeRows rows = rows_of(problem.grid);
-    const StoredPatch* patch = store.patches.data();
-    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
+    const StoredStencil* stencil = store.stencils.data();
+    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++stencil) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
-        const SinglePhaseShare share = share_of(particles, masses, p, pressure(p));
+        const SinglePhaseContribution contribution = contribution_of(particles, masses, p, pressure(p));
         carry_to_nodes(
-            share.carried, place.x[p], place.y[p], rows, *patch, store, sums.data(),
+            contribution.carried, place.x[p], place.y[p], rows, *stencil, store, sums.data(),
             [&](SinglePhaseSums& node, double phi, double grad_x, double grad_y, const Lanes& carried) {
                 add_to(&node.mass, phi * carried);
-                node.stress_force_x += share.flow_xx * grad_x + share.flow_xy * grad_y;
-                node.stress_force_y += share.flow_xy * grad_x + share.flow_yy * grad_y;
+                node.stress_force_x += contribution.flow_xx * grad_x + contribution.flow_xy * grad_y;
+                node.stress_force_y += contribution.flow_xy * grad_x + contribution.flow_yy * grad_y;
             });
     }
 }
@@ -180,7 +181,7 @@ void compute_carried_masses(const Problem& problem, const State& state, CarriedM
 }
 
 std::int64_t evaluate_weights(const Problem& problem, const Particles& particles, const CellLists& lists,
-                              const Tile& tile, PatchStore& store)
+                              const Tile& tile, StencilStore& store)
 {
     const BackgroundGrid& grid = problem.grid;
     switch (problem.interpolation) {
@@ -203,27 +204,27 @@ std::int64_t evaluate_weights(const Problem& problem, const Particles& particles
 
 VECTOR_KERNEL
 void scatter_two_phase(const Problem& problem, const Particles& particles, const CellLists& lists,
-                       const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums)
+                       const Tile& tile, const StencilStore& store, std::vector<TwoPhaseSums>& sums)
 {
     const Vectors& place = place_in_equations(problem, particles);
     const NodeRows rows = rows_of(problem.grid);
-    const StoredPatch* patch = store.patches.data();
-    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
+    const StoredStencil* stencil = store.stencils.data();
+    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++stencil) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
-        const TwoPhaseShare share = share_of(problem, particles, p);
+        const TwoPhaseContribution contribution = contribution_of(problem, particles, p);
         carry_to_nodes(
-            share.momentum, place.x[p], place.y[p], rows, *patch, store, sums.data(),
+            contribution.momentum, place.x[p], place.y[p], rows, *stencil, store, sums.data(),
             [&](TwoPhaseSums& node, double phi, double grad_x, double grad_y, const Lanes& momentum) {
-                add_to(&node.mass_solid, phi * share.amounts);
+                add_to(&node.mass_solid, phi * contribution.amounts);
                 add_to(&node.momentum_solid_x, phi * momentum);
-                add_to(&node.stress_force_x, grad_x * share.flow_x + grad_y * share.flow_y);
+                add_to(&node.stress_force_x, grad_x * contribution.flow_x + grad_y * contribution.flow_y);
             });
     }
 }
 
 VECTOR_KERNEL
 void scatter_single_phase(const Problem& problem, const Particles& particles, const CarriedMasses& masses,
-                          const CellLists& lists, const Tile& tile, const PatchStore& store,
+                          const CellLists& lists, const Tile& tile, const StencilStore& store,
                           std::vector<SinglePhaseSums>& sums)
 {
     scatter_one_velocity(problem, particles, masses, lists, tile, store, sums,
@@ -232,7 +233,7 @@ void scatter_single_phase(const Problem& problem, const Particles& particles, co
 
 VECTOR_KERNEL
 void scatter_total_stress(const Problem& problem, const Particles& particles, const CarriedMasses& masses,
-                          const CellLists& lists, const Tile& tile, const PatchStore& store,
+                          const CellLists& lists, const Tile& tile, const StencilStore& store,
                           std::vector<SinglePhaseSums>& sums)
 {
     scatter_one_velocity(problem, particles, masses, lists, tile, store, sums,
@@ -240,17 +241,17 @@ void scatter_total_stress(const Problem& problem, const Particles& particles, co
 }
 
 void scatter_risen_water(const Problem& problem, const Particles& particles, const CellLists& lists,
-                         const Tile& tile, const PatchStore& store, std::vector<TwoPhaseSums>& sums,
+                         const Tile& tile, const StencilStore& store, std::vector<TwoPhaseSums>& sums,
                          std::vector<OuterForce>& outer)
 {
-    const StoredPatch* patch = store.patches.data();
-    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
+    const StoredStencil* stencil = store.stencils.data();
+    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++stencil) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
         if (!material.saturated || place_in_equations(problem, particles).y[p] < problem.water->level)
             continue;
         const double lift = problem.water->density * problem.gravity * particles.volume[p];
-        for_each_node(*patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+        for_each_node(*stencil, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
             sums[i].pressure_force_y -= w.value * lift;
             outer[i].risen_weight += w.value * lift;
         });
@@ -265,14 +266,14 @@ bool has_pressure(const Particles& particles)
 
 void scatter_body_force(const Problem& problem, double time, const Particles& particles,
                         const CarriedMasses& masses, const CellLists& lists, const Tile& tile,
-                        const PatchStore& store, std::vector<SinglePhaseSums>& sums)
+                        const StencilStore& store, std::vector<SinglePhaseSums>& sums)
 {
-    const StoredPatch* patch = store.patches.data();
-    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++patch) {
+    const StoredStencil* stencil = store.stencils.data();
+    for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++stencil) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const Vector2 force =
             masses.inertia[p] * problem.body_acceleration(particles.reference_position[p], time);
-        for_each_node(*patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+        for_each_node(*stencil, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
             sums[i].stress_force_x += w.value * force.x();
             sums[i].stress_force_y += w.value * force.y();
         });

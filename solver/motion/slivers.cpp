@@ -12,8 +12,8 @@ namespace quicksand {
 
 namespace {
 
-constexpr double largest_share = 0.1; // of a box
-constexpr double reach = 2.0;         // of a sliver to its carrier [boxes]
+constexpr double largest_fraction = 0.1; // of a box
+constexpr double reach = 2.0;            // of a sliver to its carrier [boxes]
 
 /// Boxes of a lattice with the particles whose centres lie in them.
 class Neighbours {
@@ -74,13 +74,13 @@ void for_each_memory(Particles& particles, Visit&& visit)
 
 /// Momentum that comes with water when a particle's pores grow by a volume [m3/m].
 void enter_growth(const Problem& problem, const Particles& particles, std::size_t p, double growth,
-                  Ledger& ledger)
+                  BalanceTerms& terms)
 {
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
     if (!water_of(problem, material) || water_flow(problem) == WaterFlow::undrained) return;
     const Vector2 momentum = problem.water->density * growth * velocity_of_water(particles, p);
-    ledger.exchange_x += momentum.x();
-    ledger.exchange_y += momentum.y();
+    terms.exchange_x += momentum.x();
+    terms.exchange_y += momentum.y();
 }
 
 } // namespace
@@ -90,7 +90,7 @@ std::vector<Sliver> find_slivers(const CutDomains& cut, const Particles& particl
     std::vector<Sliver> slivers;
     if (!cut.has_pieces()) return slivers;
     const auto is_sliver = [&](std::size_t p) {
-        return cut.is_piece(particles.identifier[p]) && particles.volume[p] < largest_share * box_volume;
+        return cut.is_piece(particles.identifier[p]) && particles.volume[p] < largest_fraction * box_volume;
     };
     Neighbours neighbours(particles, std::sqrt(box_volume));
     for (std::size_t p = 0; p < particles.size(); ++p)
@@ -123,7 +123,8 @@ void carry_slivers(const Problem& problem, ParticlePlaces& places, State& state)
         particles.volume[p] = 4.0 * cross(particles.half_edge_1[p], particles.half_edge_2[p]);
         if (particles.porosity.empty()) continue;
         particles.porosity[p] = particles.porosity[q];
-        if (state.ledger) enter_growth(problem, particles, p, particles.volume[p] - before, *state.ledger);
+        if (state.balance_terms)
+            enter_growth(problem, particles, p, particles.volume[p] - before, *state.balance_terms);
     }
 }
 

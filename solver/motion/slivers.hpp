@@ -19,7 +19,7 @@ namespace quicksand {
 std::vector<Sliver> find_slivers(const CutDomains& cut, const Particles& particles, double box_volume);
 
 /// Bring the slivers to where their carriers have them, with their stress and what the soil remembers; the
-/// ledger gets the momentum that their pores exchange for it.
+/// balances get the momentum that their pores exchange for it.
 void carry_slivers(const Problem& problem, ParticlePlaces& places, State& state);
 
 } // namespace quicksand

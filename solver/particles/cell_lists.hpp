@@ -57,15 +57,16 @@ std::int64_t update_cell_lists(const BackgroundGrid& grid, const Particles& part
 /// Fraction of particles whose neighbour in memory is not their neighbour in the lists [-].
 double disorder(const CellLists& lists);
 
-/// Shares of tiles with as many particles each: those that the thread has in loops over particles, too.
-inline WorkShares shares_of(const CellLists& lists, const std::vector<Tile>& tiles, int threads)
+/// Queues of tiles with equal numbers of particles, the same particles for a thread as in loops over
+/// particles.
+inline WorkQueues queues_of(const CellLists& lists, const std::vector<Tile>& tiles, int threads)
 {
-    return WorkShares(threads, [&](int k, int shares) {
+    return WorkQueues(threads, [&](int k, int queues) {
         const std::size_t first =
-            lists.order.size() * static_cast<std::size_t>(k) / static_cast<std::size_t>(shares);
+            lists.order.size() * static_cast<std::size_t>(k) / static_cast<std::size_t>(queues);
         const auto starts_before = [&](const Tile& tile) { return lists.first_entry(tile) < first; };
         const auto begin = std::partition_point(tiles.begin(), tiles.end(), starts_before);
-        return static_cast<std::uint32_t>(k == shares ? tiles.size() : begin - tiles.begin());
+        return static_cast<std::uint32_t>(k == queues ? tiles.size() : begin - tiles.begin());
     });
 }
 
@@ -74,15 +75,15 @@ template <class Work>
 void for_each_tile_by_colour(const CellLists& lists, Work&& work)
 {
     const int threads = threads_for(lists.order.size());
-    const auto shares_of_colour = [&](std::size_t colour) {
-        return shares_of(lists, lists.tiles_of_colour[colour], threads);
+    const auto queues_of_colour = [&](std::size_t colour) {
+        return queues_of(lists, lists.tiles_of_colour[colour], threads);
     };
-    std::array<WorkShares, 4> shares = {shares_of_colour(0), shares_of_colour(1), shares_of_colour(2),
-                                        shares_of_colour(3)};
+    std::array<WorkQueues, 4> queues = {queues_of_colour(0), queues_of_colour(1), queues_of_colour(2),
+                                        queues_of_colour(3)};
 #pragma omp parallel num_threads(threads)
     for (std::size_t colour = 0; colour < 4; ++colour) {
         const std::vector<Tile>& tiles = lists.tiles_of_colour[colour];
-        while (const auto t = shares[colour].take(thread_number())) work(tiles[*t]);
+        while (const auto t = queues[colour].take(thread_number())) work(tiles[*t]);
 #pragma omp barrier
     }
 }
@@ -92,9 +93,9 @@ template <class Work>
 void for_each_tile(const CellLists& lists, Work&& work)
 {
     const int threads = threads_for(lists.order.size());
-    WorkShares shares = shares_of(lists, lists.tiles, threads);
+    WorkQueues queues = queues_of(lists, lists.tiles, threads);
 #pragma omp parallel num_threads(threads)
-    while (const auto t = shares.take(thread_number())) work(lists.tiles[*t]);
+    while (const auto t = queues.take(thread_number())) work(lists.tiles[*t]);
 }
 
 } // namespace quicksand

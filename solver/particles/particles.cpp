@@ -59,7 +59,7 @@ const char* memory_name(std::size_t column)
 
 ArrayGroup group_of(std::string_view name)
 {
-    if (name.starts_with("velocity_fluid") || name.starts_with("velocity_slope_fluid"))
+    if (name.starts_with("velocity_fluid") || name.starts_with("affine_velocity_fluid"))
         return ArrayGroup::fluid_motion;
     if (name == "porosity") return ArrayGroup::pores;
     if (name == "pore_pressure") return ArrayGroup::pressure;

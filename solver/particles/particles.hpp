@@ -54,14 +54,14 @@ struct Particles {
 
     Vectors velocity_solid;            // v_s [m/s]
     Gradients velocity_gradient_solid; // L_s, with which the domain deforms [1/s]
-    Gradients velocity_slope_solid;    // C_s, carried to the nodes, see carried_slope.hpp [1/s]
+    Gradients affine_velocity_solid;   // C_s, carried to the nodes, see affine_velocity.hpp [1/s]
     Scalars mass_solid;                // (1-n) rho_s V_p, constant [kg/m]
     SymmetricTensors stress;           // effective stress sigma', tension positive [Pa]
 
-    Vectors velocity_fluid;         // v_w, true velocity [m/s]
-    Gradients velocity_slope_fluid; // C_w [1/s]
-    Scalars porosity;               // n [-]
-    Scalars water_volume;           // of the water a particle keeps when undrained, without pressure [m3/m]
+    Vectors velocity_fluid;          // v_w, true velocity [m/s]
+    Gradients affine_velocity_fluid; // C_w [1/s]
+    Scalars porosity;                // n [-]
+    Scalars water_volume;            // of the water a particle keeps when undrained, without pressure [m3/m]
     Scalars tension_deficit;    // excess pressure that cavities keep from the water, see pore_pressure.hpp,
                                 // never positive; none without a cavitation limit [Pa]
     Scalars pore_pressure;      // excess over the static water pressure, compression positive [Pa]
@@ -104,16 +104,16 @@ void for_each_array(ParticleSet& particles, Visitor&& visit)
     vectors("velocity_solid_x", "velocity_solid_y", particles.velocity_solid);
     gradients("velocity_gradient_solid_xx", "velocity_gradient_solid_xy", "velocity_gradient_solid_yx",
               "velocity_gradient_solid_yy", particles.velocity_gradient_solid);
-    gradients("velocity_slope_solid_xx", "velocity_slope_solid_xy", "velocity_slope_solid_yx",
-              "velocity_slope_solid_yy", particles.velocity_slope_solid);
+    gradients("affine_velocity_solid_xx", "affine_velocity_solid_xy", "affine_velocity_solid_yx",
+              "affine_velocity_solid_yy", particles.affine_velocity_solid);
     visit("mass_solid", particles.mass_solid);
     visit("stress_xx", particles.stress.xx);
     visit("stress_yy", particles.stress.yy);
     visit("stress_zz", particles.stress.zz);
     visit("stress_xy", particles.stress.xy);
     vectors("velocity_fluid_x", "velocity_fluid_y", particles.velocity_fluid);
-    gradients("velocity_slope_fluid_xx", "velocity_slope_fluid_xy", "velocity_slope_fluid_yx",
-              "velocity_slope_fluid_yy", particles.velocity_slope_fluid);
+    gradients("affine_velocity_fluid_xx", "affine_velocity_fluid_xy", "affine_velocity_fluid_yx",
+              "affine_velocity_fluid_yy", particles.affine_velocity_fluid);
     visit("porosity", particles.porosity);
     visit("water_volume", particles.water_volume);
     visit("tension_deficit", particles.tension_deficit);

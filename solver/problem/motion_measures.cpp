@@ -20,14 +20,14 @@ double squared_part(const SampledMotion& motion, std::size_t k)
     return 0.5 * motion.interval * (a * a + b * b);
 }
 
-/// Time at which the integral of a^2 reaches the share of its whole [s].
-double time_of_share(const SampledMotion& motion, double share, double whole)
+/// Time at which the integral of a^2 reaches the fraction of its whole [s].
+double time_of_fraction(const SampledMotion& motion, double fraction, double whole)
 {
     double before = 0.0;
     for (std::size_t k = 0; k + 1 < motion.accelerations.size(); ++k) {
         const double part = squared_part(motion, k);
-        if (part > 0.0 && before + part >= share * whole)
-            return motion.interval * (static_cast<double>(k) + (share * whole - before) / part);
+        if (part > 0.0 && before + part >= fraction * whole)
+            return motion.interval * (static_cast<double>(k) + (fraction * whole - before) / part);
         before += part;
     }
     return duration(motion);
@@ -36,7 +36,7 @@ double time_of_share(const SampledMotion& motion, double share, double whole)
 /// By the discrete Fourier transform of the record, zeros added up to a power of two.
 double highest_frequency(const SampledMotion& record)
 {
-    constexpr double share = 0.95;
+    constexpr double fraction = 0.95;
     std::size_t count = 1;
     while (count < record.accelerations.size()) count *= 2;
     std::vector<double> padded = record.accelerations;
@@ -46,7 +46,7 @@ double highest_frequency(const SampledMotion& record)
     std::vector<double> sums = {0.0}; // over the frequencies k / (count * interval), k >= 1
     for (std::size_t k = 1; k <= count / 2; ++k) sums.push_back(sums.back() + std::norm(spectrum[k]));
     const auto reached = std::find_if(sums.begin(), sums.end(),
-                                      [&](double sum) { return sum > 0.0 && sum >= share * sums.back(); });
+                                      [&](double sum) { return sum > 0.0 && sum >= fraction * sums.back(); });
     if (reached == sums.end()) return 0.0;
     return static_cast<double>(reached - sums.begin()) / (static_cast<double>(count) * record.interval);
 }
@@ -74,7 +74,7 @@ MotionMeasures measure(const SampledMotion& motion)
     measures.arias_intensity = std::numbers::pi / (2.0 * standard_gravity) * squares;
     if (squares > 0.0)
         measures.significant_duration =
-            time_of_share(motion, 0.95, squares) - time_of_share(motion, 0.05, squares);
+            time_of_fraction(motion, 0.95, squares) - time_of_fraction(motion, 0.05, squares);
     measures.residual_velocity = velocity;
     measures.residual_displacement = displacement;
     return measures;

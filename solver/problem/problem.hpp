@@ -75,7 +75,7 @@ struct Problem {
     Interpolation interpolation = Interpolation::cpdi;
     StrainForm strain = StrainForm::large;
     TimeScheme scheme = TimeScheme::explicit_steps; // of a saturated body
-    double step_share = 1.0;                        // of the stable time step that is taken [-]
+    double step_fraction = 1.0;                     // of the stable time step that is taken [-]
     std::vector<Material> materials;
     std::vector<std::string> region_names;
     CutDomains cut_domains; // of the particles that an outline cuts

@@ -99,9 +99,9 @@ SkeletonLaw reduced(const SkeletonLaw& law, double factor)
     return std::visit([&](const auto& any) -> SkeletonLaw { return reduced(any, factor); }, law);
 }
 
-void hold_water(SkeletonLaw& law, double dry_share)
+void hold_water(SkeletonLaw& law, double dry_fraction)
 {
-    std::visit([&](auto& any) { hold_water(any, dry_share); }, law);
+    std::visit([&](auto& any) { hold_water(any, dry_fraction); }, law);
 }
 
 } // namespace quicksand

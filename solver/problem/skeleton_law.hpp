@@ -37,6 +37,6 @@ bool yields(const SkeletonLaw& law);
 bool bears_stress_as_drawn(const SkeletonLaw& law);
 bool has_strength(const SkeletonLaw& law);
 SkeletonLaw reduced(const SkeletonLaw& law, double factor);
-void hold_water(SkeletonLaw& law, double dry_share);
+void hold_water(SkeletonLaw& law, double dry_fraction);
 
 } // namespace quicksand

@@ -9,9 +9,9 @@
 
 namespace quicksand {
 
-/// What the steps have exchanged since the ledger was opened; ledger.hpp says how it is kept. Energies and
+/// Terms of the balances, added up since open_balances(); see balances.hpp. Energies and
 /// works are of both phases and per metre [J/m].
-struct Ledger {
+struct BalanceTerms {
     double kinetic_change = 0.0;     // of the nodes' kinetic energy in their momentum balance
     double skeleton_work = 0.0;      // of the effective stress on the strain of the skeleton
     double late_pressure_work = 0.0; // of the pore pressure in the half step by which it is ahead
@@ -33,28 +33,28 @@ struct Ledger {
     double opening_water_content = 0.0; // [m3/m]
 };
 
-/// Call `visit(name, value)` for every number of a ledger, in a fixed order.
-template <class AnyLedger, class Visitor>
-void for_each_number(AnyLedger& ledger, Visitor&& visit)
+/// Call `visit(name, value)` for every number of the terms, in a fixed order.
+template <class AnyTerms, class Visitor>
+void for_each_number(AnyTerms& terms, Visitor&& visit)
 {
-    visit("ledger_kinetic_change", ledger.kinetic_change);
-    visit("ledger_skeleton_work", ledger.skeleton_work);
-    visit("ledger_late_pressure_work", ledger.late_pressure_work);
-    visit("ledger_drag_dissipation", ledger.drag_dissipation);
-    visit("ledger_gravity_work", ledger.gravity_work);
-    visit("ledger_base_work", ledger.base_work);
-    visit("ledger_boundary_work", ledger.boundary_work);
-    visit("ledger_wall_loss", ledger.wall_loss);
-    visit("ledger_impulse_x", ledger.impulse_x);
-    visit("ledger_impulse_y", ledger.impulse_y);
-    visit("ledger_exchange_x", ledger.exchange_x);
-    visit("ledger_exchange_y", ledger.exchange_y);
-    visit("ledger_outflow", ledger.outflow);
-    visit("ledger_opening_kinetic_energy", ledger.opening_kinetic_energy);
-    visit("ledger_opening_storage_energy", ledger.opening_storage_energy);
-    visit("ledger_opening_momentum_x", ledger.opening_momentum_x);
-    visit("ledger_opening_momentum_y", ledger.opening_momentum_y);
-    visit("ledger_opening_water_content", ledger.opening_water_content);
+    visit("balance_kinetic_change", terms.kinetic_change);
+    visit("balance_skeleton_work", terms.skeleton_work);
+    visit("balance_late_pressure_work", terms.late_pressure_work);
+    visit("balance_drag_dissipation", terms.drag_dissipation);
+    visit("balance_gravity_work", terms.gravity_work);
+    visit("balance_base_work", terms.base_work);
+    visit("balance_boundary_work", terms.boundary_work);
+    visit("balance_wall_loss", terms.wall_loss);
+    visit("balance_impulse_x", terms.impulse_x);
+    visit("balance_impulse_y", terms.impulse_y);
+    visit("balance_exchange_x", terms.exchange_x);
+    visit("balance_exchange_y", terms.exchange_y);
+    visit("balance_outflow", terms.outflow);
+    visit("balance_opening_kinetic_energy", terms.opening_kinetic_energy);
+    visit("balance_opening_storage_energy", terms.opening_storage_energy);
+    visit("balance_opening_momentum_x", terms.opening_momentum_x);
+    visit("balance_opening_momentum_y", terms.opening_momentum_y);
+    visit("balance_opening_water_content", terms.opening_water_content);
 }
 
 struct State {
@@ -63,14 +63,15 @@ struct State {
     std::int64_t step = 0;  // steps taken in this stage [-]
     double last_step = 0.0; // length of the step before, 0 at the start of a stage [s]
     Particles particles;
-    Vectors reactions;            // forces held at viscous boundaries, piece by piece; none without [N/m]
-    std::optional<Ledger> ledger; // none: nobody asks for balances, and the steps enter nothing
+    Vectors reactions; // forces held at viscous boundaries, piece by piece; none without [N/m]
+    std::optional<BalanceTerms> terms; // none: a run without balances
 };
 
-/// What velocities gain acceleration for in a step of length dt: they stand in the middle of the steps, so
-/// that it is half of both steps; those given at the start come to the middle of the first step. Then the
-/// scheme is second order in time with steps of any lengths [s].
-inline double kick_time(const State& state, double dt)
+/// dt_v = (dt_last + dt) / 2, the time over which accelerations act on velocities in a step of length dt [s].
+/// Velocities belong to the middle of the steps (leapfrog), which makes the scheme second order in time with
+/// steps of any lengths. In the first step of a stage dt_v = dt / 2: it moves the initial velocities to the
+/// middle of the step.
+inline double velocity_interval(const State& state, double dt)
 {
     return state.last_step > 0.0 ? 0.5 * (state.last_step + dt) : 0.5 * dt;
 }

@@ -15,7 +15,7 @@ namespace {
 /// Where the force of one piece goes, and its length.
 struct PieceWeights {
     double length = 0.0; // [m]
-    std::vector<std::pair<std::size_t, double>> shares;
+    std::vector<std::pair<std::size_t, double>> fractions;
 };
 
 std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State& state,
@@ -29,9 +29,9 @@ std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State&
             const std::size_t p = places.find(state.particles, piece.identifier);
             PieceWeights weights{piece.length, {}};
             for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
-                                 [&](std::size_t i, double share) {
-                                     if (share != 0.0)
-                                         weights.shares.emplace_back(conditions.master[i], share);
+                                 [&](std::size_t i, double fraction) {
+                                     if (fraction != 0.0)
+                                         weights.fractions.emplace_back(conditions.master[i], fraction);
                                  });
             all.push_back(std::move(weights));
         }
@@ -45,7 +45,7 @@ Scalars forces_of(const std::vector<PieceWeights>& pieces, const Scalars& multip
     Scalars forces;
     for (const PieceWeights& piece : pieces) {
         double sum = 0.0;
-        for (const auto& [node, share] : piece.shares) sum += share * multiplier[node];
+        for (const auto& [node, fraction] : piece.fractions) sum += fraction * multiplier[node];
         forces.push_back(piece.length * sum);
     }
     return forces;
@@ -57,8 +57,8 @@ Scalars sums_at_nodes(const std::vector<PieceWeights>& pieces, const std::vector
 {
     Scalars sums(released.size(), 0.0);
     for (std::size_t k = 0; k < pieces.size(); ++k) {
-        for (const auto& [node, share] : pieces[k].shares) {
-            if (released[node]) sums[node] += share * forces[k];
+        for (const auto& [node, fraction] : pieces[k].fractions) {
+            if (released[node]) sums[node] += fraction * forces[k];
         }
     }
     return sums;

@@ -12,47 +12,49 @@ namespace quicksand {
 
 namespace {
 
-/// Call visit(particle, patch, store) for the particles of a tile.
+/// Call visit(particle, stencil, store) for the particles of a tile.
 template <class Visit>
 void for_each_particle(const HeldShape& shape, const Tile& tile, Visit&& visit)
 {
-    const PatchStore& store = shape.patches[static_cast<std::size_t>(tile.number)];
-    const StoredPatch* patch = store.patches.data();
-    for (std::size_t k = shape.lists.first_entry(tile); k < shape.lists.last_entry(tile); ++k, ++patch)
-        visit(static_cast<std::size_t>(shape.lists.order[k]), *patch, store);
+    const StencilStore& store = shape.stencils[static_cast<std::size_t>(tile.number)];
+    const StoredStencil* stencil = store.stencils.data();
+    for (std::size_t k = shape.lists.first_entry(tile); k < shape.lists.last_entry(tile); ++k, ++stencil)
+        visit(static_cast<std::size_t>(shape.lists.order[k]), *stencil, store);
 }
 
 void scatter_forces(const Problem& problem, const Particles& particles, const Tile& tile, HeldShape& shape)
 {
-    for_each_particle(shape, tile, [&](std::size_t p, const StoredPatch& patch, const PatchStore& store) {
-        const double V = particles.volume[p];
-        const double pressure = excess_pore_pressure(particles, p);
-        const double sxx = V * (particles.stress.xx[p] - pressure),
-                     syy = V * (particles.stress.yy[p] - pressure), sxy = V * particles.stress.xy[p];
-        for_each_node(patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
-            shape.sums[i].stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
-            shape.sums[i].stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
+    for_each_particle(
+        shape, tile, [&](std::size_t p, const StoredStencil& stencil, const StencilStore& store) {
+            const double V = particles.volume[p];
+            const double pressure = excess_pore_pressure(particles, p);
+            const double sxx = V * (particles.stress.xx[p] - pressure),
+                         syy = V * (particles.stress.yy[p] - pressure), sxy = V * particles.stress.xy[p];
+            for_each_node(stencil, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+                shape.sums[i].stress_force_x -= sxx * w.gradient_x + sxy * w.gradient_y;
+                shape.sums[i].stress_force_y -= sxy * w.gradient_x + syy * w.gradient_y;
+            });
         });
-    });
 }
 
 void gather_gradients(const Problem& problem, const HeldShape& shape, const Tile& tile, Particles& particles)
 {
     Gradients& L = particles.velocity_gradient_solid;
-    for_each_particle(shape, tile, [&](std::size_t p, const StoredPatch& patch, const PatchStore& store) {
-        double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
-        for_each_node(patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
-            const SinglePhaseMotion& node = shape.motion[i];
-            xx += w.gradient_x * node.x;
-            xy += w.gradient_y * node.x;
-            yx += w.gradient_x * node.y;
-            yy += w.gradient_y * node.y;
+    for_each_particle(
+        shape, tile, [&](std::size_t p, const StoredStencil& stencil, const StencilStore& store) {
+            double xx = 0.0, xy = 0.0, yx = 0.0, yy = 0.0;
+            for_each_node(stencil, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+                const SinglePhaseMotion& node = shape.motion[i];
+                xx += w.gradient_x * node.x;
+                xy += w.gradient_y * node.x;
+                yx += w.gradient_x * node.y;
+                yy += w.gradient_y * node.y;
+            });
+            L.xx[p] = xx;
+            L.xy[p] = xy;
+            L.yx[p] = yx;
+            L.yy[p] = yy;
         });
-        L.xx[p] = xx;
-        L.xy[p] = xy;
-        L.yx[p] = yx;
-        L.yy[p] = yy;
-    });
 }
 
 /// The rows of the walls; masses do not change, so that they hold for all steps.
@@ -60,10 +62,10 @@ void hold_walls_of(const Problem& problem, const State& state, HeldShape& shape)
 {
     if (!shape.walls.any) return;
     find_roots(problem, shape.conditions, shape.lists, state.particles, shape.walls.roots);
-    merge_shared_cells(shape.lists, shape.walls.roots.shared, shape.shared_lists);
+    aggregate_cells(shape.lists, shape.walls.roots.aggregated, shape.aggregated_lists);
     State resting = state;
     resting.stage = Stage::relaxation;
-    place_wall_rows(problem, 0.0, resting, shape.conditions, shape.lists, shape.patches, shape.walls);
+    place_wall_rows(problem, 0.0, resting, shape.conditions, shape.lists, shape.stencils, shape.walls);
     std::vector<SinglePhaseSums> gathered = shape.rest;
     gather_tied_sums(shape.conditions, gathered);
     constexpr double unit_time = 1.0; // of a body of one phase nothing depends on it
@@ -78,7 +80,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     shape.lists = make_cell_lists(problem.grid);
     shape.conditions = node_conditions(problem, Stage::relaxation);
     set_up_wall_rows(problem, Stage::relaxation, shape.walls);
-    shape.patches.resize(shape.lists.tiles.size());
+    shape.stencils.resize(shape.lists.tiles.size());
     sort_particles(problem.grid, 0.0, state, shape.lists);
     CarriedMasses masses;
     compute_carried_masses(problem, state, masses);
@@ -89,7 +91,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     });
     shape.rest.assign(problem.grid.node_count(), SinglePhaseSums{});
     for_each_tile_by_colour(shape.lists, [&](const Tile& tile) {
-        PatchStore& store = shape.patches[static_cast<std::size_t>(tile.number)];
+        StencilStore& store = shape.stencils[static_cast<std::size_t>(tile.number)];
         evaluate_weights(problem, resting, shape.lists, tile, store);
         scatter_single_phase(problem, resting, masses, shape.lists, tile, store, shape.rest);
         if (!problem.body_acceleration) return;
@@ -129,8 +131,8 @@ void advance_held_shape(const Problem& problem, double dt, double damping, doubl
         shape.displacement.y[i] += dt * shape.motion[i].y;
     }
     for_each_tile(shape.lists, [&](const Tile& tile) { gather_gradients(problem, shape, tile, particles); });
-    update_stress_of_cells(problem, dt, shape.walls.any ? shape.shared_lists.lists : shape.lists, particles,
-                           shape.average);
+    update_stress_of_cells(problem, dt, shape.walls.any ? shape.aggregated_lists.lists : shape.lists,
+                           particles, shape.average);
 }
 
 void set_at_rest(HeldShape& shape)
@@ -153,12 +155,15 @@ double largest_displacement(const Problem& problem, const HeldShape& shape)
 {
     double largest = 0.0;
     for (const Tile& tile : shape.lists.tiles) {
-        for_each_particle(shape, tile, [&](std::size_t, const StoredPatch& patch, const PatchStore& store) {
-            Vector2 u = Vector2::Zero();
-            for_each_node(patch, store, problem.grid.nodes_x(),
-                          [&](std::size_t i, const NodeWeight& w) { u += w.value * shape.displacement[i]; });
-            largest = std::max(largest, u.norm());
-        });
+        for_each_particle(shape, tile,
+                          [&](std::size_t, const StoredStencil& stencil, const StencilStore& store) {
+                              Vector2 u = Vector2::Zero();
+                              for_each_node(stencil, store, problem.grid.nodes_x(),
+                                            [&](std::size_t i, const NodeWeight& w) {
+                                                u += w.value * shape.displacement[i];
+                                            });
+                              largest = std::max(largest, u.norm());
+                          });
     }
     return largest;
 }
@@ -166,17 +171,19 @@ double largest_displacement(const Problem& problem, const HeldShape& shape)
 void displace(const Problem& problem, const HeldShape& shape, Particles& particles)
 {
     for_each_tile(shape.lists, [&](const Tile& tile) {
-        for_each_particle(shape, tile, [&](std::size_t p, const StoredPatch& patch, const PatchStore& store) {
-            Vector2 u = Vector2::Zero();
-            Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
-            for_each_node(patch, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
-                u += w.value * shape.displacement[i];
-                gradient += shape.displacement[i] * Vector2(w.gradient_x, w.gradient_y).transpose();
+        for_each_particle(
+            shape, tile, [&](std::size_t p, const StoredStencil& stencil, const StencilStore& store) {
+                Vector2 u = Vector2::Zero();
+                Eigen::Matrix2d gradient = Eigen::Matrix2d::Zero();
+                for_each_node(
+                    stencil, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
+                        u += w.value * shape.displacement[i];
+                        gradient += shape.displacement[i] * Vector2(w.gradient_x, w.gradient_y).transpose();
+                    });
+                particles.position.set(p, particles.position[p] + u);
+                for (Vectors* edge : {&particles.half_edge_1, &particles.half_edge_2})
+                    edge->set(p, (*edge)[p] + gradient * (*edge)[p]);
             });
-            particles.position.set(p, particles.position[p] + u);
-            for (Vectors* edge : {&particles.half_edge_1, &particles.half_edge_2})
-                edge->set(p, (*edge)[p] + gradient * (*edge)[p]);
-        });
     });
 }
 

@@ -22,10 +22,10 @@ struct HeldShape {
     CellLists lists;
     NodeConditions conditions;
     WallRows walls;
-    SharedLists shared_lists;          // where soil ends within cells
-    std::vector<PatchStore> patches;   // per tile
-    std::vector<SinglePhaseSums> rest; // masses and weights of the nodes, with the loads and no stress
-    std::vector<SinglePhaseSums> sums; // with the forces and momenta of the last step
+    AggregatedLists aggregated_lists;   // where soil ends within cells
+    std::vector<StencilStore> stencils; // per tile
+    std::vector<SinglePhaseSums> rest;  // masses and weights of the nodes, with the loads and no stress
+    std::vector<SinglePhaseSums> sums;  // with the forces and momenta of the last step
     std::vector<SinglePhaseMotion> motion;
     VolumetricAverage average;
     Vectors displacement; // of the nodes since the shape was taken [m]

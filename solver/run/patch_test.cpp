@@ -47,7 +47,7 @@ State state_under(const PressureField& pressure, const State& state)
     State pressed = state;
     pressed.stage = Stage::relaxation;
     pressed.reactions = {};
-    pressed.ledger.reset();
+    pressed.balance_terms.reset();
     Particles& particles = pressed.particles;
     for_each_array(particles, [](std::string_view name, Scalars& values) {
         if (name.starts_with("velocity") || name.starts_with("pore_pressure"))
@@ -72,10 +72,10 @@ void add_outer_pressure(const Problem& problem, const PressureField& pressure, c
             const std::size_t p = places.find(particles, piece.identifier);
             const PresentPiece present = present_piece(problem, particles, piece, p);
             const Vector2 force = -pressure(present.middle()) * present.outward();
-            for_each_loaded_node(problem.grid, present, [&](std::size_t i, double share) {
+            for_each_loaded_node(problem.grid, present, [&](std::size_t i, double fraction) {
                 SinglePhaseSums& node = work.sums[work.conditions.master[i]];
-                node.stress_force_x += share * force.x();
-                node.stress_force_y += share * force.y();
+                node.stress_force_x += fraction * force.x();
+                node.stress_force_y += fraction * force.y();
             });
         }
     }

@@ -308,9 +308,9 @@ void widen(const SoilColumn& column, const State& narrow, State& wide)
     wide.time = narrow.time;
     wide.step = narrow.step;
     wide.last_step = narrow.last_step;
-    wide.ledger = narrow.ledger;
-    if (wide.ledger)
-        for_each_number(*wide.ledger, [&](const char*, double& value) { value *= column.columns; });
+    wide.balance_terms = narrow.balance_terms;
+    if (wide.balance_terms)
+        for_each_number(*wide.balance_terms, [&](const char*, double& value) { value *= column.columns; });
 }
 
 ColumnObserver::ColumnObserver(const SoilColumn& column, const Problem& body,

@@ -45,7 +45,7 @@ ColumnSearch find_soil_column(const Problem& problem, const State& state);
 void wrap_particles(const Problem& problem, Particles& particles);
 
 /// The state of the whole body, in the order of its particles at the beginning: values repeat, positions have
-/// drifted as far as the soil has, sums of the ledger are those of all columns. Held reactions are left out.
+/// drifted as far as the soil has, the balances are those of all columns. Held reactions are left out.
 void widen(const SoilColumn& column, const State& narrow, State& wide);
 
 /// Shows observers the whole body while the column runs.

@@ -1,7 +1,7 @@
 #include "solver/run/staged_run.hpp"
 
 #include "solver/base/failure.hpp"
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 
 #include <utility>
 
@@ -49,7 +49,7 @@ std::size_t StagedRun::begin_shaking()
 void StagedRun::enter_shaking()
 {
     is_shaking_ = true;
-    if (controls_.keeps_balances) open_ledger(problem(), computed());
+    if (controls_.keeps_balances) open_balances(problem(), computed());
 }
 
 bool StagedRun::shake(const std::vector<Observer*>& observers, const StopRule& stop)

@@ -22,7 +22,7 @@ enum class ColumnsComputed { one, all };
 struct RunControls {
     double end_time = 0.0; // of the shaking [s]
     ColumnsComputed columns = ColumnsComputed::all;
-    bool keeps_balances = false; // opens the ledger when the shaking begins
+    bool keeps_balances = false; // balances from the begin of the shaking
 };
 
 /// One column of cells is computed for the whole body where the controls let it; observers are shown the

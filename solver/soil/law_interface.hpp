@@ -122,7 +122,7 @@ Law reduced(const Law& law, double)
     return law;
 }
 
-/// Let the grains carry held water as their own mass, of which they are `dry_share` [-].
+/// Let the grains carry held water as their own mass, of which they are the fraction `dry_fraction` [-].
 template <class Law>
 void hold_water(Law&, double)
 {

@@ -25,7 +25,7 @@ double largest_speed_squared(const Particles& particles, std::size_t first, std:
     return result;
 }
 
-/// The end of the particles that share the cell and the material of the first.
+/// The end of the successive particles with the cell and the material of the first.
 std::size_t end_of_cell(const BackgroundGrid& grid, const Particles& particles, std::size_t first,
                         std::size_t last)
 {
@@ -44,7 +44,7 @@ std::size_t end_of_cell(const BackgroundGrid& grid, const Particles& particles, 
 bool is_cut(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last,
             double empty)
 {
-    constexpr double full = 0.01; // share of the cell
+    constexpr double full = 0.01; // fraction of the cell
     const CutDomains& cut = problem.cut_domains;
     if (!cut.has_pieces() || empty <= full) return false;
     const auto numbers = particles.identifier.begin();

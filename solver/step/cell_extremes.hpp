@@ -1,8 +1,8 @@
-// What of the particles' state decides the time step: the stiffest, the densest and the loosest cells.
+// State of the particles that limits the time step: the stiffest, the densest and the loosest cells.
 //
-// Particles of a cell move with the same nodes, so that one that is far stiffer than its neighbours stiffens
-// their cell by its share of the volume only. Where soil fills a cell in part, a node may have most of its
-// mass from one particle: there the stiffest particle counts with the share that is empty.
+// The particles of a cell move with the same nodes. A particle that is much stiffer than the others therefore
+// counts by its fraction of the cell's volume only. In a partly filled cell one particle may give a node most
+// of its mass; there the stiffest particle also counts by the empty fraction of the cell.
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -24,8 +24,9 @@ struct CellExtremes {
     std::vector<MaterialExtremes> materials; // as Problem::materials
 };
 
-/// Cells are found as particles that follow each other in memory and share a cell and a material: where they
-/// are not in order, a part of a cell counts as one that is not full. Does not depend on the threads.
+/// A cell is taken as a run of successive particles in memory with the same cell and material; where
+/// particles are not in order, a part of a cell counts as a cell that is not full. Does not depend on the
+/// threads.
 CellExtremes find_extremes(const Problem& problem, const Particles& particles);
 
 } // namespace quicksand

@@ -2,9 +2,9 @@
 
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/surface_loads.hpp"
-#include "solver/measure/ledger.hpp"
-#include "solver/motion/deformation_noise.hpp"
+#include "solver/measure/balances.hpp"
 #include "solver/motion/grid_to_particle.hpp"
+#include "solver/motion/null_space_damping.hpp"
 #include "solver/motion/particle_motion.hpp"
 #include "solver/motion/slivers.hpp"
 
@@ -19,7 +19,7 @@ bool is_undrained(const Problem& problem, const State& state)
 }
 
 /// Whether pore pressures act on the body: they follow from its motion, or are held as they are. Held at zero
-/// everywhere while the soil settles, they have no share in what the water beyond curves brings: that comes
+/// everywhere while the soil settles, they have no part in what the water beyond curves brings: that comes
 /// with the shaking, when the pores answer it; put on before, the grains alone would settle under it.
 bool carries_pressure(const State& state)
 {
@@ -51,7 +51,7 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
     compute_carried_masses(problem, state, work.masses);
     set_to_zero(work.sums);
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
-        const PatchStore& store = work.patches_of(tile);
+        const StencilStore& store = work.stencils_of(tile);
         scatter(problem, particles, work.masses, work.lists, tile, store, work.sums);
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
@@ -62,7 +62,7 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
     scatter_reactions(problem, state, work.places, work.sums);
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
-    if (work.outer.empty() || !state.ledger) return;
+    if (work.outer.empty() || !state.balance_terms) return;
     work.outer.assign(work.outer.size(), OuterForce{});
     note_outer_forces(problem, time, state, work.places, work.outer);
     if (!pressed)
@@ -79,22 +79,22 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
     timed(work.timers, Phase::momentum, [&] {
         const bool shaking = state.stage == Stage::shaking;
         const double acceleration = shaking ? base_acceleration(problem.base_motion, state.time) : 0.0;
-        const double kick = kick_time(state, dt);
-        assemble_walls(problem, kick, work.sums, work);
+        const double velocity_dt = velocity_interval(state, dt);
+        assemble_walls(problem, velocity_dt, work.sums, work);
         if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
-        solve_single_phase_momentum(problem, work.conditions, kick, acceleration, damping, work.sums,
+        solve_single_phase_momentum(problem, work.conditions, velocity_dt, acceleration, damping, work.sums,
                                     work.motion);
-        brake_by_dashpots(work.conditions, kick, work.dashpots, work.sums, work.motion);
+        brake_by_dashpots(work.conditions, velocity_dt, work.dashpots, work.sums, work.motion);
         hold_at_walls(work.walls, work.motion);
-        if (state.ledger)
-            enter_nodes(problem, work.ledger_nodes, kick, acceleration, work.sums, work.outer, work.motion,
-                        *state.ledger);
+        if (state.balance_terms)
+            enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, work.sums, work.outer,
+                        work.motion, *state.balance_terms);
         spread_tied_motion(work.conditions, work.motion);
     });
     timed(work.timers, Phase::gather, [&] {
-        const double share = dt / (dt + work.noise_time);
+        const double fraction = dt / (dt + work.null_space_time);
         for_each_tile(work.lists, [&](const Tile& tile) {
-            gather_single_phase(problem, share, work.lists, tile, work.patches_of(tile), work.motion,
+            gather_single_phase(problem, fraction, work.lists, tile, work.stencils_of(tile), work.motion,
                                 particles, work.grid_velocity);
         });
     });
@@ -110,8 +110,9 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
         // undrained waves are far faster than any deformation
         if (problem.strain == StrainForm::large && !is_undrained(problem, state))
-            fade_noise_of_deformation(dt, work.masses.inertia, work.grid_velocity, work.fading, particles);
-        if (state.ledger) enter_exchange(problem, dt, particles, *state.ledger);
+            damp_null_space_of_deformation(dt, work.masses.inertia, work.grid_velocity,
+                                           work.null_space_damping, particles);
+        if (state.balance_terms) enter_exchange(problem, dt, particles, *state.balance_terms);
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress,

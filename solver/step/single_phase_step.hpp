@@ -14,7 +14,7 @@ struct SinglePhaseWorkspace : StepWorkspace {
     std::vector<OuterForce> outer; // none where there are none
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
-    Scalars fading;             // shares of the noise of deformation that go in the step [-]
+    Scalars null_space_damping; // theta of null_space_damping.hpp [-]
     CellMeans cell_means;       // of the pore pressure, undrained only
     Scalars pressure_increment; // of the cells, undrained only [Pa]
 };

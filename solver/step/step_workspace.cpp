@@ -38,7 +38,7 @@ void keep_reference_weights(const Problem& problem, double dt, State& state, Ste
     Particles undisplaced = state.particles;
     return_to_reference(undisplaced);
     for_each_weighted_tile(problem, undisplaced, work, [](const Tile&) {});
-    work.patches_are_kept = true;
+    work.stencils_are_kept = true;
 }
 
 } // namespace
@@ -50,29 +50,29 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     if (work.partly_saturated) work.wet_lists = work.lists;
     work.conditions = node_conditions(problem, stage);
     set_up_wall_rows(problem, stage, work.walls);
-    work.wall_kinds = ledger_nodes(work.conditions);
-    work.ledger_nodes = work.wall_kinds;
-    work.patches.resize(work.lists.tiles.size());
+    work.wall_kinds = balance_nodes(work.conditions);
+    work.balance_nodes = work.wall_kinds;
+    work.stencils.resize(work.lists.tiles.size());
     work.average = make_volumetric_average(problem);
-    work.noise_time = noise_time(problem);
+    work.null_space_time = null_space_time(problem);
 }
 
 void place_boundaries(const Problem& problem, double dt, const State& state, StepWorkspace& work)
 {
-    place_wall_rows(problem, dt, state, work.conditions, work.lists, work.patches, work.walls);
+    place_wall_rows(problem, dt, state, work.conditions, work.lists, work.stencils, work.walls);
     // nodes that the dashpots and rows of the last step have left count no reaction any more
-    if (work.walls.any || !work.dashpots.empty()) work.ledger_nodes = work.wall_kinds;
+    if (work.walls.any || !work.dashpots.empty()) work.balance_nodes = work.wall_kinds;
     work.dashpots.clear();
     if (state.stage == Stage::shaking)
         gather_dashpots(problem, state.particles, work.conditions, work.places, work.dashpots);
-    for (const Dashpot& dashpot : work.dashpots) count_reaction(dashpot.node, work.ledger_nodes);
+    for (const Dashpot& dashpot : work.dashpots) count_reaction(dashpot.node, work.balance_nodes);
 }
 
 void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work)
 {
     work.grid_velocity.x.resize(state.particles.size());
     work.grid_velocity.y.resize(state.particles.size());
-    if (work.patches_are_kept) return;
+    if (work.stencils_are_kept) return;
     if (problem.strain == StrainForm::small) {
         keep_reference_weights(problem, dt, state, work);
     } else {
@@ -81,9 +81,9 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
     if (work.partly_saturated) select_saturated(problem, state.particles, work.lists, work.wet_lists);
     if (!work.walls.any) return;
     find_roots(problem, work.conditions, work.lists, state.particles, work.walls.roots);
-    merge_shared_cells(work.lists, work.walls.roots.shared, work.shared_lists);
+    aggregate_cells(work.lists, work.walls.roots.aggregated, work.aggregated_lists);
     if (work.partly_saturated)
-        merge_shared_cells(work.wet_lists, work.walls.roots.shared, work.shared_wet_lists);
+        aggregate_cells(work.wet_lists, work.walls.roots.aggregated, work.aggregated_wet_lists);
 }
 
 } // namespace quicksand

@@ -7,7 +7,7 @@
 #include "solver/boundaries/boundary_pieces.hpp"
 #include "solver/boundaries/viscous_boundary.hpp"
 #include "solver/interpolation/node_weights.hpp"
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/motion/volumetric_average.hpp"
 #include "solver/particles/cell_lists.hpp"
@@ -26,36 +26,36 @@ namespace quicksand {
 /// Memory of the steps; nothing of it has to survive a checkpoint.
 struct StepWorkspace {
     CellLists lists;
-    CellLists wet_lists;                        // the saturated particles alone, where there are others
-    bool partly_saturated = false;              // a phreatic line runs through the soil
-    SharedLists shared_lists, shared_wet_lists; // where soil ends within cells
+    CellLists wet_lists;           // the saturated particles alone, where there are others
+    bool partly_saturated = false; // a phreatic line runs through the soil
+    AggregatedLists aggregated_lists, aggregated_wet_lists; // where soil ends within cells
     NodeConditions conditions;
     WallRows walls;
-    std::vector<PatchStore> patches;        // per tile
-    bool patches_are_kept = false;          // small strain: they hold for all steps
-    VolumetricAverage average;              // of the materials that ask for it
-    ParticlePlaces places;                  // of the particles that carry boundaries
-    std::vector<Dashpot> dashpots;          // of viscous boundaries
-    Vectors grid_velocity;                  // sum phi v_i of the grains [m/s]
-    std::vector<std::uint8_t> wall_kinds;   // the nodes as the ledger sees them without dashpots
-    std::vector<std::uint8_t> ledger_nodes; // and with those of the step, see ledger.hpp
-    double noise_time = 0.0;                // tau of the velocity filter, see grid_to_particle.hpp [s]
-    std::int64_t limited_domains = 0;       // domains scaled down in the last step [-]
+    std::vector<StencilStore> stencils;      // per tile
+    bool stencils_are_kept = false;          // small strain: they hold for all steps
+    VolumetricAverage average;               // of the materials that ask for it
+    ParticlePlaces places;                   // of the particles that carry boundaries
+    std::vector<Dashpot> dashpots;           // of viscous boundaries
+    Vectors grid_velocity;                   // sum phi v_i of the grains [m/s]
+    std::vector<std::uint8_t> wall_kinds;    // of the nodes for the balances, without dashpots
+    std::vector<std::uint8_t> balance_nodes; // with the dashpots of the step, see balances.hpp
+    double null_space_time = 0.0;            // tau of the velocity filter, see grid_to_particle.hpp [s]
+    std::int64_t limited_domains = 0;        // domains scaled down in the last step [-]
     PhaseTimers timers;
 
     /// The lists by which cells have one change of volume: badly filled cells with their roots.
-    const CellLists& volume_lists() const { return walls.any ? shared_lists.lists : lists; }
+    const CellLists& volume_lists() const { return walls.any ? aggregated_lists.lists : lists; }
 
     /// The same of the particles that have a pore pressure.
     const CellLists& lists_with_pressure() const
     {
         if (!partly_saturated) return volume_lists();
-        return walls.any ? shared_wet_lists.lists : wet_lists;
+        return walls.any ? aggregated_wet_lists.lists : wet_lists;
     }
 
-    const PatchStore& patches_of(const Tile& tile) const
+    const StencilStore& stencils_of(const Tile& tile) const
     {
-        return patches[static_cast<std::size_t>(tile.number)];
+        return stencils[static_cast<std::size_t>(tile.number)];
     }
 };
 
@@ -68,14 +68,15 @@ void place_boundaries(const Problem& problem, double dt, const State& state, Ste
 /// and weights are found once, on the reference shape. Throws NumericalError.
 void locate_particles(const Problem& problem, double dt, State& state, StepWorkspace& work);
 
-/// Set up the rows of the walls from the nodes' sums, with tied nodes gathered; `kick` is the time over which
-/// forces act [s].
+/// Set up the rows of the walls from the nodes' sums, with tied nodes gathered; `velocity_dt` is the time
+/// over which forces act [s].
 template <class Sums>
-void assemble_walls(const Problem& problem, double kick, const std::vector<Sums>& sums, StepWorkspace& work)
+void assemble_walls(const Problem& problem, double velocity_dt, const std::vector<Sums>& sums,
+                    StepWorkspace& work)
 {
     if (!work.walls.any) return;
-    assemble_wall_rows(problem, work.conditions, kick, work.dashpots, sums, work.walls);
-    for (const std::size_t node : work.walls.rows.nodes()) count_reaction(node, work.ledger_nodes);
+    assemble_wall_rows(problem, work.conditions, velocity_dt, work.dashpots, sums, work.walls);
+    for (const std::size_t node : work.walls.rows.nodes()) count_reaction(node, work.balance_nodes);
 }
 
 /// Clear the sums of all nodes.
@@ -88,12 +89,12 @@ void set_to_zero(std::vector<Sums>& sums)
 }
 
 /// Call scatter_tile(tile) for every tile, tiles of one colour at the same time, with the weights of its
-/// particles in work.patches.
+/// particles in work.stencils.
 template <class ScatterTile>
 void for_each_weighted_tile(const Problem& problem, const Particles& particles, StepWorkspace& work,
                             ScatterTile&& scatter_tile)
 {
-    if (work.patches_are_kept) {
+    if (work.stencils_are_kept) {
         for_each_tile_by_colour(work.lists, scatter_tile);
         return;
     }
@@ -101,7 +102,7 @@ void for_each_weighted_tile(const Problem& problem, const Particles& particles, 
     for_each_tile_by_colour(work.lists, [&](const Tile& tile) {
         // a tile's weights are used while they are still in the cache
         limited += evaluate_weights(problem, particles, work.lists, tile,
-                                    work.patches[static_cast<std::size_t>(tile.number)]);
+                                    work.stencils[static_cast<std::size_t>(tile.number)]);
         scatter_tile(tile);
     });
     work.limited_domains = limited;

@@ -23,7 +23,7 @@ constexpr double semi_implicit_safety = 0.72;
 // Waves at nodes of cut cells, over those of whole ones: where a wall and a free surface meet in a cell
 // random motion decays at the step without it and grows at 1.05 of it (columns at 9 angles and 8 offsets);
 // the margin is that of whole cells.
-constexpr double cut_cell_share = 0.92;
+constexpr double cut_cell_fraction = 0.92;
 constexpr double shear_safety = 0.85; // shear waves on a bilinear grid [-]
 constexpr double motion_safety = 0.2; // of a cell per step [-]
 
@@ -89,9 +89,10 @@ TimeStep semi_implicit_limit(const Problem& problem, const CellExtremes& extreme
     const double h = problem.grid.cell_size;
     return least_limit(
         problem, extremes, [&](const Material& material, const MaterialExtremes& extreme, double n) {
-            const double modulus = std::max(extreme.stiffest_modulus,
-                                            extreme.stiffest_cut_modulus / (cut_cell_share * cut_cell_share));
-            const double shear_share = std::visit(
+            const double modulus =
+                std::max(extreme.stiffest_modulus,
+                         extreme.stiffest_cut_modulus / (cut_cell_fraction * cut_cell_fraction));
+            const double shear_fraction = std::visit(
                 [](const auto& law) { return shear_modulus(law) / constrained_modulus(law); }, material.law);
             const bool wet = material.saturated;
             const double r_s = (1.0 - n) * material.grain_density,
@@ -99,7 +100,7 @@ TimeStep semi_implicit_limit(const Problem& problem, const CellExtremes& extreme
             const double drag = wet ? drag_coefficient(material, *problem.water, n) : 0.0;
             return semi_implicit_safety *
                    std::min(slow_wave_limit(modulus, drag, n, r_s, r_w, h),
-                            shear_safety * dragged_shear_limit(shear_share * modulus, drag, r_s, r_w, h));
+                            shear_safety * dragged_shear_limit(shear_fraction * modulus, drag, r_s, r_w, h));
         });
 }
 
@@ -129,7 +130,7 @@ TimeStep stable_time_step(const Problem& problem, const Particles& particles)
                                     return fastest_speed(problem, speeds);
                                 });
     TimeStep step = limit_motion(problem, extremes, wave);
-    step.dt *= problem.step_share;
+    step.dt *= problem.step_fraction;
     return step;
 }
 

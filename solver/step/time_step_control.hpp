@@ -21,8 +21,8 @@ struct TimeStep {
     std::string material;                            // whose wave limits it
 };
 
-/// Step of the shaking [s]: problem.step_share of min(0.65 h / fastest_speed(...), 0.2 h / max|v|). With the
-/// semi-implicit scheme 0.72 of the least over the materials of
+/// Step of the shaking [s]: problem.step_fraction of min(0.65 h / fastest_speed(...), 0.2 h / max|v|). With
+/// the semi-implicit scheme 0.72 of the least over the materials of
 ///   slow P wave   (4 M / h^2) dt^2 - (2 C / n^2) dt - 4 m = 0,  m = r_s + ((1-n)/n)^2 r_w
 ///   shear wave    (4 G / h^2) dt^2 = 4 r_s + 2 dt C - (2 dt C)^2 / (4 r_w + 2 dt C), and 0.85 of it
 /// (r_s = (1-n) rho_s, r_w = n rho_w, C the drag) stands in the place of the first.

@@ -4,7 +4,7 @@
 #include "solver/boundaries/boundary_compliance.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/surface_loads.hpp"
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/particle_motion.hpp"
 #include "solver/motion/particle_to_grid.hpp"
@@ -26,50 +26,51 @@ void scatter(const Problem& problem, double dt, double time, const State& state,
     set_to_zero(work.sums);
     work.outer.assign(work.outer.size(), OuterForce{});
     for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
-        scatter_two_phase(problem, particles, work.lists, tile, work.patches_of(tile), work.sums);
+        scatter_two_phase(problem, particles, work.lists, tile, work.stencils_of(tile), work.sums);
         if (problem.water->rises_above_level)
-            scatter_risen_water(problem, particles, work.lists, tile, work.patches_of(tile), work.sums,
+            scatter_risen_water(problem, particles, work.lists, tile, work.stencils_of(tile), work.sums,
                                 work.outer);
     });
     scatter_surface_loads(problem, time, particles, work.places, work.sums);
     scatter_outer_water(problem, time, particles, work.places, work.sums);
     scatter_reactions(problem, state, work.places, work.sums);
-    if (state.ledger && !work.outer.empty()) note_outer_forces(problem, time, state, work.places, work.outer);
+    if (state.balance_terms && !work.outer.empty())
+        note_outer_forces(problem, time, state, work.places, work.outer);
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     gather_tied_sums(work.conditions, work.outer);
 }
 
-/// `kick` is the time over which the forces act, see kick_time [s].
-void solve_velocities(const Problem& problem, double kick, const State& state, TwoPhaseWorkspace& work)
+/// `velocity_dt` is the time over which the forces act, see velocity_interval [s].
+void solve_velocities(const Problem& problem, double velocity_dt, const State& state, TwoPhaseWorkspace& work)
 {
     const double acceleration = base_acceleration(problem.base_motion, state.time);
-    solve_two_phase_momentum(problem, work.conditions, kick, acceleration, work.sums, work.motion);
-    brake_by_dashpots(problem, work.conditions, kick, work.dashpots, work.sums, work.motion);
+    solve_two_phase_momentum(problem, work.conditions, velocity_dt, acceleration, work.sums, work.motion);
+    brake_by_dashpots(problem, work.conditions, velocity_dt, work.dashpots, work.sums, work.motion);
     hold_at_walls(problem, work.sums, work.walls, work.motion);
     spread_tied_motion(work.conditions, work.motion);
 }
 
-void enter_works(const Problem& problem, double kick, const TwoPhaseWorkspace& work, State& state)
+void enter_works(const Problem& problem, double velocity_dt, const TwoPhaseWorkspace& work, State& state)
 {
-    if (!state.ledger) return;
+    if (!state.balance_terms) return;
     const double acceleration = base_acceleration(problem.base_motion, state.time);
-    enter_nodes(problem, work.ledger_nodes, kick, acceleration, work.sums, work.outer, work.motion,
-                *state.ledger);
+    enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, work.sums, work.outer, work.motion,
+                *state.balance_terms);
 }
 
 void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
 {
     Particles& particles = state.particles;
-    const double share = dt / (dt + work.noise_time);
+    const double fraction = dt / (dt + work.null_space_time);
     for_each_tile(work.lists, [&](const Tile& tile) {
-        gather_two_phase(problem, dt, share, work.lists, tile, work.patches_of(tile), work.motion, particles,
-                         work.grid_velocity, work.flux_divergence);
+        gather_two_phase(problem, dt, fraction, work.lists, tile, work.stencils_of(tile), work.motion,
+                         particles, work.grid_velocity, work.flux_divergence);
     });
     if (work.partly_saturated) carry_moisture(problem, particles);
-    if (!state.ledger) return;
-    enter_outflow(problem, dt, particles, work.flux_divergence, *state.ledger);
-    enter_exchange(problem, dt, particles, *state.ledger);
+    if (!state.balance_terms) return;
+    enter_outflow(problem, dt, particles, work.flux_divergence, *state.balance_terms);
+    enter_exchange(problem, dt, particles, *state.balance_terms);
 }
 
 [[noreturn]] void fail_to_solve(const PressureSolve& pressure, double dt, const State& state)
@@ -100,7 +101,7 @@ void set_up_cavities(const Problem& problem, const Particles& particles, SemiImp
 }
 
 /// Divergence and storage of the cells, and what boundaries let the nodes answer.
-void set_up_pressure(const Problem& problem, double dt, double kick, const Particles& particles,
+void set_up_pressure(const Problem& problem, double dt, double velocity_dt, const Particles& particles,
                      SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
@@ -113,29 +114,29 @@ void set_up_pressure(const Problem& problem, double dt, double kick, const Parti
     const Scalars& volume = work.partly_saturated ? work.wet_volume : particles.volume;
     const CellLists& lists = work.lists_with_pressure();
     for_each_tile(work.lists, [&](const Tile& tile) {
-        assemble_divergence(problem.grid, volume, work.lists, tile, work.patches_of(tile),
+        assemble_divergence(problem.grid, volume, work.lists, tile, work.stencils_of(tile),
                             pressure.divergence[static_cast<std::size_t>(tile.number)]);
         prepare_increments(problem, dt, lists, tile, particles, pressure.storage, pressure.increment);
     });
     set_up_cavities(problem, particles, work);
-    set_pressure_compliances(problem, work.conditions, kick, work.sums, pressure.compliance);
-    include_dashpots(problem, work.conditions, kick, work.dashpots, work.sums, pressure.compliance);
+    set_pressure_compliances(problem, work.conditions, velocity_dt, work.sums, pressure.compliance);
+    include_dashpots(problem, work.conditions, velocity_dt, work.dashpots, work.sums, pressure.compliance);
     Scalars porosities;
     for (const std::size_t i : work.walls.rows.nodes())
         porosities.push_back(node_porosity(problem, work.sums[i]));
     set_row_response(porosities, work.walls.rows, pressure);
-    if (work.walls.any) share_pressures(work.walls.roots.shared, pressure);
+    if (work.walls.any) aggregate_pressures(work.walls.roots.aggregated, pressure);
 }
 
 /// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes.
-void solve_pressure(const Problem& problem, double dt, double kick, const State& state,
+void solve_pressure(const Problem& problem, double dt, double velocity_dt, const State& state,
                     SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
-    // the flux gains over the kick and fills cells over the step: dt kick in the place of the equations' dt^2
-    const double step = std::sqrt(dt * kick);
+    // the flux changes over velocity_dt and fills cells over dt: dt velocity_dt in the place of dt^2
+    const double step = std::sqrt(dt * velocity_dt);
     choose_blocks(step, pressure);
-    set_up_pressure(problem, dt, kick, state.particles, work);
+    set_up_pressure(problem, dt, velocity_dt, state.particles, work);
     for_each_index(work.motion.size(), [&](std::size_t i) {
         pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
         pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
@@ -198,11 +199,11 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time, state, work); });
     timed(work.timers, Phase::momentum, [&] {
-        const double kick = kick_time(state, dt);
-        centre_drag(kick, work.sums);
-        assemble_walls(problem, kick, work.sums, work);
-        solve_velocities(problem, kick, state, work);
-        enter_works(problem, kick, work, state);
+        const double velocity_dt = velocity_interval(state, dt);
+        centre_drag(velocity_dt, work.sums);
+        assemble_walls(problem, velocity_dt, work.sums, work);
+        solve_velocities(problem, velocity_dt, state, work);
+        enter_works(problem, velocity_dt, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
@@ -224,15 +225,15 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     // loads between the stresses, which stand at the begin of the step, and the pressures at its end
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time + 0.5 * dt, state, work); });
-    const double kick = kick_time(state, dt);
+    const double velocity_dt = velocity_interval(state, dt);
     timed(work.timers, Phase::momentum, [&] {
-        assemble_walls(problem, kick, work.sums, work);
-        solve_velocities(problem, kick, state, work);
+        assemble_walls(problem, velocity_dt, work.sums, work);
+        solve_velocities(problem, velocity_dt, state, work);
     });
-    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, kick, state, work); });
+    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
     timed(work.timers, Phase::momentum, [&] {
-        solve_velocities(problem, kick, state, work);
-        enter_works(problem, kick, work, state);
+        solve_velocities(problem, velocity_dt, state, work);
+        enter_works(problem, velocity_dt, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {

@@ -78,11 +78,11 @@ void update_stress(const SettlingSand& law, double dt, std::size_t first, std::s
         const double q_y = stress.xy[p] + G_dt * (L.xy[p] + L.yx[p]);
         const double t = std::sqrt(q_x * q_x + q_y * q_y);
         const double limit = failure_shear(sand, larger(s, surface_stress));
-        const double share = limit / larger(t, limit);
-        stress.xx[p] = -s + share * q_x;
-        stress.yy[p] = -s - share * q_x;
+        const double fraction = limit / larger(t, limit);
+        stress.xx[p] = -s + fraction * q_x;
+        stress.yy[p] = -s - fraction * q_x;
         stress.zz[p] = smaller(stress.zz[p] + (M_over_G - 2.0) * G_dt * volumetric, -0.2 * sand.s_min);
-        stress.xy[p] = share * q_y;
+        stress.xy[p] = fraction * q_y;
     }
 }
 

@@ -40,10 +40,10 @@ Moduli elastic_moduli(const UbcSand& m, double s)
     }
 }
 
-/// The moduli where the mean stress has changed by a share, (1 + share)^n = 1 + n share + ...
-inline Moduli changed_moduli(const UbcSand& m, const Moduli& moduli, double share)
+/// The moduli after a relative change of the mean stress, (1 + fraction)^n = 1 + n fraction + ...
+inline Moduli changed_moduli(const UbcSand& m, const Moduli& moduli, double fraction)
 {
-    return moduli_of(moduli.G * (1.0 + m.ne * share), moduli.B * (1.0 + m.me * share));
+    return moduli_of(moduli.G * (1.0 + m.ne * fraction), moduli.B * (1.0 + m.me * fraction));
 }
 
 struct Strain {
@@ -56,8 +56,8 @@ inline Strain borne(const UbcSand& m, const UbcSandState& state, const Strain& s
 {
     constexpr double rounding = 1.0 + 1e-9;
     const double at_floor = select(0.5 * (state.sigma_x + state.sigma_y) <= m.s_min * rounding, 1.0, 0.0);
-    const double share = 1.0 - at_floor * (1.0 + state.least_contraction);
-    return {share * strain.x, share * strain.y, share * strain.xy};
+    const double fraction = 1.0 - at_floor * (1.0 + state.least_contraction);
+    return {fraction * strain.x, fraction * strain.y, fraction * strain.xy};
 }
 
 /// Stress of a point as the substep finds it.
@@ -104,19 +104,19 @@ inline double count_of(double demand)
     return larger(1.0, nearest + select(nearest < demand, 1.0, 0.0));
 }
 
-/// Below this share of the strain that remains the way to the least ratio is rounding. [-]
-inline constexpr double least_inward_share = 1e-6;
+/// Below this fraction of the remaining strain the path to the least ratio is rounding. [-]
+inline constexpr double least_inward_fraction = 1e-6;
 
-/// [2] Share of the strain that the next substep takes. It moves the stress ratio by at most the given step,
-/// were it elastic, and the mean stress, relatively, by at most its step; below the resolved stress by as
-/// much as there: in liquefied sand the ratio changes at the least strain, but the stresses hardly.
+/// [2] Fraction of the strain that the next substep takes. It moves the stress ratio by at most the given
+/// step, were it elastic, and the mean stress, relatively, by at most its step; below the resolved stress by
+/// as much as there: in liquefied sand the ratio changes at the least strain, but the stresses hardly.
 ///
 /// In second order a strain that lowers the ratio first goes to where it is least, elastically and thus
 /// without regard to the ratio's step: eta(x) = |q + x dq|/(sb + x ds) is least at x = (|q|^2 ds - q.dq
 /// sb)/(|dq|^2 sb - q.dq ds).
 template <Integration order>
-double substep_share(const UbcSand& m, const Start& start, const UbcSandState& state, const Strain& strain,
-                     double budget)
+double substep_fraction(const UbcSand& m, const Start& start, const UbcSandState& state, const Strain& strain,
+                        double budget)
 {
     const double G = start.moduli.G;
     const double dq_x = G * (strain.x - strain.y), dq_y = G * strain.xy;
@@ -133,7 +133,7 @@ double substep_share(const UbcSand& m, const Start& start, const UbcSandState& s
         const double along = start.q_x * dq_x + start.q_y * dq_y;
         const double inward = start.squared * ds - along * start.sb;
         const double turns = larger(squared * start.sb - along * ds, inward); // at most the whole strain
-        const bool goes_inward = (inward > least_inward_share * turns) & (inward > 0.0) & (budget > 1.0);
+        const bool goes_inward = (inward > least_inward_fraction * turns) & (inward > 0.0) & (budget > 1.0);
         const double way = select(goes_inward, inward / select(turns > 0.0, turns, 1.0), 1.0);
         const double demand = select(goes_inward, way * by_stress, larger(by_ratio * per_ratio, by_stress));
         return way / count_of(smaller(demand, budget));
@@ -152,9 +152,9 @@ Substep next_substep(const UbcSand& m, const UbcSandState& state, double budget,
 {
     Substep substep;
     substep.start = start_of<square_roots>(m, state);
-    const double share = substep_share<order>(m, substep.start, state, remaining, budget);
-    substep.strain = {remaining.x * share, remaining.y * share, remaining.xy * share};
-    substep.last = share >= 1.0;
+    const double fraction = substep_fraction<order>(m, substep.start, state, remaining, budget);
+    substep.strain = {remaining.x * fraction, remaining.y * fraction, remaining.xy * fraction};
+    substep.last = fraction >= 1.0;
     remaining = {remaining.x - substep.strain.x, remaining.y - substep.strain.y,
                  remaining.xy - substep.strain.xy};
     return substep;

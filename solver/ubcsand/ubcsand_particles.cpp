@@ -91,10 +91,10 @@ LawMemory memory_of(const UbcSand&)
     return memory;
 }
 
-void hold_water(UbcSand& law, double dry_share)
+void hold_water(UbcSand& law, double dry_fraction)
 {
-    law.largest_specific_volume *= dry_share;
-    law.smallest_specific_volume *= dry_share;
+    law.largest_specific_volume *= dry_fraction;
+    law.smallest_specific_volume *= dry_fraction;
 }
 
 double constrained_modulus(const UbcSand& law)

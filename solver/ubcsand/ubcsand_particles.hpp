@@ -34,8 +34,9 @@ std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last
 std::size_t count_at_failure(const UbcSand& law, std::size_t first, std::size_t last,
                              const Particles& particles);
 
-/// Bounds of the volume count the grains alone, of which the particles' mass is this share [-].
-void hold_water(UbcSand& law, double dry_share);
+/// Bounds of the volume count the grains alone, which are the fraction `dry_fraction` of the particles' mass
+/// [-].
+void hold_water(UbcSand& law, double dry_fraction);
 
 /// The largest t within the failure limit at a mean stress s: (s + a) sin phi_f [Pa].
 inline double failure_shear(const UbcSand& law, double s)

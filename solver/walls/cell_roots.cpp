@@ -137,7 +137,7 @@ void for_each_cell(const BackgroundGrid& grid, const CellRoots& roots, Filling l
 /// The nodes that soil may reach and no good cell lies beside.
 void find_followers(const BackgroundGrid& grid, const NodeConditions& conditions, CellRoots& roots)
 {
-    constexpr int reach = NodePatch::max_width / 2 - 1; // of a particle in a cell, beyond the cell [cells]
+    constexpr int reach = NodeStencil::max_width / 2 - 1; // of a particle in a cell, beyond the cell [cells]
     enum : std::uint8_t { untouched, touched, beside_good };
     std::vector<std::uint8_t> nodes(grid.node_count(), untouched);
     for_each_cell(grid, roots, Filling::torn, [&](int i, int j) {
@@ -241,8 +241,8 @@ void find_roots(const Problem& problem, const NodeConditions& conditions, const 
         find_followers(grid, conditions, roots);
         roots.marked = roots.filling;
     }
-    roots.shared.clear();
-    const auto share = [&](std::size_t s) {
+    roots.aggregated.clear();
+    const auto aggregate = [&](std::size_t s) {
         const auto cell = static_cast<std::size_t>(lists.cell_of_slot[s]);
         if (roots.filling[cell] == Filling::none || roots.filling[cell] == Filling::good) return;
         const NearCells near = nearest_good_cells(grid, roots, cell_at(grid, cell), ring);
@@ -252,11 +252,12 @@ void find_roots(const Problem& problem, const NodeConditions& conditions, const 
                               : nearest_to(centre_of_soil(grid, lists, particles,
                                                           place_in_equations(problem, particles), s),
                                            grid, roots, near);
-        roots.shared.push_back({static_cast<std::int32_t>(s), lists.slot_of_cell[root.index(grid)]});
+        roots.aggregated.push_back({static_cast<std::int32_t>(s), lists.slot_of_cell[root.index(grid)]});
     };
     for (const Tile& tile : lists.tiles) {
         if (lists.first_entry(tile) == lists.last_entry(tile)) continue;
-        for (std::int32_t s = tile.first_cell; s < tile.last_cell; ++s) share(static_cast<std::size_t>(s));
+        for (std::int32_t s = tile.first_cell; s < tile.last_cell; ++s)
+            aggregate(static_cast<std::size_t>(s));
     }
 }
 
@@ -285,16 +286,17 @@ void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node
     }
 }
 
-void merge_shared_cells(const CellLists& lists, const std::vector<SharedCell>& shared, SharedLists& merged)
+void aggregate_cells(const CellLists& lists, const std::vector<AggregatedCell>& aggregated,
+                     AggregatedLists& merged)
 {
-    if (merged.changes == lists.changes && merged.shared == shared) return;
+    if (merged.changes == lists.changes && merged.aggregated == aggregated) return;
     merged.changes = lists.changes;
-    merged.shared = shared;
+    merged.aggregated = aggregated;
     if (merged.lists.tiles.empty()) merged.lists = lists;
     CellLists& result = merged.lists;
     std::vector<std::int32_t> slot_of(lists.cell_of_slot.size());
     for (std::size_t s = 0; s < slot_of.size(); ++s) slot_of[s] = static_cast<std::int32_t>(s);
-    for (const SharedCell& cell : shared) slot_of[static_cast<std::size_t>(cell.slot)] = cell.root;
+    for (const AggregatedCell& cell : aggregated) slot_of[static_cast<std::size_t>(cell.slot)] = cell.root;
     result.cell_start.assign(lists.cell_start.size(), 0);
     for (std::size_t s = 0; s < slot_of.size(); ++s)
         result.cell_start[static_cast<std::size_t>(slot_of[s]) + 1] +=

@@ -1,11 +1,12 @@
-// Cells that are badly filled, and the good cells that they lean on (aggregated finite elements: Badia,
-// Verdugo and Martin 2018).
+// Badly filled cells and their roots, the good cells with which they are aggregated (aggregated finite
+// elements: Badia, Verdugo and Martin 2018).
 //
-// Where an outline cuts cells, some hold a sliver. A node of such cells alone carries next to no mass and
-// takes any velocity; the pressure of such a cell has no volume to act on. A badly filled cell therefore
-// shares the pressure (and the mean change of volume) of its root, the nearest good cell, and a node without
-// a good cell follows the velocities of a good cell, continued linearly. Soil that is torn, as in a splash,
-// follows the nearest corner instead: what flies away is not thrown by the spread of what it leaves.
+// Where an outline cuts cells, some contain only a sliver of soil. A node of such cells alone has almost no
+// mass, so that its velocity is arbitrary; the pressure of such a cell has almost no volume to act on. A
+// badly filled cell is therefore aggregated with its root, the nearest good cell: both have one pressure and
+// one mean change of volume. A node without a good cell follows the velocities of a good cell, extrapolated
+// linearly. In torn soil, as in a splash, it follows the nearest corner instead, since extrapolated gradients
+// would accelerate loose particles.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
@@ -18,11 +19,11 @@
 
 namespace quicksand {
 
-/// A badly filled cell and the good one that it shares its pressure with; slots of the cell lists.
-struct SharedCell {
+/// A badly filled cell and its root, which has the same pressure; slots of the cell lists.
+struct AggregatedCell {
     std::int32_t slot = 0, root = 0;
 
-    bool operator==(const SharedCell&) const = default;
+    bool operator==(const AggregatedCell&) const = default;
 };
 
 enum class Filling : std::uint8_t {
@@ -33,9 +34,9 @@ enum class Filling : std::uint8_t {
 };
 
 struct CellRoots {
-    Scalars fill;                   // of the cells with soil: its volume over the cell's [-]
-    std::vector<Filling> filling;   // by cell of the grid
-    std::vector<SharedCell> shared; // in the order of the slots
+    Scalars fill;                           // of the cells with soil: its volume over the cell's [-]
+    std::vector<Filling> filling;           // by cell of the grid
+    std::vector<AggregatedCell> aggregated; // in the order of the slots
     std::vector<std::size_t>
         followers;               // nodes that soil may reach and no good cell lies beside, in their order
     std::vector<Filling> marked; // the filling for which the followers were found
@@ -44,7 +45,7 @@ struct CellRoots {
 /// Whether outlines cut domains: soil then ends within cells.
 bool has_cut_soil(const Problem& problem);
 
-/// Tell good cells from others. Tied nodes share their cells with their masters.
+/// Find the good cells and the roots of the others. The cells of a tied node are those of its master, too.
 void find_roots(const Problem& problem, const NodeConditions& conditions, const CellLists& lists,
                 const Particles& particles, CellRoots& roots);
 
@@ -59,14 +60,16 @@ struct FollowedNode {
 void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node,
             std::vector<FollowedNode>& followed);
 
-/// Lists with the particles of shared cells in the slots of their roots.
-struct SharedLists {
+/// Lists with the particles of aggregated cells in the slots of their roots.
+struct AggregatedLists {
     CellLists lists;
-    std::vector<SharedCell> shared; // for which, and for which lists, they hold
+    std::vector<AggregatedCell>
+        aggregated; // and the `changes` of the cell lists from which the lists were made
     std::int64_t changes = -1;
 };
 
 /// Bring them up to date with the lists of the cells themselves.
-void merge_shared_cells(const CellLists& lists, const std::vector<SharedCell>& shared, SharedLists& merged);
+void aggregate_cells(const CellLists& lists, const std::vector<AggregatedCell>& aggregated,
+                     AggregatedLists& merged);
 
 } // namespace quicksand

@@ -1,7 +1,7 @@
 #include "solver/walls/wall_chains.hpp"
 
 #include "solver/base/cross_product.hpp"
-#include "solver/boundaries/film_ends.hpp"
+#include "solver/boundaries/seal_ends.hpp"
 #include "solver/boundaries/wall_nodes.hpp"
 
 #include <cmath>
@@ -219,7 +219,7 @@ double length_of(const std::vector<ChainEdge>& edges)
 }
 
 /// Films end before drained edges; returns whether this one does at its start and at its end.
-std::pair<bool, bool> shorten_film(const Problem& problem, Stage stage, WallChain& chain,
+std::pair<bool, bool> shorten_seal(const Problem& problem, Stage stage, WallChain& chain,
                                    std::vector<Segment>& others)
 {
     if (chain.closed || chain.hold.water != WaterHold::with_grains) return {false, false};
@@ -239,7 +239,7 @@ WallChain make_chain(const Problem& problem, Stage stage, const std::vector<Link
     chain.hold = links[first].hold;
     chain.closed = order.before[first] != none;
     chain.edges = follow_links(links, order, first);
-    const auto [ends_before, ends_after] = shorten_film(problem, stage, chain, others);
+    const auto [ends_before, ends_after] = shorten_seal(problem, stage, chain, others);
     constexpr double collinear = 1e-6; // sine [-]
     for (ChainEdge& edge : chain.edges) {
         edge.first = chain.last;

@@ -38,7 +38,7 @@ struct WallChain {
                         // whose numbers stand for arc lengths; -1 at any other angle
 };
 
-/// Edges of the soil beside the chains: their share of the normals is not the chains'.
+/// Edges of the soil beside the chains: their part of the normals is not the chains'.
 struct SoilEdges {
     std::vector<WallChain> chains;
     std::vector<Segment> others;
@@ -62,9 +62,9 @@ void for_each_hat(const WallChain& chain, double s, Add&& add)
     const auto most = static_cast<double>(chain.closed ? chain.hats : chain.hats - 1);
     const double place = std::clamp((s - chain.first_hat) / chain.spacing, 0.0, most);
     const auto left = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(most) - 1);
-    const double share = place - static_cast<double>(left);
-    add(left, 1.0 - share);
-    add(left + 1 == chain.hats ? std::size_t{0} : left + 1, share);
+    const double fraction = place - static_cast<double>(left);
+    add(left, 1.0 - fraction);
+    add(left + 1 == chain.hats ? std::size_t{0} : left + 1, fraction);
 }
 
 } // namespace quicksand

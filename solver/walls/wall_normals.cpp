@@ -30,10 +30,10 @@ void mark_touched(const BackgroundGrid& grid, const NodeConditions& conditions, 
         if (walls.touched_nodes[tie.master] != 0) mark(tie.node);
 }
 
-void add_normal(const PatchStore& store, const StoredPatch& patch, std::int32_t nodes_x, double volume,
+void add_normal(const StencilStore& store, const StoredStencil& stencil, std::int32_t nodes_x, double volume,
                 const std::vector<std::uint8_t>& touched, Vectors& normal)
 {
-    for_each_node(patch, store, nodes_x, [&](std::size_t i, const NodeWeight& w) {
+    for_each_node(stencil, store, nodes_x, [&](std::size_t i, const NodeWeight& w) {
         if (touched[i] == 0) return;
         normal.x[i] += volume * w.gradient_x;
         normal.y[i] += volume * w.gradient_y;
@@ -41,7 +41,7 @@ void add_normal(const PatchStore& store, const StoredPatch& patch, std::int32_t 
 }
 
 void sum_tile(const Problem& problem, const Particles& particles, const CellLists& lists, const Tile& tile,
-              const PatchStore& store, WallRows& walls)
+              const StencilStore& store, WallRows& walls)
 {
     const std::size_t first_entry = lists.first_entry(tile);
     const std::int32_t nodes_x = problem.grid.nodes_x();
@@ -51,17 +51,18 @@ void sum_tile(const Problem& problem, const Particles& particles, const CellList
         for (auto k = static_cast<std::size_t>(lists.cell_start[slot]);
              k < static_cast<std::size_t>(lists.cell_start[slot + 1]); ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
-            const StoredPatch& patch = store.patches[k - first_entry];
-            add_normal(store, patch, nodes_x, particles.volume[p], walls.touched_nodes, walls.normal);
+            const StoredStencil& stencil = store.stencils[k - first_entry];
+            add_normal(store, stencil, nodes_x, particles.volume[p], walls.touched_nodes, walls.normal);
             if (walls.divides_water &&
                 problem.materials[static_cast<std::size_t>(particles.material[p])].saturated)
-                add_normal(store, patch, nodes_x, particles.volume[p], walls.touched_nodes, walls.wet_normal);
+                add_normal(store, stencil, nodes_x, particles.volume[p], walls.touched_nodes,
+                           walls.wet_normal);
         }
     }
 }
 
 void sum_normals(const Problem& problem, const Particles& particles, const NodeConditions& conditions,
-                 const CellLists& lists, const std::vector<PatchStore>& patches, WallRows& walls)
+                 const CellLists& lists, const std::vector<StencilStore>& stencils, WallRows& walls)
 {
     std::vector<Vectors*> normals = {&walls.normal};
     if (walls.divides_water) normals.push_back(&walls.wet_normal);
@@ -70,7 +71,7 @@ void sum_normals(const Problem& problem, const Particles& particles, const NodeC
         normal->y.assign(problem.grid.node_count(), 0.0);
     }
     for_each_tile_by_colour(lists, [&](const Tile& tile) {
-        sum_tile(problem, particles, lists, tile, patches[static_cast<std::size_t>(tile.number)], walls);
+        sum_tile(problem, particles, lists, tile, stencils[static_cast<std::size_t>(tile.number)], walls);
     });
     for (const TiedNodes& tie : conditions.tied) {
         if (walls.touched_nodes[tie.master] == 0) continue;
@@ -94,7 +95,7 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
 }
 
 void place_wall_rows(const Problem& problem, double dt, const State& state, const NodeConditions& conditions,
-                     const CellLists& lists, const std::vector<PatchStore>& patches, WallRows& walls)
+                     const CellLists& lists, const std::vector<StencilStore>& stencils, WallRows& walls)
 {
     if (walls.edges.empty()) return;
     if (walls.contacts_are_due || walls.moves) {
@@ -103,7 +104,7 @@ void place_wall_rows(const Problem& problem, double dt, const State& state, cons
         walls.contacts_are_due = false;
     }
     if (walls.normals_are_kept) return;
-    sum_normals(problem, state.particles, conditions, lists, patches, walls);
+    sum_normals(problem, state.particles, conditions, lists, stencils, walls);
     walls.normals_are_kept = problem.strain == StrainForm::small;
 }
 

@@ -2,7 +2,7 @@
 
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/node_response.hpp"
-#include "solver/walls/wall_shares.hpp"
+#include "solver/walls/wall_parts.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -14,27 +14,27 @@ namespace {
 /// Of the mass of a node with a good cell: a corner that touches a grid line by rounding makes no follower
 /// [-].
 constexpr double least_mass = 1e-9;
-constexpr double least_row = 1e-6; // sum of a row's shares below which no soil touches the wall there [-]
+constexpr double least_row = 1e-6; // sum of a row's parts below which no soil touches the wall there [-]
 
 /// What a row holds of each node.
 enum class Held { grains, water, water_against_grains };
 
 /// A node's part in a hat of a chain.
-struct HatShare {
-    const WallShare* share;
+struct HatPart {
+    const WallPart* wall;
     double value; // psi_m g_i / h [-]
 };
-using ChainHats = std::vector<std::vector<HatShare>>;
+using ChainHats = std::vector<std::vector<HatPart>>;
 
 std::vector<ChainHats> by_hats(const Problem& problem, const WallRows& walls,
-                               const std::vector<WallShare>& shares)
+                               const std::vector<WallPart>& parts)
 {
     std::vector<ChainHats> chains;
     for (const WallChain& chain : walls.edges.chains) chains.emplace_back(chain.hats);
-    for (const WallShare& share : shares) {
-        const std::size_t c = share.contact->chain;
-        for_each_hat(walls.edges.chains[c], share.contact->s, [&](std::size_t m, double psi) {
-            if (psi > 0.0) chains[c][m].push_back({&share, psi * share.length / problem.grid.cell_size});
+    for (const WallPart& part : parts) {
+        const std::size_t c = part.contact->chain;
+        for_each_hat(walls.edges.chains[c], part.contact->s, [&](std::size_t m, double psi) {
+            if (psi > 0.0) chains[c][m].push_back({&part, psi * part.length / problem.grid.cell_size});
         });
     }
     return chains;
@@ -51,29 +51,29 @@ NodeVelocities coefficients(Held held, const Vector2& c)
 /// The rows of a chain's hats, along the normal or across it.
 void add_rows(const ChainHats& hats, Held held, bool across, VelocityRows& rows)
 {
-    for (const std::vector<HatShare>& hat : hats) {
+    for (const std::vector<HatPart>& hat : hats) {
         double sum = 0.0, value = 0.0;
-        const auto direction = [&](const HatShare& part) {
-            const Vector2& n = part.share->direction;
+        const auto direction = [&](const HatPart& hat_part) {
+            const Vector2& n = hat_part.wall->direction;
             return across ? Vector2(-n.y(), n.x()) : n;
         };
-        for (const HatShare& part : hat) {
-            sum += part.value;
-            value += part.value * part.share->contact->velocity.dot(direction(part));
+        for (const HatPart& hat_part : hat) {
+            sum += hat_part.value;
+            value += hat_part.value * hat_part.wall->contact->velocity.dot(direction(hat_part));
         }
         if (sum < least_row) continue;
         rows.begin_row(held == Held::water_against_grains ? 0.0 : value);
-        for (const HatShare& part : hat)
-            rows.add(part.share->contact->node, coefficients(held, part.value * direction(part)));
+        for (const HatPart& hat_part : hat)
+            rows.add(hat_part.wall->contact->node, coefficients(held, hat_part.value * direction(hat_part)));
     }
 }
 
 void add_grain_rows(const Problem& problem, WallRows& walls)
 {
     walls.chain_of_row.clear();
-    const std::vector<WallShare> shares =
-        share_normals(walls.edges, walls.contacts, walls.active_nodes, walls.normal);
-    const std::vector<ChainHats> hats = by_hats(problem, walls, shares);
+    const std::vector<WallPart> parts =
+        divide_normals(walls.edges, walls.contacts, walls.active_nodes, walls.normal);
+    const std::vector<ChainHats> hats = by_hats(problem, walls, parts);
     for (std::size_t c = 0; c < hats.size(); ++c) {
         const GrainHold hold = walls.edges.chains[c].hold.grains;
         if (hold != GrainHold::none) add_rows(hats[c], Held::grains, false, walls.rows);
@@ -85,9 +85,9 @@ void add_grain_rows(const Problem& problem, WallRows& walls)
 void add_water_rows(const Problem& problem, WallRows& walls)
 {
     const Vectors& normal = walls.divides_water ? walls.wet_normal : walls.normal;
-    const std::vector<WallShare> shares =
-        share_normals(walls.edges, walls.contacts, walls.active_nodes, normal);
-    const std::vector<ChainHats> hats = by_hats(problem, walls, shares);
+    const std::vector<WallPart> parts =
+        divide_normals(walls.edges, walls.contacts, walls.active_nodes, normal);
+    const std::vector<ChainHats> hats = by_hats(problem, walls, parts);
     for (std::size_t c = 0; c < hats.size(); ++c) {
         const WaterHold hold = walls.edges.chains[c].hold.water;
         if (hold == WaterHold::sealed) add_rows(hats[c], Held::water, false, walls.rows);

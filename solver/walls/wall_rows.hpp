@@ -6,7 +6,7 @@
 // zero inside the soil, the integral of the node's function times the outward normal along its edges
 // otherwise. A wall holds, for each hat psi_m along its chain (wall_chains.hpp),
 //   sum_i psi_m(s_i) g_i n . v_i = sum_i psi_m(s_i) g_i n . V_i
-// with g_i the share of a_i that belongs to the wall: at a corner a_i is divided among the curves that meet
+// with g_i the part of a_i that belongs to the wall: at a corner a_i is divided among the curves that meet
 // there. The multipliers of these rows make any force p a_i, so that constant pressure is at rest whatever
 // the particles' shapes; rows that are not proportional to a_i leak. Nodes without a well filled cell follow
 // one (cell_roots.hpp).
@@ -53,7 +53,7 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls);
 /// Bring the chains to where they are at the state's time, with their velocities over dt, and sum up the
 /// normals of the nodes in contact from the weights of the particles.
 void place_wall_rows(const Problem& problem, double dt, const State& state, const NodeConditions& conditions,
-                     const CellLists& lists, const std::vector<PatchStore>& patches, WallRows& walls);
+                     const CellLists& lists, const std::vector<StencilStore>& stencils, WallRows& walls);
 
 /// Set up the rows on nodes with soil: of the chains, and of the nodes that follow others; then factorise
 /// them. `dt` is the time over which forces act [s].

@@ -18,15 +18,15 @@ struct Block {
 constexpr Block narrow{1, 4}; // domains that reach at most one cell
 constexpr Block wide{3, 8};   // domains at the limit, BackgroundGrid::domain_reach
 
-/// The particles of one cell with their patches.
+/// The particles of one cell with their stencils.
 struct CellParticles {
     const BackgroundGrid& grid;
     const Scalars& volume;
     const CellLists& lists;
-    const PatchStore& store;
-    std::size_t first, last;  // entries of the lists
-    std::size_t first_patch;  // of the entry `first`
-    std::int32_t column, row; // of the cell
+    const StencilStore& store;
+    std::size_t first, last;   // entries of the lists
+    std::size_t first_stencil; // of the entry `first`
+    std::int32_t column, row;  // of the cell
 };
 
 /// The first `count` lanes, the others zero.
@@ -46,23 +46,23 @@ inline void add_row(double factor, const double* row, int width, double* target)
     }
 }
 
-/// Add the cell's particles to its stencil, a block and a row's end long; false when a patch sticks out of
+/// Add the cell's particles to its stencil, a block and a row's end long; false when a stencil sticks out of
 /// the block.
 bool add_particles(const CellParticles& cell, Block block, double* x, double* y)
 {
     const double *gradient_x = cell.store.gradient_x.data(), *gradient_y = cell.store.gradient_y.data();
     for (std::size_t k = cell.first; k < cell.last; ++k) {
         const auto p = static_cast<std::size_t>(cell.lists.order[k]);
-        const StoredPatch& patch = cell.store.patches[cell.first_patch + (k - cell.first)];
-        // of the patch, within the block
-        const int column = patch.column - (cell.column - block.before),
-                  row = patch.row - (cell.row - block.before);
-        const int width = patch.width, height = patch.height;
+        const StoredStencil& stencil = cell.store.stencils[cell.first_stencil + (k - cell.first)];
+        // of the stencil, within the block
+        const int column = stencil.column - (cell.column - block.before),
+                  row = stencil.row - (cell.row - block.before);
+        const int width = stencil.width, height = stencil.height;
         const bool inside =
             column >= 0 && row >= 0 && column + width <= block.nodes && row + height <= block.nodes;
         if (!inside) return false;
         const double V = cell.volume[p];
-        int weight = patch.first, node = row * block.nodes + column;
+        int weight = stencil.first, node = row * block.nodes + column;
         for (int b = 0; b < height; ++b, weight += width, node += block.nodes) {
             add_row(V, gradient_x + weight, width, x + node);
             add_row(V, gradient_y + weight, width, y + node);
@@ -121,11 +121,11 @@ void add_stencil(const CellParticles& cell, std::int32_t slot, Block block, Tile
 
 VECTOR_KERNEL
 void assemble_divergence(const BackgroundGrid& grid, const Scalars& volume, const CellLists& lists,
-                         const Tile& tile, const PatchStore& store, TileDivergence& divergence)
+                         const Tile& tile, const StencilStore& store, TileDivergence& divergence)
 {
     divergence.stencils.clear();
     divergence.used = 0;
-    std::size_t patch = 0;
+    std::size_t first_stencil = 0;
     for (std::int32_t slot = tile.first_cell; slot < tile.last_cell; ++slot) {
         const auto first = static_cast<std::size_t>(lists.cell_start[static_cast<std::size_t>(slot)]);
         const auto last = static_cast<std::size_t>(lists.cell_start[static_cast<std::size_t>(slot) + 1]);
@@ -137,11 +137,11 @@ void assemble_divergence(const BackgroundGrid& grid, const Scalars& volume, cons
                                     store,
                                     first,
                                     last,
-                                    patch,
+                                    first_stencil,
                                     cell % grid.all_cells_x(),
                                     cell / grid.all_cells_x()};
         add_stencil(content, slot, narrow, divergence);
-        patch += last - first;
+        first_stencil += last - first;
     }
 }
 

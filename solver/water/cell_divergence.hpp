@@ -31,7 +31,7 @@ struct TileDivergence {
 
 /// Set up D for a tile from the weights of its particles.
 void assemble_divergence(const BackgroundGrid& grid, const Scalars& volume, const CellLists& lists,
-                         const Tile& tile, const PatchStore& store, TileDivergence& divergence);
+                         const Tile& tile, const StencilStore& store, TileDivergence& divergence);
 
 /// flow[cell] = sum D . flux, for the cells of the tile that hold soil.
 void outflows(const TileDivergence& divergence, std::int32_t nodes_x, const Scalars& flux_x,

@@ -161,8 +161,8 @@ void set_saturated_volumes(const Problem& problem, const Particles& particles, S
 
 void carry_moisture(const Problem& problem, Particles& particles)
 {
-    const Gradients& Cs = particles.velocity_slope_solid;
-    Gradients& Cw = particles.velocity_slope_fluid;
+    const Gradients& Cs = particles.affine_velocity_solid;
+    Gradients& Cw = particles.affine_velocity_fluid;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
         particles.velocity_fluid.set(p, particles.velocity_solid[p]);

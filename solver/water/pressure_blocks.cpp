@@ -61,7 +61,8 @@ void divide(const BackgroundGrid& grid, const CellLists& lists, const PressureEq
     for_each_cell(equations, [&](const CellStencil& stencil, const TileDivergence&) {
         filled[static_cast<std::size_t>(stencil.cell)] = true;
     });
-    for (const SharedCell& cell : equations.shared) filled[static_cast<std::size_t>(cell.slot)] = false;
+    for (const AggregatedCell& cell : equations.aggregated)
+        filled[static_cast<std::size_t>(cell.slot)] = false;
     blocks.blocks.clear();
     for (const auto& [bottom, top] : parts_of(extent.y1 - extent.y0)) {
         for (const auto& [left, right] : parts_of(extent.x1 - extent.x0)) {
@@ -84,12 +85,12 @@ using StencilOfSlot = std::vector<std::pair<const CellStencil*, const TileDiverg
 
 /// The touches of a block's cells; badly filled cells touch with the row of their root.
 void find_touches(const BackgroundGrid& grid, const CellBlock& block, const StencilOfSlot& stencil_of_slot,
-                  const std::vector<SharedCell>& shared, NodeTouches& touches)
+                  const std::vector<AggregatedCell>& aggregated, NodeTouches& touches)
 {
     touches.clear();
     std::vector<std::pair<std::size_t, std::int32_t>> cells; // rows and slots
     for (std::size_t row = 0; row < block.slots.size(); ++row) cells.emplace_back(row, block.slots[row]);
-    for (const SharedCell& cell : shared) {
+    for (const AggregatedCell& cell : aggregated) {
         const auto root = std::find(block.slots.begin(), block.slots.end(), cell.root);
         if (root != block.slots.end())
             cells.emplace_back(static_cast<std::size_t>(root - block.slots.begin()), cell.slot);
@@ -179,7 +180,7 @@ void set_up_blocks(const BackgroundGrid& grid, const CellLists& lists, const Nod
     });
     NodeTouches touches(conditions, equations.following);
     for (CellBlock& block : blocks.blocks) {
-        find_touches(grid, block, stencil_of_slot, equations.shared, touches);
+        find_touches(grid, block, stencil_of_slot, equations.aggregated, touches);
         factorise(dt, equations, touches, block);
     }
 }

@@ -28,7 +28,7 @@ struct PressureEquations {
     NodeCompliances compliance;             // W
     Scalars storage;                        // by slot [m2/Pa]
     Scalars diagonal;                       // of L, by slot [m2/Pa]
-    std::vector<SharedCell> shared;         // cells that have the pressure of their roots
+    std::vector<AggregatedCell> aggregated; // cells that have the pressure of their roots
     std::vector<FollowingNode> following;   // at the last set-up of the blocks
     std::vector<HeldRow> held;              // rows of walls, likewise
 };

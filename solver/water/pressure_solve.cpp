@@ -62,16 +62,16 @@ void note_row_forces(PressureSolve& solve)
 }
 
 /// Badly filled cells get what their roots have.
-void spread_to_shared(const PressureSolve& solve, Scalars& values)
+void copy_from_roots(const PressureSolve& solve, Scalars& values)
 {
-    for (const SharedCell& cell : solve.shared)
+    for (const AggregatedCell& cell : solve.aggregated)
         values[static_cast<std::size_t>(cell.slot)] = values[static_cast<std::size_t>(cell.root)];
 }
 
 /// Roots get what their badly filled cells have besides.
-void fold_shared(const PressureSolve& solve, Scalars& values)
+void sum_to_roots(const PressureSolve& solve, Scalars& values)
 {
-    for (const SharedCell& cell : solve.shared) {
+    for (const AggregatedCell& cell : solve.aggregated) {
         values[static_cast<std::size_t>(cell.root)] += values[static_cast<std::size_t>(cell.slot)];
         values[static_cast<std::size_t>(cell.slot)] = 0.0;
     }
@@ -111,7 +111,7 @@ void scatter_pressure(const BackgroundGrid& grid, const CellLists& lists, const 
 double multiply(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                 double dt, Scalars& pressure, PressureSolve& solve)
 {
-    spread_to_shared(solve, pressure);
+    copy_from_roots(solve, pressure);
     scatter_pressure(grid, lists, pressure, solve);
     respond(conditions, solve);
     const double square = sum_over_tiles(lists, solve, [&](const Tile& tile) {
@@ -125,7 +125,7 @@ double multiply(const BackgroundGrid& grid, const CellLists& lists, const NodeCo
         }
         return sum;
     });
-    fold_shared(solve, solve.product);
+    sum_to_roots(solve, solve.product);
     return square;
 }
 
@@ -148,8 +148,8 @@ void set_diagonal(const BackgroundGrid& grid, const CellLists& lists, double dt,
             solve.diagonal[c] = solve.storage[c] + dt * dt * sum;
         });
     });
-    fold_shared(solve, solve.diagonal);
-    spread_to_shared(solve, solve.diagonal); // nothing is divided by zero
+    sum_to_roots(solve, solve.diagonal);
+    copy_from_roots(solve, solve.diagonal); // nothing is divided by zero
 }
 
 /// Sum of residual^2 / diagonal after residual(cell) has been set: the measure of convergence.
@@ -346,11 +346,11 @@ void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSol
     solve.held = rows.held_rows();
 }
 
-void share_pressures(const std::vector<SharedCell>& shared, PressureSolve& solve)
+void aggregate_pressures(const std::vector<AggregatedCell>& aggregated, PressureSolve& solve)
 {
-    solve.shared = shared;
-    for (const SharedCell& cell : shared) solve.storage[static_cast<std::size_t>(cell.slot)] = 0.0;
-    spread_to_shared(solve, solve.increment);
+    solve.aggregated = aggregated;
+    for (const AggregatedCell& cell : aggregated) solve.storage[static_cast<std::size_t>(cell.slot)] = 0.0;
+    copy_from_roots(solve, solve.increment);
 }
 
 bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
@@ -361,7 +361,7 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
     if (new_blocks) set_up_blocks(grid, lists, conditions, dt, solve, solve.blocks);
     scale_blocks(solve.diagonal, solve.blocks);
     const double scale = set_right_hand_side(grid, lists, dt, solve);
-    fold_shared(solve, solve.right_hand_side);
+    sum_to_roots(solve, solve.right_hand_side);
     solve.iterations = 0;
     const bool converged = converge(grid, lists, conditions, dt,
                                     controls.tolerance * controls.tolerance * scale, controls, solve);
@@ -376,7 +376,7 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
                           const NodeConditions& conditions, PressureSolve& solve)
 {
-    spread_to_shared(solve, solve.increment);
+    copy_from_roots(solve, solve.increment);
     scatter_pressure(grid, lists, solve.increment, solve);
     gather_tied_forces(conditions, solve);
 }

@@ -81,7 +81,7 @@ void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSol
 
 /// Let badly filled cells have the pressure of their roots. After storage and increments of the roots have
 /// been set.
-void share_pressures(const std::vector<SharedCell>& shared, PressureSolve& solve);
+void aggregate_pressures(const std::vector<AggregatedCell>& aggregated, PressureSolve& solve);
 
 /// Solve for `increment`, from its present value as guess, with `flux_x, flux_y` = flux*; with a limit of
 /// tension for `cavity` as well. Returns whether it converged.

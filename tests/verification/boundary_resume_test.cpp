@@ -1,6 +1,6 @@
 // A run with loads, a moving wall, a viscous base and prescribed heads goes on to the same bits after a stop.
 #include "solver/boundaries/boundary_pieces.hpp"
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 #include "solver/run/simulation.hpp"
 #include "tests/fixtures/sand_box.hpp"
 
@@ -58,11 +58,11 @@ void expect_same(const State& resumed, const State& state)
     std::size_t k = 0;
     for_each_array(resumed.particles,
                    [&](const char* name, const Scalars& values) { EXPECT_EQ(values, *arrays[k++]) << name; });
-    ASSERT_TRUE(state.ledger && resumed.ledger);
+    ASSERT_TRUE(state.balance_terms && resumed.balance_terms);
     std::vector<double> sums;
-    for_each_number(*state.ledger, [&](const char*, double value) { sums.push_back(value); });
+    for_each_number(*state.balance_terms, [&](const char*, double value) { sums.push_back(value); });
     k = 0;
-    for_each_number(*resumed.ledger,
+    for_each_number(*resumed.balance_terms,
                     [&](const char* name, double value) { EXPECT_EQ(value, sums[k++]) << name; });
 }
 
@@ -75,7 +75,7 @@ TEST(BoundaryResume, IsTheSameRun)
         });
         set_level_ground_stress(problem, 0.6, 0.5, state);
         attach_boundaries(problem, state.particles);
-        open_ledger(problem, state);
+        open_balances(problem, state);
         const double end = saturated ? 0.012 : 0.03; // the dry wall passes a row of nodes
         Copier copier(0.4 * end);
         run(problem, end, {&copier}, state);
@@ -100,7 +100,7 @@ TEST(BoundaryResume, OnABaseThatFollowsTheStressOfTheSandIsTheSameRun)
     set_level_ground_stress(problem, 4.0, 0.5, state);
     begin_shaking(problem, state); // with the memory of cycles
     attach_boundaries(problem, state.particles);
-    open_ledger(problem, state);
+    open_balances(problem, state);
     constexpr double end = 0.1;
     Copier copier(0.4 * end);
     run(problem, end, {&copier}, state);

@@ -19,7 +19,7 @@ struct TornColumn {
     State state;
 };
 
-TornColumn tear(TimeScheme scheme, std::optional<double> cavitation_pressure, double step_share = 1.0)
+TornColumn tear(TimeScheme scheme, std::optional<double> cavitation_pressure, double step_fraction = 1.0)
 {
     TornColumn column;
     Problem& problem = column.problem;
@@ -30,14 +30,14 @@ TornColumn tear(TimeScheme scheme, std::optional<double> cavitation_pressure, do
     problem.water->cavitation_pressure = cavitation_pressure;
     problem.gravity = 0.0;
     problem.scheme = scheme;
-    problem.step_share = step_share;
+    problem.step_fraction = step_fraction;
     problem.boundaries = rectangle(0.0, 0.0, 0.05, height, FixedWall{}, RollerWall{}, FreeFace{});
     State& state = column.state;
     state = fill(problem, 2, [](const Vector2& x) { return x.y() < height; });
     Particles& particles = state.particles;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         particles.velocity_solid.y[p] = particles.velocity_fluid.y[p] = particles.position.y[p];
-        particles.velocity_slope_solid.yy[p] = particles.velocity_slope_fluid.yy[p] = 1.0;
+        particles.affine_velocity_solid.yy[p] = particles.affine_velocity_fluid.yy[p] = 1.0;
     }
     run(problem, end_time, {}, state);
     return column;

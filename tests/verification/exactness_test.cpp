@@ -61,12 +61,12 @@ TEST(RigidRotation, OneStepGivesNoStress)
         for (std::size_t p = 0; p < particles.size(); ++p) {
             const Vector2 arm = particles.position[p] - Vector2(0.6, 0.6);
             particles.velocity_solid.set(p, omega * Vector2(-arm.y(), arm.x()));
-            particles.velocity_slope_solid.xy[p] = -omega;
-            particles.velocity_slope_solid.yx[p] = omega;
+            particles.affine_velocity_solid.xy[p] = -omega;
+            particles.affine_velocity_solid.yx[p] = omega;
             if (!saturated) continue;
             particles.velocity_fluid.set(p, particles.velocity_solid[p]);
-            particles.velocity_slope_fluid.xy[p] = -omega;
-            particles.velocity_slope_fluid.yx[p] = omega;
+            particles.affine_velocity_fluid.xy[p] = -omega;
+            particles.affine_velocity_fluid.yx[p] = omega;
         }
         if (saturated) {
             TwoPhaseWorkspace work = make_two_phase_workspace(problem);

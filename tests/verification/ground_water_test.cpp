@@ -1,5 +1,5 @@
 // Soil with a phreatic line inside, and layered soil: at rest where it is level, seeping where it is not.
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -157,11 +157,11 @@ TEST_P(RestWithAPhreaticLine, WaterStandsAboveTheLevelOfTheScene)
     }
     EXPECT_LT(out_of_balance(column.problem, state), 1e-12);
     const double dt = stable_time_step(column.problem, state.particles).dt;
-    open_ledger(column.problem, state);
+    open_balances(column.problem, state);
     run(column.problem, rest_steps / 2 * dt, {}, state);
     // the pressure's slope has a kink at the level, which the cells see rounded: 4e-7 measured
     EXPECT_LT(largest_speed(state.particles), 1e-6 * std::sqrt(standard_gravity * column_height));
-    const LedgerBalance balances = balance(column.problem, state);
+    const BalanceErrors balances = balance(column.problem, state);
     double mass = 0.0;
     for (const double m : state.particles.mass_solid) mass += m;
     EXPECT_LT(std::abs(balances.momentum_error_y), 1e-12 * mass * standard_gravity * state.time);

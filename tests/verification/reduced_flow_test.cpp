@@ -37,11 +37,11 @@ State waving(const Problem& problem)
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double phase = std::numbers::pi * particles.position.y[p];
         particles.velocity_solid.y[p] = 1e-3 * std::sin(phase);
-        particles.velocity_slope_solid.yy[p] = 1e-3 * std::numbers::pi * std::cos(phase);
+        particles.affine_velocity_solid.yy[p] = 1e-3 * std::numbers::pi * std::cos(phase);
     }
     if (problem.water->flow == WaterFlow::coupled) {
         particles.velocity_fluid = particles.velocity_solid;
-        particles.velocity_slope_fluid = particles.velocity_slope_solid;
+        particles.affine_velocity_fluid = particles.affine_velocity_solid;
     }
     return state;
 }
@@ -97,7 +97,7 @@ TEST(UndrainedFlow, IsTheLimitOfCoupledFlowWithoutConductivity)
     State two = waving(tight), one = waving(undrained);
     TwoPhaseWorkspace work_of_two = make_two_phase_workspace(tight);
     SinglePhaseWorkspace work_of_one = make_single_phase_workspace(undrained);
-    work_of_one.noise_time = work_of_two.noise_time; // their fastest waves differ
+    work_of_one.null_space_time = work_of_two.null_space_time; // their fastest waves differ
     const double dt = stable_time_step(tight, two.particles).dt;
     EXPECT_LT(dt, stable_time_step(undrained, one.particles).dt);
     double largest = 0.0;

@@ -64,11 +64,11 @@ State steady_state(Problem& problem)
 
 TEST(Seepage, StaysSteadyWithAnyStep)
 {
-    for (const double share : {1.0, 0.3, 0.05}) {
+    for (const double fraction : {1.0, 0.3, 0.05}) {
         Problem problem = seeping_column(0.1);
         State state = steady_state(problem);
         TwoPhaseWorkspace work = make_two_phase_workspace(problem);
-        const double dt = share * stable_time_step(problem, state.particles).dt;
+        const double dt = fraction * stable_time_step(problem, state.particles).dt;
         for (int k = 0; k < 500; ++k) advance_two_phase_step(problem, dt, state, work);
         const Particles& particles = state.particles;
         for (std::size_t p = 0; p < particles.size(); ++p) {

@@ -23,10 +23,10 @@ Problem semi_implicit_patch(double conductivity)
     return problem;
 }
 
-double energy_growth(const Problem& problem, double share)
+double energy_growth(const Problem& problem, double fraction)
 {
     State state = restless(problem);
-    const double dt = share * stable_time_step(problem, state.particles).dt;
+    const double dt = fraction * stable_time_step(problem, state.particles).dt;
     const double before = monitor(problem, state, {}).kinetic_energy;
     SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
     try {
@@ -58,7 +58,7 @@ TEST(SemiImplicitStep, AnUnsolvedPressureIsANumericalFailure)
     }
 }
 
-TEST(SemiImplicitStep, AStiffParticleCountsByItsShareOfTheCell)
+TEST(SemiImplicitStep, AStiffParticleCountsByItsPartOfTheCell)
 {
     for (const double ratio : {9.0, 36.0}) {
         auto [problem, state, dt] = with_stiff_points(ratio, semi_implicit_patch(1e-4));

@@ -115,10 +115,11 @@ TEST(SoilColumn, RunsAsAllColumnsDoExplicitly)
     EXPECT_GT(*std::max_element(all.particles.pore_pressure.begin(), all.particles.pore_pressure.end()), 5e3);
 
     std::vector<double> sums;
-    for_each_number(*all.ledger, [&](const char*, double value) { sums.push_back(value); });
-    const double size = std::max(std::abs(all.ledger->base_work), std::abs(all.ledger->skeleton_work));
+    for_each_number(*all.balance_terms, [&](const char*, double value) { sums.push_back(value); });
+    const double size =
+        std::max(std::abs(all.balance_terms->base_work), std::abs(all.balance_terms->skeleton_work));
     std::size_t k = 0;
-    for_each_number(*wide.ledger, [&](const char* name, double value) {
+    for_each_number(*wide.balance_terms, [&](const char* name, double value) {
         EXPECT_NEAR(value, sums[k], 1e-10 * std::max(size, std::abs(sums[k]))) << name;
         ++k;
     });

@@ -12,10 +12,10 @@ namespace {
 using namespace fixtures;
 
 /// Kinetic energy after 2000 steps of `share` times the stable step, over that at the start.
-double energy_growth(const Problem& problem, double share)
+double energy_growth(const Problem& problem, double fraction)
 {
     State state = restless(problem);
-    const double dt = share * stable_time_step(problem, state.particles).dt;
+    const double dt = fraction * stable_time_step(problem, state.particles).dt;
     const double before = monitor(problem, state, {}).kinetic_energy;
     if (problem.water) {
         TwoPhaseWorkspace work = make_two_phase_workspace(problem);
@@ -46,7 +46,7 @@ TEST(StableTimeStep, RandomMotionDecaysWithTheCellsVolume)
     }
 }
 
-TEST(StableTimeStep, AStiffParticleCountsByItsShareOfTheCell)
+TEST(StableTimeStep, AStiffParticleCountsByItsPartOfTheCell)
 {
     for (const double ratio : {9.0, 36.0}) {
         auto [problem, state, dt] = with_stiff_points(ratio, patch(1.0, false));

@@ -1,5 +1,5 @@
 // Factors of safety against known ones, and the locking of plastic flow with and without its cure.
-#include "solver/measure/pressure_noise.hpp"
+#include "solver/measure/pressure_oscillations.hpp"
 #include "solver/run/strength_reduction.hpp"
 #include "solver/verification/solutions/griffiths_lane.hpp"
 #include "tests/fixtures/soil_block.hpp"
@@ -83,7 +83,7 @@ TEST(StrengthReduction, AveragedVolumeKeepsTheMeanStressSmooth)
         const Problem problem = vertical_cut(5, strain);
         State state = cut_ground(problem);
         safety_factor(problem, coarse(), state);
-        return measure_pressure_noise(problem, state.particles).mean_stress_scatter;
+        return measure_pressure_oscillations(problem, state.particles).mean_stress_scatter;
     };
     EXPECT_LT(scatter(VolumetricStrain::cell), 0.5 * scatter(VolumetricStrain::particle));
 }

@@ -52,8 +52,8 @@ TEST(SurfaceLoad, SendsAWaveOfTheVelocityPressureOverImpedance)
     double error = 0.0, count = 0.0;
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
         const double behind = state.particles.position.y[p] - front;
-        const double share = std::clamp(behind / 0.5, 0.0, 1.0);
-        const double v = -share * 1000.0 / (density * speed);
+        const double fraction = std::clamp(behind / 0.5, 0.0, 1.0);
+        const double v = -fraction * 1000.0 / (density * speed);
         error += std::pow(state.particles.velocity_solid.y[p] - v, 2);
         count += 1.0;
     }
@@ -98,8 +98,8 @@ TEST(SurfaceLoad, PressureAroundATurningBlockKeepsItsMomenta)
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Vector2 arm = particles.position[p] - Vector2(0.6, 0.6);
         particles.velocity_solid.set(p, omega * Vector2(-arm.y(), arm.x()));
-        particles.velocity_slope_solid.xy[p] = -omega;
-        particles.velocity_slope_solid.yx[p] = omega;
+        particles.affine_velocity_solid.xy[p] = -omega;
+        particles.affine_velocity_solid.yx[p] = omega;
         particles.stress.xx[p] = particles.stress.yy[p] = -1e4;
     }
     const auto spin = [&] {

@@ -35,7 +35,7 @@ double amplitude_with_uneven_steps(double mean)
     const double speed = wave_speeds(problem.materials[0], problem.water, 0.43).undrained;
     const double end = 3.3 * 2.0 / speed;
     SinglePhaseWorkspace work = make_single_phase_workspace(problem);
-    work.noise_time = 1e9; // no damping
+    work.null_space_time = 1e9; // no damping
     while (state.time < end) {
         const double uneven = mean * (1.0 + 0.4 * std::sin(2.0 * std::numbers::pi * speed * state.time));
         advance_single_phase_step(problem, std::min(uneven, end - state.time), 0.0, state, work);

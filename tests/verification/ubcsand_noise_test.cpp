@@ -26,12 +26,12 @@ std::vector<double> cycles_of_strain(double amplitude, int half_cycles)
 }
 
 /// The same path with every twentieth step taken back by a share of itself.
-std::vector<double> with_back_steps(const std::vector<double>& path, double share)
+std::vector<double> with_back_steps(const std::vector<double>& path, double fraction)
 {
     std::vector<double> rippled;
     for (std::size_t k = 0; k < path.size(); ++k) {
         rippled.push_back(path[k]);
-        if (k % 20 == 19) rippled.push_back(path[k] - share * (path[k] - path[k - 1]));
+        if (k % 20 == 19) rippled.push_back(path[k] - fraction * (path[k] - path[k - 1]));
     }
     return rippled;
 }
@@ -70,10 +70,10 @@ TEST(UbcSandNoise, BackStepsAreNoHalfCycles)
         const std::vector<double> path = cycles_of_strain(amplitude, 60);
         const Outcome clean = shear_along(path);
         EXPECT_NEAR(clean.half_cycles, 60.0, 1.0) << amplitude;
-        for (const double share : {0.1, 0.5}) {
-            const Outcome noisy = shear_along(with_back_steps(path, share));
-            EXPECT_NEAR(noisy.half_cycles, 60.0, 6.0) << amplitude << " " << share;
-            EXPECT_NEAR(noisy.ru, clean.ru, 0.01) << amplitude << " " << share;
+        for (const double fraction : {0.1, 0.5}) {
+            const Outcome noisy = shear_along(with_back_steps(path, fraction));
+            EXPECT_NEAR(noisy.half_cycles, 60.0, 6.0) << amplitude << " " << fraction;
+            EXPECT_NEAR(noisy.ru, clean.ru, 0.01) << amplitude << " " << fraction;
         }
     }
 }
@@ -82,12 +82,12 @@ TEST(UbcSandNoise, ASineOfTwoAndOfFivePercentIsNoHalfCycle)
 {
     const std::vector<double> path = cycles_of_strain(5e-4, 20);
     const Outcome clean = shear_along(path);
-    for (const double share : {0.02, 0.05}) {
-        const Outcome noisy = shear_along(with_sine(path, share * 5e-4));
-        RecordProperty("half_cycles_" + std::to_string(share), std::to_string(noisy.half_cycles));
-        RecordProperty("ru_" + std::to_string(share), std::to_string(noisy.ru));
-        EXPECT_NEAR(noisy.half_cycles, clean.half_cycles, 2.0) << share;
-        EXPECT_NEAR(noisy.ru, clean.ru, 0.02) << share;
+    for (const double fraction : {0.02, 0.05}) {
+        const Outcome noisy = shear_along(with_sine(path, fraction * 5e-4));
+        RecordProperty("half_cycles_" + std::to_string(fraction), std::to_string(noisy.half_cycles));
+        RecordProperty("ru_" + std::to_string(fraction), std::to_string(noisy.ru));
+        EXPECT_NEAR(noisy.half_cycles, clean.half_cycles, 2.0) << fraction;
+        EXPECT_NEAR(noisy.ru, clean.ru, 0.02) << fraction;
     }
 }
 

@@ -173,7 +173,7 @@ double amplification(Problem problem, int rows, double frequency)
         }
         // the velocity at the surface, from that of the highest particle and its slope
         const double v = state.particles.velocity_solid.x[top] +
-                         state.particles.half_edge_2.y[top] * state.particles.velocity_slope_solid.xy[top];
+                         state.particles.half_edge_2.y[top] * state.particles.affine_velocity_solid.xy[top];
         relative += v * std::polar(2.0 / samples, -omega * (time - 0.5 * state.last_step));
     }
     // the outcrop's acceleration sin(w t) has the amplitude -i, its velocity -i / (i w)

@@ -119,8 +119,8 @@ void start_amplitudes(const ColumnMode& mode, const Eigen::Vector4d& y, Particle
         const double sine = std::sin(phase), cosine = std::cos(phase);
         particles.velocity_solid.y[p] = y[0] * sine;
         particles.velocity_fluid.y[p] = y[1] * sine;
-        particles.velocity_slope_solid.yy[p] = xi * y[0] * cosine;
-        particles.velocity_slope_fluid.yy[p] = xi * y[1] * cosine;
+        particles.affine_velocity_solid.yy[p] = xi * y[0] * cosine;
+        particles.affine_velocity_fluid.yy[p] = xi * y[1] * cosine;
         particles.stress.yy[p] = y[2] * cosine;
         particles.pore_pressure[p] = y[3] * cosine;
     }
@@ -141,14 +141,14 @@ Complex propagated_frequency(const Problem& problem, const Layer& layer, const C
 {
     const AllModes all = all_modes(layer, mode.wave_number);
     // changes, for the stress that varies within a cell, which the grid does not see, stays as it was
-    constexpr std::array<double, 3> shares = {0.2, 0.6, 1.0}; // of the duration
+    constexpr std::array<double, 3> fractions = {0.2, 0.6, 1.0}; // of the duration
     Eigen::Matrix4d before, after;
     for (int k = 0; k < 4; ++k) {
         State alone = state;
         start_amplitudes(mode, all.scale[k] * Eigen::Vector4d::Unit(k), alone.particles);
         std::array<Eigen::Vector4d, 3> amplitudes;
         for (std::size_t j = 0; j < 3; ++j) {
-            run(problem, state.time + shares[j] * duration, {}, alone);
+            run(problem, state.time + fractions[j] * duration, {}, alone);
             amplitudes[j] = measure_amplitudes(problem, mode, alone) / all.scale[k];
         }
         before.col(k) = amplitudes[1] - amplitudes[0];
@@ -157,14 +157,14 @@ Complex propagated_frequency(const Problem& problem, const Layer& layer, const C
     constexpr double dead = -15.0; // exponent of a mode of which nothing can be measured
     std::vector<Eigen::Index> alive;
     for (Eigen::Index k = 0; k < 4; ++k) {
-        if (all.s[k].real() * shares[0] * duration > dead) alive.push_back(k);
+        if (all.s[k].real() * fractions[0] * duration > dead) alive.push_back(k);
     }
     const auto parts = [&](const Eigen::Matrix4d& amplitudes) -> Eigen::MatrixXcd {
         return all.duals(alive, Eigen::all) * amplitudes.cast<Complex>() * all.shapes(Eigen::all, alive);
     };
     const Eigen::MatrixXcd propagator = parts(after) * parts(before).inverse();
     const Eigen::VectorXcd factors = Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(propagator).eigenvalues();
-    const double elapsed = (shares[2] - shares[1]) * duration;
+    const double elapsed = (fractions[2] - fractions[1]) * duration;
     return measured_frequency(mode, 1.0, factors[nearest_to(std::exp(mode.s * elapsed), factors)], elapsed);
 }
 

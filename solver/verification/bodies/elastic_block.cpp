@@ -47,9 +47,9 @@ public:
         displacement_.assign(static_cast<std::size_t>((nx_ + 1) * (ny_ + 1)), Vector2::Zero());
         velocity_ = force_ = displacement_;
         mass_.assign(displacement_.size(), 0.0);
-        const double share = 0.25 * body.density * edges_.x() * edges_.y();
+        const double fraction = 0.25 * body.density * edges_.x() * edges_.y();
         for_each_element([&](const std::size_t(&nodes)[4]) {
-            for (const std::size_t i : nodes) mass_[i] += share;
+            for (const std::size_t i : nodes) mass_[i] += fraction;
         });
         hold(supports);
     }
@@ -69,13 +69,13 @@ public:
         return 0.5 * edges_.minCoeff() * std::sqrt(density / stiffest);
     }
 
-    void advance(double kick, double dt)
+    void advance(double velocity_dt, double dt)
     {
         std::fill(force_.begin(), force_.end(), Vector2(0.0, 0.0));
         for_each_element([&](const std::size_t(&nodes)[4]) { add_forces(nodes); });
         for (std::size_t i = 0; i < mass_.size(); ++i) {
             const Vector2 acceleration = force_[i] / mass_[i] - Vector2(0.0, gravity_);
-            velocity_[i] += kick * acceleration.cwiseProduct(free_[i]);
+            velocity_[i] += velocity_dt * acceleration.cwiseProduct(free_[i]);
             displacement_[i] += dt * velocity_[i];
         }
     }
@@ -221,8 +221,8 @@ double displacement_at(const PointHistory& history, double time)
     if (after == history.time.begin()) return history.displacement.front();
     if (after == history.time.end()) return history.displacement.back();
     const auto k = static_cast<std::size_t>(after - history.time.begin());
-    const double share = (time - history.time[k - 1]) / (history.time[k] - history.time[k - 1]);
-    return history.displacement[k - 1] + share * (history.displacement[k] - history.displacement[k - 1]);
+    const double fraction = (time - history.time[k - 1]) / (history.time[k] - history.time[k - 1]);
+    return history.displacement[k - 1] + fraction * (history.displacement[k] - history.displacement[k - 1]);
 }
 
 PointHistory drop_block(const SolidBody& body, const BlockSupports& supports, double gravity, int elements,

@@ -39,8 +39,8 @@ InertialConsolidation::InertialConsolidation(const SaturatedSoil& soil, double h
     for (int m = 0; m < most_terms; ++m) {
         const double order = m + 0.5;
         // of the uniform p_0 and of the stress that will carry it
-        const double share = (m % 2 == 0 ? 2.0 : -2.0) / (order * pi);
-        const Eigen::Vector4d now = advance(soil, order * pi / height, time, {0.0, 0.0, share, share});
+        const double fraction = (m % 2 == 0 ? 2.0 : -2.0) / (order * pi);
+        const Eigen::Vector4d now = advance(soil, order * pi / height, time, {0.0, 0.0, fraction, fraction});
         terms_.push_back({order * pi, now[2], now[3]});
         if (std::abs(now[2]) + std::abs(now[3]) < negligible) break;
     }

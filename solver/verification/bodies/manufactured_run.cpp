@@ -54,7 +54,7 @@ void set_initial_motion(const ManufacturedMotion& motion, const ManufacturedBody
                 velocity(motion, body, X - step * direction, 0.0)) /
                (2.0 * step);
     };
-    Gradients& L = particles.velocity_slope_solid;
+    Gradients& L = particles.affine_velocity_solid;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Vector2 X = particles.position[p];
         particles.velocity_solid.set(p, velocity(motion, body, X, 0.0));

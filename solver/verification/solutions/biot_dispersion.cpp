@@ -139,7 +139,7 @@ ShearModes shear_modes(const SaturatedSoil& soil, double wave_number)
     return modes;
 }
 
-Complex shear_fluid_share(const SaturatedSoil& soil, Complex s)
+Complex shear_fluid_ratio(const SaturatedSoil& soil, Complex s)
 {
     return soil.drag() / (soil.drag() + s * soil.partial_density_fluid());
 }

@@ -50,6 +50,6 @@ struct ShearModes {
 ShearModes shear_modes(const SaturatedSoil& soil, double wave_number);
 
 /// Displacement of the water over that of the solid in a standing shear wave of complex frequency s [-].
-Complex shear_fluid_share(const SaturatedSoil& soil, Complex s);
+Complex shear_fluid_ratio(const SaturatedSoil& soil, Complex s);
 
 } // namespace quicksand

@@ -37,10 +37,10 @@ ColumnResponse::ColumnResponse(const SaturatedSoil& soil, double height, Complex
     // M (a_1 phi_1s + a_2 phi_2s) = -1 and a_1 d_1 + a_2 d_2 = 0, d the outflow
     const Complex solid_strain = outflow[1] * waves[0].mode[0] - outflow[0] * waves[1].mode[0];
     const Complex common = -1.0 / (soil.constrained_modulus * solid_strain);
-    const std::array<Complex, 2> share = {outflow[1] * common, -outflow[0] * common};
+    const std::array<Complex, 2> fraction = {outflow[1] * common, -outflow[0] * common};
     for (std::size_t j = 0; j < 2; ++j) {
-        mode_[j] = share[j] * waves[j].mode;
-        outflow_[j] = share[j] * outflow[j];
+        mode_[j] = fraction[j] * waves[j].mode;
+        outflow_[j] = fraction[j] * outflow[j];
     }
 }
 

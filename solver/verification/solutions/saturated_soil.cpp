@@ -16,8 +16,8 @@ double SaturatedSoil::consolidation_coefficient() const
 
 Eigen::Matrix2d SaturatedSoil::longitudinal_stiffness() const
 {
-    const Eigen::Vector2d shares(1.0 - porosity, porosity);
-    Eigen::Matrix2d K = storage_modulus() * shares * shares.transpose();
+    const Eigen::Vector2d fractions(1.0 - porosity, porosity);
+    Eigen::Matrix2d K = storage_modulus() * fractions * fractions.transpose();
     K(0, 0) += constrained_modulus;
     return K;
 }

@@ -50,8 +50,8 @@ void start(const ShearState& motion, double base, double height, Particles& part
         const double y = particles.reference_position.y[p] - base;
         particles.velocity_solid.x[p] = motion.solid(y);
         particles.velocity_fluid.x[p] = motion.fluid(y);
-        particles.velocity_slope_solid.xy[p] = slope(motion.solid, y);
-        particles.velocity_slope_fluid.xy[p] = slope(motion.fluid, y);
+        particles.affine_velocity_solid.xy[p] = slope(motion.solid, y);
+        particles.affine_velocity_fluid.xy[p] = slope(motion.fluid, y);
         particles.stress.xy[p] = motion.stress(y);
     }
 }
@@ -63,8 +63,8 @@ double measured_frequency(const Sampler& sampler)
     for (std::size_t k = 1; k < sampler.values.size(); ++k) {
         const double before = sampler.values[k - 1], after = sampler.values[k];
         if (!(before < 0.0 && after >= 0.0)) continue;
-        const double share = -before / (after - before);
-        crossings.push_back(sampler.times[k - 1] + share * (sampler.times[k] - sampler.times[k - 1]));
+        const double fraction = -before / (after - before);
+        crossings.push_back(sampler.times[k - 1] + fraction * (sampler.times[k] - sampler.times[k - 1]));
     }
     if (crossings.size() < 2) return std::numeric_limits<double>::quiet_NaN();
     return static_cast<double>(crossings.size() - 1) / (crossings.back() - crossings.front());
@@ -74,7 +74,7 @@ StudyError resonance(const Problem& given, const Layer& layer, int number, State
 {
     const double xi = (2.0 * number - 1.0) * pi / (2.0 * layer.height());
     const Complex s = shear_modes(layer.soil, xi).shear;
-    const Complex water = shear_fluid_share(layer.soil, s);
+    const Complex water = shear_fluid_ratio(layer.soil, s);
     const double G = layer.soil.shear_modulus;
     constexpr double speed = 1e-6; // small enough for a linear problem [m/s]
     start({[&](double y) { return speed * std::sin(xi * y); },
@@ -101,7 +101,7 @@ StudyError transfer(const Problem& given, const Layer& layer, double ratio, doub
 {
     const ShearBeam beam{layer.soil, layer.height(), 0.0};
     const double omega = 2.0 * pi * frequency, amplitude = 1e-6; // of the base's acceleration [m/s2]
-    const Complex i(0.0, 1.0), water = shear_fluid_share(layer.soil, i * omega);
+    const Complex i(0.0, 1.0), water = shear_fluid_ratio(layer.soil, i * omega);
     const double base = -amplitude / (omega * omega); // displacement of the base, Im(base e^{i omega t}) [m]
     const auto T = [&](double y) { return shear_transfer(beam, y, frequency); };
     const double step = 1e-6 * beam.height;

@@ -40,10 +40,10 @@ LoadPolygon read_polygon(const SurfaceLoad& load)
 struct Deviation {
     double squares = 0.0, weight = 0.0, largest = 0.0;
 
-    void add(double measured, double exact, double share = 1.0)
+    void add(double measured, double exact, double fraction = 1.0)
     {
-        squares += share * (measured - exact) * (measured - exact);
-        weight += share;
+        squares += fraction * (measured - exact) * (measured - exact);
+        weight += fraction;
         largest = std::max(largest, std::abs(exact));
     }
     double relative() const { return std::sqrt(squares / weight) / largest; }

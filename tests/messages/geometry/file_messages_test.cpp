@@ -383,9 +383,9 @@ TEST(FileMessages, NameATruncatedFixture)
     for (const char* name : {"slope_22.msh", "slope_41.msh", "slope_41_binary.msh"}) {
         std::ifstream stream(fixture(name), std::ios::binary);
         const std::string whole(std::istreambuf_iterator<char>(stream), {});
-        for (const double share : {0.3, 0.6, 0.9}) {
+        for (const double fraction : {0.3, 0.6, 0.9}) {
             GmshRequest request;
-            const auto length = static_cast<std::size_t>(share * static_cast<double>(whole.size()));
+            const auto length = static_cast<std::size_t>(fraction * static_cast<double>(whole.size()));
             request.file = folder.write(name, whole.substr(0, length));
             expect_parts(message_of(request), {name, "hint: "});
         }

@@ -267,10 +267,10 @@ to accept it: accept = ["boundaries.left"] at the top of the scene
 TEST(Assembly, NamesARegionTooThinForAnyParticle)
 {
     Section section = column_section();
-    Region film = section.regions[0];
-    film.name = "film";
-    for (Vector2& corner : film.polygons[0].outer) corner.y() = corner.y() > 0.1 ? 0.317500002 : 0.3175;
-    section.regions.push_back(film);
+    Region seal = section.regions[0];
+    seal.name = "film";
+    for (Vector2& corner : seal.polygons[0].outer) corner.y() = corner.y() > 0.1 ? 0.317500002 : 0.3175;
+    section.regions.push_back(seal);
     const std::string text =
         replaced(column_scene, "[regions.sand]", "[regions.film]\nmaterial = \"sand\"\n[regions.sand]");
     const std::string message = SceneFolder().assembly_message(text, section);

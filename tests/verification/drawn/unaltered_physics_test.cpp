@@ -1,6 +1,6 @@
 // What must not matter to elastic, saturated soil on a slanted base: mirrored, and scaled by 50; and its
 // momentum.
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 #include "solver/measure/monitors.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 
@@ -111,12 +111,12 @@ TEST(Slope, KeepsItsMomentumWithWallsAndSlivers)
         State& state = assembled.state;
         EXPECT_FALSE(assembled.problem.cut_domains.slivers.empty());
         begin_shaking(assembled.problem, state);
-        open_ledger(assembled.problem, state);
+        open_balances(assembled.problem, state);
         const double time = 0.05;
         run(assembled.problem, time, {}, state);
         const Monitors sums = monitor(assembled.problem, state, {});
         const double weight = (sums.mass_solid + sums.mass_fluid) * assembled.problem.gravity; // [N/m]
-        const LedgerBalance errors = balance(assembled.problem, state);
+        const BalanceErrors errors = balance(assembled.problem, state);
         EXPECT_LT(std::abs(errors.momentum_error_x), 1e-12 * weight * time) << scheme;
         EXPECT_LT(std::abs(errors.momentum_error_y), 1e-12 * weight * time) << scheme;
     }

@@ -39,10 +39,10 @@ void expect_sound(const Section& section, const Sampling& sampling, double box, 
         const CutDomain& shape = sampling.shapes[static_cast<std::size_t>(domain.shape)];
         Vector2 centroid = Vector2::Zero();
         for (std::size_t c = 0; c < corners.size(); ++c) {
-            EXPECT_GT(shape.shares[c], 0.0);
-            centroid += shape.shares[c] * shape.corners[c];
+            EXPECT_GT(shape.fractions[c], 0.0);
+            centroid += shape.fractions[c] * shape.corners[c];
         }
-        EXPECT_NEAR(std::accumulate(shape.shares.begin(), shape.shares.end(), 0.0), 1.0, 1e-14);
+        EXPECT_NEAR(std::accumulate(shape.fractions.begin(), shape.fractions.end(), 0.0), 1.0, 1e-14);
         EXPECT_LT(centroid.norm(), 1e-6);
     }
     for (std::size_t r = 0; r < sums.size(); ++r)

@@ -29,11 +29,11 @@ std::vector<Vector2> nodal_normals(const Problem& problem, const Particles& part
     CellLists lists = make_cell_lists(problem.grid);
     update_cell_lists(problem.grid, particles, lists);
     for (const Tile& tile : lists.tiles) {
-        PatchStore store;
+        StencilStore store;
         evaluate_weights(problem, particles, lists, tile, store);
         for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k) {
             const double V = particles.volume[static_cast<std::size_t>(lists.order[k])];
-            for_each_node(store.patches[k - lists.first_entry(tile)], store, problem.grid.nodes_x(),
+            for_each_node(store.stencils[k - lists.first_entry(tile)], store, problem.grid.nodes_x(),
                           [&](std::size_t i, const NodeWeight& w) {
                               normals[i] += V * Vector2(w.gradient_x, w.gradient_y);
                           });
@@ -124,8 +124,8 @@ TEST(CutScene, ATractionGoesToTheCornersOfTheEdgesThatItActsOn)
         const PresentPiece present = present_piece(problem, particles, piece, p);
         EXPECT_LT((present.start - corners[c]).norm(), 1e-12);
         EXPECT_LT((present.end - corners[(c + 1) % corners.size()]).norm(), 1e-12);
-        EXPECT_NEAR(present.shares[0], 0.5, 1e-9);
-        EXPECT_NEAR(present.shares[1], 0.5, 1e-9);
+        EXPECT_NEAR(present.fractions[0], 0.5, 1e-9);
+        EXPECT_NEAR(present.fractions[1], 0.5, 1e-9);
     }
     EXPECT_NEAR(length, std::hypot(0.87, 0.4), 1e-12);
     EXPECT_TRUE(

@@ -45,8 +45,8 @@ double largest_outer_excess(const AssembledCase& assembled)
     double largest = 0.0;
     if (!has_outer_water(ground.water)) return largest;
     for (const Segment& segment : ground.segments) {
-        for (double share = 0.0; share <= 1.0; share += 0.125) {
-            const Vector2 point = segment.start + share * (segment.end - segment.start);
+        for (double fraction = 0.0; fraction <= 1.0; fraction += 0.125) {
+            const Vector2 point = segment.start + fraction * (segment.end - segment.start);
             largest = std::max(largest, std::abs(outer_excess_pressure(assembled.problem, ground, point)));
         }
     }

@@ -27,8 +27,9 @@ State varied_state(bool saturated, bool with_cycles = false)
     state.time = 0.1;
     state.step = 12345678901;
     if (saturated) {
-        state.ledger.emplace();
-        for_each_number(*state.ledger, [&](const char*, double& entry) { entry = value += 1.0 / 7.0; });
+        state.balance_terms.emplace();
+        for_each_number(*state.balance_terms,
+                        [&](const char*, double& entry) { entry = value += 1.0 / 7.0; });
     }
     if (saturated) state.reactions = {{1.0 / 3.0, -2e5, 0.0}, {7.0, 1.0 / 9.0, 1e-300}}; // a viscous base
 
@@ -49,13 +50,13 @@ bool same_bits(const State& a, const State& b)
             same && values.size() == other.size() &&
             (values.empty() || std::memcmp(values.data(), other.data(), values.size() * sizeof(double)) == 0);
     });
-    std::vector<double> ledgers[2];
+    std::vector<double> balances[2];
     for (const State* state : {&a, &b}) {
-        if (!state->ledger) continue;
-        for_each_number(*state->ledger,
-                        [&](const char*, double entry) { ledgers[state == &b].push_back(entry); });
+        if (!state->balance_terms) continue;
+        for_each_number(*state->balance_terms,
+                        [&](const char*, double entry) { balances[state == &b].push_back(entry); });
     }
-    same = same && a.ledger.has_value() == b.ledger.has_value() && ledgers[0] == ledgers[1];
+    same = same && a.balance_terms.has_value() == b.balance_terms.has_value() && balances[0] == balances[1];
     return same && a.particles.identifier == b.particles.identifier &&
            a.particles.material == b.particles.material && a.particles.region == b.particles.region;
 }

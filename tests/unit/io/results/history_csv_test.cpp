@@ -1,5 +1,5 @@
 #include "io/results/history_csv.hpp"
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -34,12 +34,12 @@ TEST(HistoryWriter, HeaderOfASaturatedScene)
               std::string::npos);
 }
 
-TEST(HistoryWriter, HeaderOfASaturatedSceneWithALedger)
+TEST(HistoryWriter, HeaderOfASaturatedSceneWithBalances)
 {
     const fixtures::TemporaryFolder folder;
     const Problem problem = fixtures::small_problem(true);
     State state = fixtures::small_state(problem);
-    open_ledger(problem, state);
+    open_balances(problem, state);
     const HistoryWriter writer(fixtures::small_scene(), problem, state, {"a.toml", "0"},
                                folder / "history.csv", false);
     EXPECT_NE(rows_of(folder / "history.csv")

@@ -191,8 +191,8 @@ TEST(BoundaryConditions, AViscousCurveIsHeldWhileTheSoilSettles)
     EXPECT_EQ(conditions_at(problem, settling, 2.0, 0.0), solid_x_fixed | solid_y_fixed | fluid_y_fixed);
     EXPECT_EQ(conditions_at(problem, settling, 0.0, 2.0), solid_x_fixed | fluid_x_fixed);
     const NodeConditions shaking = node_conditions(problem, Stage::shaking);
-    EXPECT_EQ(conditions_at(problem, shaking, 2.0, 0.0), film_y); // the water stays with the grains
-    EXPECT_EQ(conditions_at(problem, shaking, 0.0, 2.0), film_x);
+    EXPECT_EQ(conditions_at(problem, shaking, 2.0, 0.0), seal_y); // the water stays with the grains
+    EXPECT_EQ(conditions_at(problem, shaking, 0.0, 2.0), seal_x);
     EXPECT_EQ(master_of(problem, shaking, 2.0, -2.0), Vector2(2.0, 0.0));
 }
 

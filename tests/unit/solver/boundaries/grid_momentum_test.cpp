@@ -95,17 +95,17 @@ TEST(NodeConditions, AHeldSkeletonStillDragsTheWater)
     EXPECT_NE(v.solid_y, 0.0);
 }
 
-TEST(NodeConditions, AnImperviousFilmMovesBothPhasesTogether)
+TEST(NodeConditions, ASealMovesBothPhasesTogether)
 {
-    const TwoPhaseMotion v = solve_one(weightless(), film_y);
+    const TwoPhaseMotion v = solve_one(weightless(), seal_y);
     EXPECT_DOUBLE_EQ(v.solid_y, (8.0 - 15.0) / 1930.0);
     EXPECT_DOUBLE_EQ(v.fluid_y, v.solid_y);
     EXPECT_NE(v.fluid_x, v.solid_x);
 }
 
-TEST(NodeConditions, AnImperviousFilmHoldsTheWaterOfHeldGrains)
+TEST(NodeConditions, ASealHoldsTheWaterOfHeldGrains)
 {
-    const TwoPhaseMotion v = solve_one(weightless(), solid_y_fixed | film_y);
+    const TwoPhaseMotion v = solve_one(weightless(), solid_y_fixed | seal_y);
     EXPECT_EQ(v.solid_y, 0.0);
     EXPECT_EQ(v.fluid_y, 0.0);
 }

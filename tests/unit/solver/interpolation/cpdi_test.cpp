@@ -10,13 +10,14 @@ namespace {
 
 const BackgroundGrid grid{{-0.3, 0.2}, 0.1, 8, 6};
 
-double sum_over_nodes(const NodePatch& patch,
+double sum_over_nodes(const NodeStencil& stencil,
                       const std::function<double(const NodeWeight&, const Vector2&)>& term)
 {
     double sum = 0.0;
-    for (int k = 0; k < patch.width * patch.height; ++k) {
-        const Vector2 node = grid.node_position(patch.column + k % patch.width, patch.row + k / patch.width);
-        sum += term(patch.weights[k], node);
+    for (int k = 0; k < stencil.width * stencil.height; ++k) {
+        const Vector2 node =
+            grid.node_position(stencil.column + k % stencil.width, stencil.row + k / stencil.width);
+        sum += term(stencil.weights[k], node);
     }
     return sum;
 }
@@ -26,8 +27,8 @@ TEST(Cpdi, GradientIsTheMeanGradientOfTheInterpolantOverTheDomain)
     // On its domain the interpolant of a nodal field is bilinear in the domain's own coordinates (s, t); the
     // mean of its gradient follows from central differences of the corner values, with J = [2 r1, 2 r2].
     const ParallelogramDomain domain{{0.1, 0.5}, {0.05, 0.01}, {0.03, 0.05}};
-    NodePatch patch;
-    evaluate_cpdi(grid, domain, patch);
+    NodeStencil stencil;
+    evaluate_cpdi(grid, domain, stencil);
     const auto field = [](const Vector2& x) { return std::sin(9.0 * x.x()) * std::cos(7.0 * x.y()); };
     const auto bilinear = [&](const Vector2& x) {
         const Vector2 cells = (x - grid.rim_origin()) / grid.cell_size;
@@ -48,12 +49,12 @@ TEST(Cpdi, GradientIsTheMeanGradientOfTheInterpolantOverTheDomain)
     const Vector2 expected((J(1, 1) * slopes.x() - J(1, 0) * slopes.y()) / det,
                            (J(0, 0) * slopes.y() - J(0, 1) * slopes.x()) / det);
 
-    EXPECT_NEAR(
-        sum_over_nodes(patch, [&](const NodeWeight& w, const Vector2& x) { return w.gradient_x * field(x); }),
-        expected.x(), 1e-11);
-    EXPECT_NEAR(
-        sum_over_nodes(patch, [&](const NodeWeight& w, const Vector2& x) { return w.gradient_y * field(x); }),
-        expected.y(), 1e-11);
+    EXPECT_NEAR(sum_over_nodes(
+                    stencil, [&](const NodeWeight& w, const Vector2& x) { return w.gradient_x * field(x); }),
+                expected.x(), 1e-11);
+    EXPECT_NEAR(sum_over_nodes(
+                    stencil, [&](const NodeWeight& w, const Vector2& x) { return w.gradient_y * field(x); }),
+                expected.y(), 1e-11);
 }
 
 TEST(Cpdi, ADomainThatReachesTooFarIsScaledAndOthersAreKept)

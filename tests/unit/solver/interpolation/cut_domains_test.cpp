@@ -52,13 +52,13 @@ std::vector<Vector2> random_polygon(std::mt19937& random, double size)
     return corners;
 }
 
-double sum_over_nodes(const NodePatch& patch,
+double sum_over_nodes(const NodeStencil& stencil,
                       const std::function<double(const NodeWeight&, const Vector2&)>& term)
 {
     double sum = 0.0;
-    for (int k = 0; k < patch.width * patch.height; ++k)
-        sum += term(patch.weights[k],
-                    grid.node_position(patch.column + k % patch.width, patch.row + k / patch.width));
+    for (int k = 0; k < stencil.width * stencil.height; ++k)
+        sum += term(stencil.weights[k],
+                    grid.node_position(stencil.column + k % stencil.width, stencil.row + k / stencil.width));
     return sum;
 }
 
@@ -78,7 +78,7 @@ struct CutBlock {
     }
 };
 
-/// The weights of all particles: by particle, those of its patch, and whether any domain was scaled down.
+/// The weights of all particles: by particle, those of its stencil, and whether any domain was scaled down.
 std::vector<std::vector<double>> all_weights(const Problem& problem, const Particles& particles,
                                              std::int64_t& limited)
 {
@@ -87,13 +87,13 @@ std::vector<std::vector<double>> all_weights(const Problem& problem, const Parti
     std::vector<std::vector<double>> weights(particles.size());
     limited = 0;
     for (const Tile& tile : lists.tiles) {
-        PatchStore store;
+        StencilStore store;
         limited += evaluate_weights(problem, particles, lists, tile, store);
         for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k) {
             auto& of_particle = weights[static_cast<std::size_t>(lists.order[k])];
-            const StoredPatch& patch = store.patches[k - lists.first_entry(tile)];
-            of_particle = {static_cast<double>(patch.base(problem.grid.nodes_x()))};
-            for_each_node(patch, store, problem.grid.nodes_x(), [&](std::size_t, const NodeWeight& w) {
+            const StoredStencil& stencil = store.stencils[k - lists.first_entry(tile)];
+            of_particle = {static_cast<double>(stencil.base(problem.grid.nodes_x()))};
+            for_each_node(stencil, store, problem.grid.nodes_x(), [&](std::size_t, const NodeWeight& w) {
                 for (const double part : {w.value, w.gradient_x, w.gradient_y}) of_particle.push_back(part);
             });
         }
@@ -115,9 +115,9 @@ TEST(CutDomains, AreAPartitionOfUnityAndReproduceLinearFields)
         const Vector2 edge_1(1.1, 4.0 * place(random)), edge_2(3.0 * place(random), 0.8);
         const std::vector<Vector2> corners = corners_in_frame(shape, centre, edge_1, edge_2);
         EXPECT_LT((centroid_of(corners) - centre).norm(), 1e-15);
-        NodePatch patch;
-        evaluate_polygon(grid, shape, corners, patch);
-        const auto sum = [&](auto&& term) { return sum_over_nodes(patch, term); };
+        NodeStencil stencil;
+        evaluate_polygon(grid, shape, corners, stencil);
+        const auto sum = [&](auto&& term) { return sum_over_nodes(stencil, term); };
         EXPECT_NEAR(sum([](const NodeWeight& w, const Vector2&) { return w.value; }), 1.0, 1e-14);
         EXPECT_NEAR(sum([](const NodeWeight& w, const Vector2&) { return w.gradient_x; }), 0.0, 1e-10);
         EXPECT_NEAR(sum([](const NodeWeight& w, const Vector2&) { return w.gradient_y; }), 0.0, 1e-10);
@@ -127,7 +127,7 @@ TEST(CutDomains, AreAPartitionOfUnityAndReproduceLinearFields)
                     1e-9);
         EXPECT_NEAR(sum([&](const NodeWeight& w, const Vector2& x) { return w.gradient_y * field(x); }), 0.7,
                     1e-9);
-        EXPECT_GT(*std::min_element(shape.shares.begin(), shape.shares.end()), 0.0);
+        EXPECT_GT(*std::min_element(shape.fractions.begin(), shape.fractions.end()), 0.0);
     }
 }
 
@@ -135,7 +135,7 @@ TEST(CutDomains, AreCpdiWhereTheyAreParallelograms)
 {
     const CutDomain box = make_cut_domain({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
     const ParallelogramDomain domain{{0.113, 0.477}, {0.04, 0.011}, {-0.014, 0.05}};
-    NodePatch cut, whole;
+    NodeStencil cut, whole;
     evaluate_polygon(grid, box, corners_in_frame(box, domain.centre, domain.half_edge_1, domain.half_edge_2),
                      cut);
     evaluate_cpdi(grid, domain, whole);
@@ -160,11 +160,11 @@ TEST(CutDomains, GiveNoWeightBeyondAGridLineThatTheyEndOn)
         std::vector<Vector2> local = corners;
         for (Vector2& corner : local) corner -= centroid;
         for (Vector2& corner : corners) corner += far;
-        NodePatch patch;
-        evaluate_polygon(there, make_cut_domain(local), corners, patch);
+        NodeStencil stencil;
+        evaluate_polygon(there, make_cut_domain(local), corners, stencil);
         int with_weight = 0;
-        for (int k = 0; k < patch.width * patch.height; ++k) {
-            const NodeWeight& w = patch.weights[k];
+        for (int k = 0; k < stencil.width * stencil.height; ++k) {
+            const NodeWeight& w = stencil.weights[k];
             with_weight += w.value != 0.0 || w.gradient_x != 0.0 || w.gradient_y != 0.0 ? 1 : 0;
         }
         EXPECT_EQ(with_weight, 3); // a corner at each of three nodes

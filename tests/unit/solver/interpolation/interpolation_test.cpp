@@ -40,13 +40,14 @@ Particles many_shapes(bool twisted)
     return particles;
 }
 
-double sum_over_nodes(const NodePatch& patch,
+double sum_over_nodes(const NodeStencil& stencil,
                       const std::function<double(const NodeWeight&, const Vector2&)>& term)
 {
     double sum = 0.0;
-    for (int k = 0; k < patch.width * patch.height; ++k) {
-        const Vector2 node = grid.node_position(patch.column + k % patch.width, patch.row + k / patch.width);
-        sum += term(patch.weights[k], node);
+    for (int k = 0; k < stencil.width * stencil.height; ++k) {
+        const Vector2 node =
+            grid.node_position(stencil.column + k % stencil.width, stencil.row + k / stencil.width);
+        sum += term(stencil.weights[k], node);
     }
     return sum;
 }
@@ -63,14 +64,14 @@ TYPED_TEST_SUITE(InterpolationFamily, Members);
 TYPED_TEST(InterpolationFamily, IsAPartitionOfUnity)
 {
     const Particles particles = many_shapes(TestFixture::twisted);
-    NodePatch patch;
+    NodeStencil stencil;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        TypeParam::evaluate(grid, particles, p, patch);
-        EXPECT_NEAR(sum_over_nodes(patch, [](const NodeWeight& w, const Vector2&) { return w.value; }), 1.0,
+        TypeParam::evaluate(grid, particles, p, stencil);
+        EXPECT_NEAR(sum_over_nodes(stencil, [](const NodeWeight& w, const Vector2&) { return w.value; }), 1.0,
                     1e-14);
-        EXPECT_NEAR(sum_over_nodes(patch, [](const NodeWeight& w, const Vector2&) { return w.gradient_x; }),
+        EXPECT_NEAR(sum_over_nodes(stencil, [](const NodeWeight& w, const Vector2&) { return w.gradient_x; }),
                     0.0, 1e-11);
-        EXPECT_NEAR(sum_over_nodes(patch, [](const NodeWeight& w, const Vector2&) { return w.gradient_y; }),
+        EXPECT_NEAR(sum_over_nodes(stencil, [](const NodeWeight& w, const Vector2&) { return w.gradient_y; }),
                     0.0, 1e-11);
     }
 }
@@ -79,15 +80,15 @@ TYPED_TEST(InterpolationFamily, ReproducesALinearFieldAtTheParticleAndItsGradien
 {
     const auto field = [](const Vector2& x) { return 1.5 - 2.0 * x.x() + 0.7 * x.y(); };
     const Particles particles = many_shapes(TestFixture::twisted);
-    NodePatch patch;
+    NodeStencil stencil;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        TypeParam::evaluate(grid, particles, p, patch);
+        TypeParam::evaluate(grid, particles, p, stencil);
         const auto value = [&](const NodeWeight& w, const Vector2& x) { return w.value * field(x); };
         const auto slope_x = [&](const NodeWeight& w, const Vector2& x) { return w.gradient_x * field(x); };
         const auto slope_y = [&](const NodeWeight& w, const Vector2& x) { return w.gradient_y * field(x); };
-        EXPECT_NEAR(sum_over_nodes(patch, value), field(particles.position[p]), 1e-13) << p;
-        EXPECT_NEAR(sum_over_nodes(patch, slope_x), -2.0, 1e-11) << p;
-        EXPECT_NEAR(sum_over_nodes(patch, slope_y), 0.7, 1e-11) << p;
+        EXPECT_NEAR(sum_over_nodes(stencil, value), field(particles.position[p]), 1e-13) << p;
+        EXPECT_NEAR(sum_over_nodes(stencil, slope_x), -2.0, 1e-11) << p;
+        EXPECT_NEAR(sum_over_nodes(stencil, slope_y), 0.7, 1e-11) << p;
     }
 }
 
@@ -103,18 +104,18 @@ TYPED_TEST(RigidFamily, GradientIsTheDerivativeOfTheValue)
     const auto field = [](const Vector2& x) { return std::sin(9.0 * x.x()) * std::cos(7.0 * x.y()); };
     const auto value_at = [&](Particles particles, std::size_t p, const Vector2& step) {
         particles.position.set(p, particles.position[p] + step);
-        NodePatch patch;
-        TypeParam::evaluate(grid, particles, p, patch);
-        return sum_over_nodes(patch,
+        NodeStencil stencil;
+        TypeParam::evaluate(grid, particles, p, stencil);
+        return sum_over_nodes(stencil,
                               [&](const NodeWeight& w, const Vector2& x) { return w.value * field(x); });
     };
     const Particles particles = many_shapes(false);
     const double step = 1e-7;
     for (const std::size_t p : {0u, 2u, 4u}) { // away from cell edges, where the linear member has a kink
-        NodePatch patch;
-        TypeParam::evaluate(grid, particles, p, patch);
+        NodeStencil stencil;
+        TypeParam::evaluate(grid, particles, p, stencil);
         const double by_gradient = sum_over_nodes(
-            patch, [&](const NodeWeight& w, const Vector2& x) { return w.gradient_x * field(x); });
+            stencil, [&](const NodeWeight& w, const Vector2& x) { return w.gradient_x * field(x); });
         const double by_difference =
             (value_at(particles, p, {step, 0.0}) - value_at(particles, p, {-step, 0.0})) / (2.0 * step);
         EXPECT_NEAR(by_gradient, by_difference, 1e-6) << p;
@@ -179,23 +180,24 @@ TEST(Cpdi2, ShrinksAQuadrilateralThatReachesTooFar)
     particles.twist.x = particles.twist.y = Scalars(1, 0.0);
     set_quadrilateral({Vector2(0.1, 0.3), Vector2(0.9, 0.35), Vector2(0.85, 0.6), Vector2(0.15, 0.55)}, 0,
                       particles);
-    NodePatch patch;
-    EXPECT_TRUE(Cpdi2::evaluate(wide, particles, 0, patch));
-    EXPECT_LE(patch.width, NodePatch::max_width);
+    NodeStencil stencil;
+    EXPECT_TRUE(Cpdi2::evaluate(wide, particles, 0, stencil));
+    EXPECT_LE(stencil.width, NodeStencil::max_width);
     double sum = 0.0, slope = 0.0;
     Vector2 centre = Vector2::Zero();
-    for (int k = 0; k < patch.width * patch.height; ++k) {
-        const Vector2 x = wide.node_position(patch.column + k % patch.width, patch.row + k / patch.width);
-        sum += patch.weights[k].value;
-        centre += patch.weights[k].value * x;
-        slope += patch.weights[k].gradient_x * x.x();
+    for (int k = 0; k < stencil.width * stencil.height; ++k) {
+        const Vector2 x =
+            wide.node_position(stencil.column + k % stencil.width, stencil.row + k / stencil.width);
+        sum += stencil.weights[k].value;
+        centre += stencil.weights[k].value * x;
+        slope += stencil.weights[k].gradient_x * x.x();
     }
     EXPECT_NEAR(sum, 1.0, 1e-14);
     EXPECT_NEAR(slope, 1.0, 1e-13);
     EXPECT_LT((centre - particles.position[0]).norm(), 1e-14);
 }
 
-TEST(Cpdi2, CornersThatMoveKeepTheShareOfTheAreaThatTheParticleCarries)
+TEST(Cpdi2, CornersThatMoveKeepThePartOfTheAreaThatTheParticleCarries)
 {
     const BackgroundGrid wide{{0.0, 0.0}, 0.1, 10, 10};
     Particles particles;

@@ -1,4 +1,4 @@
-#include "solver/motion/deformation_noise.hpp"
+#include "solver/motion/null_space_damping.hpp"
 #include "solver/motion/particle_motion.hpp"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace quicksand {
 namespace {
 
-TEST(NoiseOfDeformation, FadesByTheShareOfTheStrainAndNotInRigidMotion)
+TEST(NullSpaceOfDeformation, DecaysWithTheStrainAndNotInRigidMotion)
 {
     Particles particles;
     resize(particles, 3, std::nullopt);
@@ -17,8 +17,8 @@ TEST(NoiseOfDeformation, FadesByTheShareOfTheStrainAndNotInRigidMotion)
     L.yx = {0.0, 0.0, -2.0};
     const Vectors grid{{1.0, 1.0, 1.0}, {0.0, 0.0, 0.0}};
     particles.velocity_solid = {{2.0, 0.0, 2.0}, {-1.0, 1.0, -1.0}};
-    Scalars share;
-    fade_noise_of_deformation(0.1, {1.0, 1.0, 1.0}, grid, share, particles);
+    Scalars fraction;
+    damp_null_space_of_deformation(0.1, {1.0, 1.0, 1.0}, grid, fraction, particles);
     const double rate = 0.1 * 4.0 * 3.0 / std::sqrt(2.0), theta = rate / (1.0 + rate);
     EXPECT_NEAR(particles.velocity_solid.x[0], 2.0 - theta, 1e-15);
     EXPECT_NEAR(particles.velocity_solid.y[1], 1.0 - theta, 1e-15);
@@ -26,7 +26,7 @@ TEST(NoiseOfDeformation, FadesByTheShareOfTheStrainAndNotInRigidMotion)
     EXPECT_EQ(particles.velocity_solid.y[2], -1.0);
 }
 
-TEST(NoiseOfDeformation, KeepsTheMomentumWhereStrainsAndMassesDiffer)
+TEST(NullSpaceOfDeformation, KeepsTheMomentumWhereStrainsAndMassesDiffer)
 {
     Particles particles;
     resize(particles, 3, std::nullopt);
@@ -40,8 +40,8 @@ TEST(NoiseOfDeformation, KeepsTheMomentumWhereStrainsAndMassesDiffer)
         return sum;
     };
     const Vector2 before = momentum();
-    Scalars share;
-    fade_noise_of_deformation(0.1, mass, grid, share, particles);
+    Scalars fraction;
+    damp_null_space_of_deformation(0.1, mass, grid, fraction, particles);
     EXPECT_LT((momentum() - before).norm(), 1e-15 * 10.0);
     EXPECT_LT(particles.velocity_solid.x[0], 1.9);
     EXPECT_EQ(particles.velocity_solid.x[2], 2.0);

@@ -15,15 +15,15 @@ struct Soil {
     Problem problem;
     State state;
 
-    explicit Soil(double share)
+    explicit Soil(double fraction)
     {
         problem.grid = {{0.0, 0.0}, 0.5, 4, 4};
         problem.materials = {stiff_sand()};
         state = fill(problem, 2, [](const Vector2&) { return true; });
         Particles& particles = state.particles;
-        particles.volume[5] *= share;
+        particles.volume[5] *= fraction;
         for (Vectors* edge : {&particles.half_edge_1, &particles.half_edge_2})
-            edge->set(5, std::sqrt(share) * (*edge)[5]);
+            edge->set(5, std::sqrt(fraction) * (*edge)[5]);
         particles.position.set(5, particles.position[5] + Vector2(0.1, 0.02));
         reset_reference(particles);
         problem.cut_domains.pieces.assign(particles.size(), 0);

@@ -1,5 +1,5 @@
 #include "solver/boundaries/boundary_pieces.hpp"
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 #include "solver/run/soil_column.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
@@ -54,10 +54,10 @@ TEST(SoilColumn, WidensToTheBodyItWasFoundIn)
 {
     const Problem body = tied_ground();
     State state = level_state(body);
-    open_ledger(body, state);
+    open_balances(body, state);
     SoilColumn column = *find_soil_column(body, state).column;
-    column.state.ledger.reset();
-    open_ledger(column.problem, column.state);
+    column.state.balance_terms.reset();
+    open_balances(column.problem, column.state);
     State wide;
     widen(column, column.state, wide);
     EXPECT_EQ(wide.particles.identifier, state.particles.identifier);
@@ -70,7 +70,7 @@ TEST(SoilColumn, WidensToTheBodyItWasFoundIn)
         for (std::size_t p = 0; p < values.size(); ++p) EXPECT_NEAR(values[p], arrays[k][p], 1e-12) << name;
         ++k;
     });
-    EXPECT_NEAR(wide.ledger->opening_water_content, state.ledger->opening_water_content, 1e-12);
+    EXPECT_NEAR(wide.balance_terms->opening_water_content, state.balance_terms->opening_water_content, 1e-12);
 }
 
 TEST(SoilColumn, KeepsBodiesWhoseColumnsDiffer)

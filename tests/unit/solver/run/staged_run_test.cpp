@@ -44,9 +44,9 @@ void expect_same_run(const StagedRun& a, const StagedRun& b)
     EXPECT_EQ(a.state().time, b.state().time);
     expect_same_bits(a.state().particles, b.state().particles);
     std::vector<double> numbers;
-    for_each_number(*a.state().ledger, [&](const char*, double value) { numbers.push_back(value); });
+    for_each_number(*a.state().balance_terms, [&](const char*, double value) { numbers.push_back(value); });
     std::size_t k = 0;
-    for_each_number(*b.state().ledger,
+    for_each_number(*b.state().balance_terms,
                     [&](const char* name, double value) { EXPECT_EQ(value, numbers[k++]) << name; });
 }
 
@@ -86,7 +86,7 @@ TEST(StagedRun, SettlesAndThenShakes)
     EXPECT_TRUE(run.is_shaking());
     EXPECT_FALSE(run.is_finished());
     EXPECT_EQ(run.state().step, 0);
-    EXPECT_TRUE(run.state().ledger.has_value());
+    EXPECT_TRUE(run.state().balance_terms.has_value());
     EXPECT_THROW(run.settle(loosely), InternalError);
     EXPECT_THROW(run.begin_shaking(), InternalError);
 
@@ -101,7 +101,7 @@ TEST(StagedRun, BeginsWithoutSettlingAndWithoutBalances)
     StagedRun run(body, unsettled(body), {end_time, ColumnsComputed::one});
     EXPECT_EQ(run.begin_shaking(), 0u); // elastic soil carries any stress
     EXPECT_TRUE(run.is_shaking());
-    EXPECT_FALSE(run.state().ledger.has_value());
+    EXPECT_FALSE(run.state().balance_terms.has_value());
 }
 
 TEST(StagedRun, GoesOnFromAStopInEitherStageToTheSameBits)
@@ -173,7 +173,7 @@ TEST(StagedRun, ShowsTheBodyWhoseColumnIsComputed)
     const State& wide = one.state_of_body();
     EXPECT_EQ(wide.particles.size(), 60u);
     EXPECT_EQ(wide.time, end_time);
-    EXPECT_EQ(wide.ledger->base_work, 5.0 * one.state().ledger->base_work);
+    EXPECT_EQ(wide.balance_terms->base_work, 5.0 * one.state().balance_terms->base_work);
 }
 
 TEST(StagedRun, TellsWhyAllColumnsAreComputed)

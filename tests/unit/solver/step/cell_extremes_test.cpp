@@ -55,14 +55,14 @@ TEST(CellExtremes, OfUniformSoilAreThoseOfAnyParticle)
     EXPECT_NEAR(column.stiffest(), column.modulus, 1e-12 * column.modulus);
 }
 
-TEST(CellExtremes, AStiffParticleCountsByItsShareOfTheCell)
+TEST(CellExtremes, AStiffParticleCountsByItsPartOfTheCell)
 {
     Column column;
     column.set_mean_stress(column.particle_near({2.5 * h, 1.5 * h}), 900e3); // three times as stiff
     EXPECT_NEAR(column.stiffest(), (8.0 + 3.0) / 9.0 * column.modulus, 1e-9 * column.modulus);
 }
 
-TEST(CellExtremes, AStiffParticleCountsByTheShareThatIsEmptyToo)
+TEST(CellExtremes, AStiffParticleCountsByTheEmptyPartToo)
 {
     Column column;
     column.set_mean_stress(column.particle_near({2.5 * h, 4.2 * h}), 900e3);

@@ -61,8 +61,8 @@ TEST(CellRoots, OfABadlyFilledCellIsTheGoodOneBesideIt)
 {
     // one particle of four in the cell (1, 2)
     const Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
-    const std::vector<SharedCell> expected = {{soil.slot(1, 2), soil.slot(1, 1)}};
-    EXPECT_EQ(soil.roots.shared, expected);
+    const std::vector<AggregatedCell> expected = {{soil.slot(1, 2), soil.slot(1, 1)}};
+    EXPECT_EQ(soil.roots.aggregated, expected);
 }
 
 TEST(CellRoots, RoundingDoesNotDecideWhichCellsAreGood)
@@ -70,10 +70,10 @@ TEST(CellRoots, RoundingDoesNotDecideWhichCellsAreGood)
     Soil soil([](const Vector2& x) { return x.y() < 1.25; }); // half a layer
     for (double& volume : soil.state.particles.volume) volume *= 0.8 * (1.0 - 1e-12);
     soil.update();
-    EXPECT_TRUE(soil.roots.shared.empty()); // cells 0.4 full but for rounding
+    EXPECT_TRUE(soil.roots.aggregated.empty()); // cells 0.4 full but for rounding
     for (double& volume : soil.state.particles.volume) volume *= 0.99;
     soil.update();
-    EXPECT_EQ(soil.roots.shared.size(), 4U);
+    EXPECT_EQ(soil.roots.aggregated.size(), 4U);
 }
 
 TEST(CellRoots, OfEquallyNearCellsIsTheFullestAndThenTheOneNearestToTheSoil)
@@ -84,12 +84,12 @@ TEST(CellRoots, OfEquallyNearCellsIsTheFullestAndThenTheOneNearestToTheSoil)
         return full || (x.y() > 1.75 && x.y() < 2.0 && x.x() > 0.75 && x.x() < 1.0);
     };
     Soil soil(beside);
-    ASSERT_EQ(soil.roots.shared.size(), 1U);
-    EXPECT_EQ(soil.roots.shared[0].root, soil.slot(2, 3));
+    ASSERT_EQ(soil.roots.aggregated.size(), 1U);
+    EXPECT_EQ(soil.roots.aggregated[0].root, soil.slot(2, 3));
     for (std::size_t p = 0; p < soil.state.particles.size(); ++p) // the right one looser
         if (soil.state.particles.position.x[p] > 1.0) soil.state.particles.volume[p] *= 0.9;
     soil.update();
-    EXPECT_EQ(soil.roots.shared[0].root, soil.slot(0, 3));
+    EXPECT_EQ(soil.roots.aggregated[0].root, soil.slot(0, 3));
 }
 
 TEST(CellRoots, AFewPerMilleOfVolumeDoNotTurnThem)
@@ -150,7 +150,7 @@ TEST(CellRoots, FollowersOfTornSoilMoveAsTheNearestCorner)
         sum += other.weight;
     }
     EXPECT_DOUBLE_EQ(sum, 1.0);
-    EXPECT_EQ(soil.roots.shared.size(), 1U); // its pressure is still that of its root
+    EXPECT_EQ(soil.roots.aggregated.size(), 1U); // its pressure is still that of its root
 }
 
 TEST(CellRoots, CornersOfGoodCellsFollowNothing)
@@ -165,12 +165,12 @@ TEST(CellRoots, CornersOfGoodCellsFollowNothing)
 TEST(CellRoots, MergedListsHoldEveryParticleOnceAndFollowTheCells)
 {
     Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
-    SharedLists merged;
+    AggregatedLists merged;
     const auto count_in = [&](std::int32_t slot) {
         const auto s = static_cast<std::size_t>(slot);
         return merged.lists.cell_start[s + 1] - merged.lists.cell_start[s];
     };
-    merge_shared_cells(soil.lists, soil.roots.shared, merged);
+    aggregate_cells(soil.lists, soil.roots.aggregated, merged);
     EXPECT_EQ(count_in(soil.slot(1, 2)), 0);
     EXPECT_EQ(count_in(soil.slot(1, 1)), 5);
     std::vector<std::int32_t> particles = merged.lists.order;
@@ -180,7 +180,7 @@ TEST(CellRoots, MergedListsHoldEveryParticleOnceAndFollowTheCells)
     // the lonely particle moves over the next cell
     soil.state.particles.position.x.back() += 0.5;
     soil.update();
-    merge_shared_cells(soil.lists, soil.roots.shared, merged);
+    aggregate_cells(soil.lists, soil.roots.aggregated, merged);
     EXPECT_EQ(count_in(soil.slot(1, 1)), 4);
     EXPECT_EQ(count_in(soil.slot(2, 1)), 5);
 }

@@ -156,8 +156,8 @@ TEST(BiotDispersion, StandingModesAreEigenvaluesOfTheEquationsOfMotion)
             const ShearModes shear = shear_modes(soil, xi);
             EXPECT_LT(distance(B.eigenvalues(), shear.shear), 1e-8);
             EXPECT_LT(distance(B.eigenvalues(), shear.relative), 1e-8);
-            const Complex share = shear_fluid_share(soil, shear.shear);
-            const Eigen::Vector4cd state(w, w * share, shear.shear, shear.shear * share);
+            const Complex fraction = shear_fluid_ratio(soil, shear.shear);
+            const Eigen::Vector4cd state(w, w * fraction, shear.shear, shear.shear * fraction);
             EXPECT_LT((B * state - shear.shear * state).norm(), 1e-8 * B.norm() * state.norm());
         }
     }

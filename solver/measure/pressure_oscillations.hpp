@@ -6,7 +6,7 @@
 
 namespace quicksand {
 
-struct PressureNoise {
+struct PressureOscillations {
     /// |sum (-1)^(i+j) p_c V_c| / sum |p_c| V_c over the cells (i, j), of the excess pore pressure and of the
     /// mean effective stress; above 0.05 neighbouring cells disagree [-].
     double pore_pressure_checkerboard = 0.0;
@@ -17,8 +17,8 @@ struct PressureNoise {
     double mean_stress_scatter = 0.0;
 };
 
-/// Noise of the present state. A mean pressure below a thousandth of the weight of half a cell of soil or
-/// water has no noise.
-PressureNoise measure_pressure_noise(const Problem& problem, const Particles& particles);
+/// Oscillations of the present state. They are zero where the mean pressure is below a thousandth of the
+/// weight of half a cell of soil or water.
+PressureOscillations measure_pressure_oscillations(const Problem& problem, const Particles& particles);
 
 } // namespace quicksand

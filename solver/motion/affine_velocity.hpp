@@ -1,12 +1,13 @@
-// The slope of the nodes' motion about a particle, which it carries to the nodes of its next step.
+// The affine velocity of a particle: the matrix C_p of its linear velocity field v_p + C_p (x - x_p), which
+// gives the nodes their velocities in the next step (affine particle-in-cell method).
 //
-// With d = x_i - x_p, sum phi = 1 and sum phi d = 0 it is the best linear fit to the nodes' velocities by the
-// weights phi (Jiang, Schroeder, Selle, Teran and Stomakhin 2015):
+// With d = x_i - x_p, sum phi = 1 and sum phi d = 0, C is the least-squares fit to the nodes' velocities with
+// the weights phi (Jiang, Schroeder, Selle, Teran and Stomakhin 2015):
 //   C = [sum phi v_i (x) d] D^-1,  D = sum phi d (x) d
-// Scatter and gather are then each other's adjoint: what particles carry is projected on what the grid holds
-// and back, and cannot grow from step to step, in whatever way few particles lie about a node. The gradient
-// sum v_i (x) grad phi that deforms the domain is another average of the same slope. Carried, it may give
-// more than was taken: two or three stretched domains about a node gain a per cent a step.
+// Scatter is then the adjoint of gather, and both are projections: the kinetic energy of the affine
+// velocities cannot grow from step to step, also where few particles surround a node. The velocity gradient
+// sum v_i (x) grad phi, which deforms the domain, is another average of the same derivatives. In the place of
+// C it can add energy: two or three stretched domains about a node gain one per cent in a step.
 #pragma once
 
 #include "solver/base/lanes.hpp"
@@ -14,14 +15,14 @@
 namespace quicksand {
 
 /// Derivatives of four velocities along x and y [1/s].
-struct Slopes {
+struct LaneGradients {
     Lanes x, y;
 };
 
-/// The sums of the fit over the nodes of a patch, row by row. Sums of running sums stand for those of
-/// coordinates: a node joins as many running sums as there are nodes from it to the end of its row, which is
-/// its distance u from there in cells, and likewise v rows to the last one. Moments about the mean do not ask
-/// where they are counted from.
+/// The sums of the fit over the nodes of a stencil, row by row. With u the number of nodes from a node to the
+/// end of its row, this node included, sum phi u is the sum of the running sums of phi along the row; v
+/// counts the rows to the last one likewise. No coordinate is multiplied. Moments about the mean do not
+/// depend on the origin of u and v.
 class MotionFit {
 public:
     void begin_row()
@@ -53,12 +54,12 @@ public:
     /// sum phi v_i [m/s].
     const Lanes& mean() const { return mean_; }
 
-    /// C with nodes at the distance h [m]. A point on a line between nodes has no extent across it, and no
-    /// slope.
-    Slopes slopes(double h) const
+    /// C with nodes at the distance h [m]. The stencil of a point on a grid line has no width across the
+    /// line; the derivative across it is zero.
+    LaneGradients gradients(double h) const
     {
-        constexpr double least_extent = 1e-12; // of D, that rounding does not make slopes [-]
-        // a node at u adds u (u + 1) / 2 to the sums of sums of sums
+        constexpr double least_extent = 1e-12; // added to D against rounding [-]
+        // a node at u adds u (u + 1) / 2 to the third running sum
         const double uu = 2.0 * second_ - u_ - u_ * u_ + least_extent;
         const double vv = 2.0 * second_v_ - v_ - v_ * v_ + least_extent;
         const double uv = uv_ - u_ * v_;

@@ -1,4 +1,4 @@
-#include "solver/walls/wall_shares.hpp"
+#include "solver/walls/wall_parts.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -52,7 +52,7 @@ void correct_lengths(const Vector2& normal, std::vector<Curve>& curves)
         curve.length *= std::max(0.0, 1.0 + curve.normal.dot(change));
         sum += curve.length;
     }
-    // a node that next to no soil touches has next to no share, however long the curves beside it
+    // a node that almost no soil touches has almost no part, however long the curves beside it
     constexpr double most = 20.0; // of the normal's length, in a tip of some three degrees
     if (!tells && sum > most * normal.norm())
         for (Curve& curve : curves) curve.length *= most * normal.norm() / sum;
@@ -69,10 +69,10 @@ Vector2 bent_direction(const WallContact& contact, const Vector2& normal)
 
 } // namespace
 
-std::vector<WallShare> share_normals(const SoilEdges& edges, const WallContacts& contacts,
+std::vector<WallPart> divide_normals(const SoilEdges& edges, const WallContacts& contacts,
                                      const std::vector<std::uint8_t>& active, const Vectors& normal)
 {
-    std::vector<WallShare> shares;
+    std::vector<WallPart> parts;
     std::vector<Curve> curves;
     auto other = contacts.others.begin();
     for (auto first = contacts.walls.begin(); first != contacts.walls.end();) {
@@ -94,9 +94,9 @@ std::vector<WallShare> share_normals(const SoilEdges& edges, const WallContacts&
             curves.front().normal = bent_direction(*first, normal[node]);
         correct_lengths(normal[node], curves);
         for (std::size_t k = 0; first != last; ++first, ++k)
-            if (curves[k].length > 0.0) shares.push_back({&*first, curves[k].length, curves[k].normal});
+            if (curves[k].length > 0.0) parts.push_back({&*first, curves[k].length, curves[k].normal});
     }
-    return shares;
+    return parts;
 }
 
 } // namespace quicksand

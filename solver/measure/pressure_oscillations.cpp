@@ -1,4 +1,4 @@
-#include "solver/measure/pressure_noise.hpp"
+#include "solver/measure/pressure_oscillations.hpp"
 
 #include "solver/base/slope_fit.hpp"
 
@@ -59,7 +59,7 @@ double checkerboard(const BackgroundGrid& grid, const CellField& field, double l
     return total > least * volume ? std::abs(alternating) / total : 0.0;
 }
 
-/// Slopes of the field over its cells, from the up to eight neighbours that hold soil.
+/// Gradients of the field over its cells, from the up to eight neighbours that hold soil.
 Vectors cell_slopes(const BackgroundGrid& grid, const CellField& field)
 {
     const int columns = grid.all_cells_x(), rows = grid.all_cells_y();
@@ -107,7 +107,7 @@ double negligible_pressure(const Problem& problem, double density)
 
 } // namespace
 
-PressureNoise measure_pressure_noise(const Problem& problem, const Particles& particles)
+PressureOscillations measure_pressure_oscillations(const Problem& problem, const Particles& particles)
 {
     const BackgroundGrid& grid = problem.grid;
     const SymmetricTensors& stress = particles.stress;
@@ -119,18 +119,18 @@ PressureNoise measure_pressure_noise(const Problem& problem, const Particles& pa
         mass += particles.mass_solid[p];
         volume += particles.volume[p];
     }
-    PressureNoise noise;
+    PressureOscillations oscillations;
     const double least = negligible_pressure(problem, volume > 0.0 ? mass / volume : 0.0);
     const CellField field = cell_field(grid, particles, mean_stress);
-    noise.mean_stress_checkerboard = checkerboard(grid, field, least);
-    noise.mean_stress_scatter = scatter(grid, particles, field, least, mean_stress);
+    oscillations.mean_stress_checkerboard = checkerboard(grid, field, least);
+    oscillations.mean_stress_scatter = scatter(grid, particles, field, least, mean_stress);
     if (!particles.pore_pressure.empty()) {
         const auto pressure = [&](std::size_t p) { return particles.pore_pressure[p]; };
-        noise.pore_pressure_checkerboard =
+        oscillations.pore_pressure_checkerboard =
             checkerboard(grid, cell_field(grid, particles, pressure),
                          negligible_pressure(problem, problem.water ? problem.water->density : 0.0));
     }
-    return noise;
+    return oscillations;
 }
 
 } // namespace quicksand

@@ -10,18 +10,18 @@ namespace quicksand {
 
 /// The part of a node's normal that belongs to a chain: a_i = sum of length times direction over the curves
 /// at i.
-struct WallShare {
+struct WallPart {
     const WallContact* contact = nullptr;
     double length = 0.0;                 // g_i, never negative [m]
     Vector2 direction = Vector2::Zero(); // outward [-]
 };
 
-/// The shares of all chains at nodes that are `active`, in the order of the nodes. `normal` are the a_i [m].
+/// The parts of all chains at nodes that are `active`, in the order of the nodes. `normal` are the a_i [m].
 ///
 /// Where one wall touches a node it has all of a_i along its own normal; a bent wall takes the direction of
 /// a_i, which is the mean of its own. Where several curves touch, g_k starts from the length under the node's
 /// function and is corrected by the least change in proportion to it that makes up a_i.
-std::vector<WallShare> share_normals(const SoilEdges& edges, const WallContacts& contacts,
+std::vector<WallPart> divide_normals(const SoilEdges& edges, const WallContacts& contacts,
                                      const std::vector<std::uint8_t>& active, const Vectors& normal);
 
 } // namespace quicksand

@@ -1,5 +1,5 @@
 // The measures of noise on fields whose noise is known.
-#include "solver/measure/pressure_noise.hpp"
+#include "solver/measure/pressure_oscillations.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ double alternating(const Vector2& x, double size)
     return std::fmod(std::floor(x.x() / size) + std::floor(x.y() / size), 2.0) < 1.0 ? 1.0 : -1.0;
 }
 
-TEST(PressureNoise, OfALinearFieldIsZero)
+TEST(PressureOscillations, OfALinearFieldIsZero)
 {
     const Problem problem = block();
     State state = filled(problem);
@@ -43,13 +43,13 @@ TEST(PressureNoise, OfALinearFieldIsZero)
         set_mean_stress(p, 1e4 * (3.0 - x.y()) + 2e3 * x.x(), state.particles);
         state.particles.pore_pressure[p] = 1e3;
     }
-    const PressureNoise noise = measure_pressure_noise(problem, state.particles);
-    EXPECT_LT(noise.mean_stress_scatter, 1e-12);
-    EXPECT_LT(noise.pore_pressure_checkerboard, 1e-12);
-    EXPECT_LT(noise.mean_stress_checkerboard, 1e-12); // as many cells of either colour in every row
+    const PressureOscillations oscillations = measure_pressure_oscillations(problem, state.particles);
+    EXPECT_LT(oscillations.mean_stress_scatter, 1e-12);
+    EXPECT_LT(oscillations.pore_pressure_checkerboard, 1e-12);
+    EXPECT_LT(oscillations.mean_stress_checkerboard, 1e-12); // as many cells of either colour in every row
 }
 
-TEST(PressureNoise, OfACheckerboardIsItsPart)
+TEST(PressureOscillations, OfACheckerboardIsItsPart)
 {
     const Problem problem = block();
     State state = filled(problem);
@@ -58,31 +58,31 @@ TEST(PressureNoise, OfACheckerboardIsItsPart)
         state.particles.pore_pressure[p] = 1e3 * (1.0 + 0.2 * sign);
         set_mean_stress(p, 1e4 * (1.0 + 0.1 * sign), state.particles);
     }
-    const PressureNoise noise = measure_pressure_noise(problem, state.particles);
-    EXPECT_NEAR(noise.pore_pressure_checkerboard, 0.2, 1e-12);
-    EXPECT_NEAR(noise.mean_stress_checkerboard, 0.1, 1e-12);
+    const PressureOscillations oscillations = measure_pressure_oscillations(problem, state.particles);
+    EXPECT_NEAR(oscillations.pore_pressure_checkerboard, 0.2, 1e-12);
+    EXPECT_NEAR(oscillations.mean_stress_checkerboard, 0.1, 1e-12);
 }
 
-TEST(PressureNoise, WithinCellsIsScatter)
+TEST(PressureOscillations, WithinCellsIsScatter)
 {
     const Problem problem = block();
     State state = filled(problem);
     for (std::size_t p = 0; p < state.particles.size(); ++p)
         set_mean_stress(p, 1e4 * (1.0 + 0.3 * alternating(state.particles.position[p], 0.25)),
                         state.particles);
-    const PressureNoise noise = measure_pressure_noise(problem, state.particles);
-    EXPECT_NEAR(noise.mean_stress_scatter, 0.3, 1e-12);
-    EXPECT_LT(noise.mean_stress_checkerboard, 1e-12);
+    const PressureOscillations oscillations = measure_pressure_oscillations(problem, state.particles);
+    EXPECT_NEAR(oscillations.mean_stress_scatter, 0.3, 1e-12);
+    EXPECT_LT(oscillations.mean_stress_checkerboard, 1e-12);
 }
 
-TEST(PressureNoise, OfSoilWithoutPressureIsZero)
+TEST(PressureOscillations, OfSoilWithoutPressureIsZero)
 {
     const Problem problem = block();
     State state = filled(problem);
     state.particles.pore_pressure[3] = 1e-6; // rounding
-    const PressureNoise noise = measure_pressure_noise(problem, state.particles);
-    EXPECT_EQ(noise.pore_pressure_checkerboard, 0.0);
-    EXPECT_EQ(noise.mean_stress_scatter, 0.0);
+    const PressureOscillations oscillations = measure_pressure_oscillations(problem, state.particles);
+    EXPECT_EQ(oscillations.pore_pressure_checkerboard, 0.0);
+    EXPECT_EQ(oscillations.mean_stress_scatter, 0.0);
 }
 
 } // namespace

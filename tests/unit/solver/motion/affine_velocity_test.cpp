@@ -49,7 +49,7 @@ Cluster make_cluster(const std::vector<Domain>& domains, bool saturated, std::mt
     set_shapes(domains, particles);
     std::uniform_real_distribution<double> slope(-1.0, 1.0);
     for (std::size_t p = 0; p < domains.size(); ++p) {
-        for (Gradients* C : {&particles.velocity_slope_solid, &particles.velocity_slope_fluid}) {
+        for (Gradients* C : {&particles.affine_velocity_solid, &particles.affine_velocity_fluid}) {
             if (C->xx.empty()) continue;
             for (Scalars* part : {&C->xx, &C->xy, &C->yx, &C->yy}) (*part)[p] = slope(random);
         }
@@ -63,17 +63,17 @@ double carried_energy(const Cluster& cluster)
 {
     const BackgroundGrid& grid = cluster.problem.grid;
     const Particles& particles = cluster.state.particles;
-    const Gradients& C = particles.velocity_slope_solid;
+    const Gradients& C = particles.affine_velocity_solid;
     double energy = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        NodePatch patch;
-        Cpdi::evaluate(grid, particles, p, patch);
-        for (int k = 0; k < patch.width * patch.height; ++k) {
+        NodeStencil stencil;
+        Cpdi::evaluate(grid, particles, p, stencil);
+        for (int k = 0; k < stencil.width * stencil.height; ++k) {
             const Vector2 d =
-                grid.node_position(patch.column + k % patch.width, patch.row + k / patch.width) -
+                grid.node_position(stencil.column + k % stencil.width, stencil.row + k / stencil.width) -
                 particles.position[p];
             const Vector2 v(C.xx[p] * d.x() + C.xy[p] * d.y(), C.yx[p] * d.x() + C.yy[p] * d.y());
-            energy += particles.mass_solid[p] * patch.weights[k].value * v.squaredNorm();
+            energy += particles.mass_solid[p] * stencil.weights[k].value * v.squaredNorm();
         }
     }
     return energy;
@@ -93,7 +93,7 @@ void carry(int steps, Cluster& cluster)
     }
 }
 
-TEST(CarriedSlope, OfTwoStretchedDomainsAboutANodeDoesNotGrow)
+TEST(AffineVelocity, OfTwoStretchedDomainsAboutANodeDoesNotGrow)
 {
     // gradients would gain 0.75 % a step
     const std::vector<Domain> pair = {{{1.780, 1.222}, {-0.194, 0.724}, {-0.098, -0.026}},
@@ -108,7 +108,7 @@ TEST(CarriedSlope, OfTwoStretchedDomainsAboutANodeDoesNotGrow)
     }
 }
 
-TEST(CarriedSlope, OfFewDomainsOfAnyShapeNeverGains)
+TEST(AffineVelocity, OfFewDomainsOfAnyShapeNeverGains)
 {
     std::mt19937 random(11);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
@@ -133,7 +133,7 @@ TEST(CarriedSlope, OfFewDomainsOfAnyShapeNeverGains)
     }
 }
 
-TEST(CarriedSlope, OfALinearMotionIsItsGradient)
+TEST(AffineVelocity, OfALinearMotionIsItsGradient)
 {
     std::vector<Domain> domains = {{{1.5, 2.2}, {0.16, 0.0}, {0.0, 0.16}},
                                    {{2.001, 3.0}, {0.3, 0.1}, {-0.2, 0.1}},
@@ -157,16 +157,16 @@ TEST(CarriedSlope, OfALinearMotionIsItsGradient)
             particles.velocity_solid.set(p, v);
             particles.velocity_fluid.set(p, v);
         }
-        const auto fill_slopes = [&](Gradients& C) {
+        const auto fill_affine = [&](Gradients& C) {
             const std::size_t n = domains.size();
             C = {Scalars(n, slope(0, 0)), Scalars(n, slope(0, 1)), Scalars(n, slope(1, 0)),
                  Scalars(n, slope(1, 1))};
         };
-        fill_slopes(particles.velocity_slope_solid);
-        fill_slopes(particles.velocity_slope_fluid);
+        fill_affine(particles.affine_velocity_solid);
+        fill_affine(particles.affine_velocity_fluid);
         begin_shaking(cluster.state);
         carry(3, cluster);
-        for (const Gradients* C : {&particles.velocity_slope_solid, &particles.velocity_slope_fluid}) {
+        for (const Gradients* C : {&particles.affine_velocity_solid, &particles.affine_velocity_fluid}) {
             for (std::size_t p = 0; p < domains.size(); ++p) {
                 Eigen::Matrix2d found;
                 found << C->xx[p], C->xy[p], C->yx[p], C->yy[p];
@@ -177,12 +177,12 @@ TEST(CarriedSlope, OfALinearMotionIsItsGradient)
     }
 }
 
-TEST(CarriedSlope, OfAPointOnALineBetweenNodesIsNoneAcrossIt)
+TEST(AffineVelocity, OfAPointOnALineBetweenNodesIsNoneAcrossIt)
 {
     std::mt19937 random(7);
     Cluster cluster = make_cluster({{{2.0, 2.5}, {0.1, 0.0}, {0.0, 0.1}}}, false, random);
     cluster.problem.interpolation = Interpolation::linear;
-    Gradients& C = cluster.state.particles.velocity_slope_solid;
+    Gradients& C = cluster.state.particles.affine_velocity_solid;
     C = {{1.0}, {2.0}, {3.0}, {4.0}};
     carry(1, cluster);
     EXPECT_EQ(C.xx[0], 0.0);

@@ -1,4 +1,4 @@
-#include "solver/boundaries/film_ends.hpp"
+#include "solver/boundaries/seal_ends.hpp"
 
 #include "solver/boundaries/wall_nodes.hpp"
 
@@ -9,20 +9,20 @@ namespace quicksand {
 namespace {
 
 constexpr double too_long = 0.5;     // [cells]
-constexpr double most = 0.25;        // of the film's length
-constexpr double least_cosine = 0.5; // of the turn from the film to the edge beyond; in sharper corners
+constexpr double most = 0.25;        // of the seal's length
+constexpr double least_cosine = 0.5; // of the turn from the seal to the edge beyond; in sharper corners
                                      // nothing acts too far
 
 enum class Beyond { nothing, drained, closed };
 
-/// What the end of a film meets there.
-Beyond beyond_end(const Problem& problem, const Segment& film, bool forward, Stage stage)
+/// The edge beyond the end of a seal.
+Beyond beyond_end(const Problem& problem, const Segment& seal, bool forward, Stage stage)
 {
     const double tolerance = on_wall * problem.grid.cell_size;
-    const Vector2 along = (film.end - film.start).normalized();
+    const Vector2 along = (seal.end - seal.start).normalized();
     Beyond beyond = Beyond::nothing;
     const auto meet = [&](const Segment& other, bool drains) {
-        const Vector2 gap = forward ? other.start - film.end : other.end - film.start;
+        const Vector2 gap = forward ? other.start - seal.end : other.end - seal.start;
         if (gap.norm() > tolerance || beyond == Beyond::closed) return;
         const bool goes_on = along.dot((other.end - other.start).normalized()) > least_cosine;
         if (!drains)

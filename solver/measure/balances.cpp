@@ -1,4 +1,4 @@
-#include "solver/measure/ledger.hpp"
+#include "solver/measure/balances.hpp"
 
 #include "solver/base/lanes.hpp"
 #include "solver/base/threads.hpp"
@@ -115,25 +115,25 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     if (kind == wall_node) enter_reaction(body.impulse - (stress + weight + base), body, entries);
 }
 
-/// Add a step's sums to the books.
-void enter_step(const StepEntries& step, Ledger& ledger)
+/// Add a step's sums to the terms.
+void enter_step(const StepEntries& step, BalanceTerms& terms)
 {
-    ledger.kinetic_change += step.kinetic;
-    ledger.skeleton_work += step.skeleton;
-    ledger.late_pressure_work = step.late_pressure;
-    ledger.drag_dissipation += step.drag;
-    ledger.gravity_work += step.gravity;
-    ledger.base_work += step.base;
-    ledger.boundary_work += step.boundary;
-    ledger.wall_loss += step.wall_loss;
-    ledger.impulse_x += step.impulse.x();
-    ledger.impulse_y += step.impulse.y();
+    terms.kinetic_change += step.kinetic;
+    terms.skeleton_work += step.skeleton;
+    terms.late_pressure_work = step.late_pressure;
+    terms.drag_dissipation += step.drag;
+    terms.gravity_work += step.gravity;
+    terms.base_work += step.base;
+    terms.boundary_work += step.boundary;
+    terms.wall_loss += step.wall_loss;
+    terms.impulse_x += step.impulse.x();
+    terms.impulse_y += step.impulse.y();
 }
 
 template <class Sums, class Motion>
 void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
                      double acceleration, const std::vector<Sums>& sums, const std::vector<OuterForce>& outer,
-                     const std::vector<Motion>& motion, Ledger& ledger)
+                     const std::vector<Motion>& motion, BalanceTerms& terms)
 {
     const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t first, std::size_t last) {
         StepEntries entries;
@@ -144,7 +144,7 @@ void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& no
         }
         return entries;
     });
-    enter_step(step, ledger);
+    enter_step(step, terms);
 }
 
 /// sum value(p) over the particles, four sums side by side: one alone would wait for each addition.
@@ -199,7 +199,7 @@ auto wetness(const Problem& problem, const Particles& particles)
 
 } // namespace
 
-std::vector<std::uint8_t> ledger_nodes(const NodeConditions& conditions)
+std::vector<std::uint8_t> balance_nodes(const NodeConditions& conditions)
 {
     std::vector<std::uint8_t> kinds(conditions.of_node.size(), free_node);
     for (std::size_t i = 0; i < kinds.size(); ++i) {
@@ -214,38 +214,38 @@ void count_reaction(std::size_t node, std::vector<std::uint8_t>& kinds)
     kinds[node] = wall_node;
 }
 
-void open_ledger(const Problem& problem, State& state)
+void open_balances(const Problem& problem, State& state)
 {
     const Monitors sums = monitor(problem, state, {});
-    Ledger ledger;
-    ledger.opening_kinetic_energy = sums.kinetic_energy;
-    ledger.opening_momentum_x = sums.momentum_x;
-    ledger.opening_momentum_y = sums.momentum_y;
+    BalanceTerms terms;
+    terms.opening_kinetic_energy = sums.kinetic_energy;
+    terms.opening_momentum_x = sums.momentum_x;
+    terms.opening_momentum_y = sums.momentum_y;
     if (problem.water) {
-        ledger.opening_storage_energy = storage_energy(problem, state.particles);
-        ledger.opening_water_content = water_content(problem, state.particles);
+        terms.opening_storage_energy = storage_energy(problem, state.particles);
+        terms.opening_water_content = water_content(problem, state.particles);
     }
-    state.ledger = ledger;
+    state.balance_terms = terms;
 }
 
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
                  double acceleration, const std::vector<TwoPhaseSums>& sums,
                  const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
-                 Ledger& ledger)
+                 BalanceTerms& terms)
 {
-    enter_all_nodes(problem, nodes, dt, acceleration, sums, outer, motion, ledger);
+    enter_all_nodes(problem, nodes, dt, acceleration, sums, outer, motion, terms);
 }
 
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
                  double acceleration, const std::vector<SinglePhaseSums>& sums,
                  const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
-                 Ledger& ledger)
+                 BalanceTerms& terms)
 {
-    enter_all_nodes(problem, nodes, dt, acceleration, sums, outer, motion, ledger);
+    enter_all_nodes(problem, nodes, dt, acceleration, sums, outer, motion, terms);
 }
 
 void enter_outflow(const Problem& problem, double dt, const Particles& particles,
-                   const Scalars& flux_divergence, Ledger& ledger)
+                   const Scalars& flux_divergence, BalanceTerms& terms)
 {
     const Gradients& L = particles.velocity_gradient_solid;
     const auto is_wet = wetness(problem, particles);
@@ -253,10 +253,10 @@ void enter_outflow(const Problem& problem, double dt, const Particles& particles
         if (!is_wet(p)) return 0.0;
         return particles.volume[p] * (flux_divergence[p] - (L.xx[p] + L.yy[p]));
     };
-    ledger.outflow += dt * sum_particles(particles.size(), outflow);
+    terms.outflow += dt * sum_particles(particles.size(), outflow);
 }
 
-void enter_exchange(const Problem& problem, double dt, const Particles& particles, Ledger& ledger)
+void enter_exchange(const Problem& problem, double dt, const Particles& particles, BalanceTerms& terms)
 {
     const bool pores_are_constant = problem.strain == StrainForm::small;
     if (!problem.water || pores_are_constant || water_flow(problem) == WaterFlow::undrained) return;
@@ -267,42 +267,40 @@ void enter_exchange(const Problem& problem, double dt, const Particles& particle
         ordered_sum<Vector2>(particles.size(), Vector2::Zero(), [&](std::size_t first, std::size_t last) {
             return momentum_of_growth(dt, volume, particles, first, last);
         });
-    ledger.exchange_x += problem.water->density * sum.x();
-    ledger.exchange_y += problem.water->density * sum.y();
+    terms.exchange_x += problem.water->density * sum.x();
+    terms.exchange_y += problem.water->density * sum.y();
 }
 
-LedgerBalance balance(const Problem& problem, const State& state)
+BalanceErrors balance(const Problem& problem, const State& state)
 {
-    LedgerBalance result;
-    if (!state.ledger) return result;
-    const Ledger& ledger = *state.ledger;
+    BalanceErrors result;
+    if (!state.balance_terms) return result;
+    const BalanceTerms& terms = *state.balance_terms;
     const Monitors sums = monitor(problem, state, {});
-    const double kinetic = sums.kinetic_energy - ledger.opening_kinetic_energy;
-    result.numerical_loss = ledger.kinetic_change - kinetic + ledger.wall_loss;
-    const double outside = ledger.gravity_work + ledger.base_work + ledger.boundary_work;
+    const double kinetic = sums.kinetic_energy - terms.opening_kinetic_energy;
+    result.numerical_loss = terms.kinetic_change - kinetic + terms.wall_loss;
+    const double outside = terms.gravity_work + terms.base_work + terms.boundary_work;
     double stored = 0.0, storage = 0.0;
     if (problem.water) {
         storage = storage_energy(problem, state.particles);
-        // undrained, the skeleton's work is that of the total stress: the water's share is in it
+        // undrained, the skeleton's work is that of the total stress and includes the water's part
         if (water_flow(problem) == WaterFlow::coupled)
-            stored = storage - ledger.late_pressure_work - ledger.opening_storage_energy;
+            stored = storage - terms.late_pressure_work - terms.opening_storage_energy;
         const double content = water_content(problem, state.particles);
         // drained water comes and goes uncounted
-        if (water_flow(problem) != WaterFlow::drained && ledger.opening_water_content > 0.0)
+        if (water_flow(problem) != WaterFlow::drained && terms.opening_water_content > 0.0)
             result.water_error =
-                (content + ledger.outflow - ledger.opening_water_content) / ledger.opening_water_content;
+                (content + terms.outflow - terms.opening_water_content) / terms.opening_water_content;
     }
     const double error =
-        kinetic + result.numerical_loss + ledger.skeleton_work + stored + ledger.drag_dissipation - outside;
-    const double turnover = sums.kinetic_energy + ledger.opening_kinetic_energy +
-                            std::abs(ledger.skeleton_work) + storage + ledger.opening_storage_energy +
-                            std::abs(ledger.drag_dissipation) + std::abs(ledger.gravity_work) +
-                            std::abs(ledger.base_work) + std::abs(ledger.boundary_work);
+        kinetic + result.numerical_loss + terms.skeleton_work + stored + terms.drag_dissipation - outside;
+    const double turnover = sums.kinetic_energy + terms.opening_kinetic_energy +
+                            std::abs(terms.skeleton_work) + storage + terms.opening_storage_energy +
+                            std::abs(terms.drag_dissipation) + std::abs(terms.gravity_work) +
+                            std::abs(terms.base_work) + std::abs(terms.boundary_work);
     result.energy_error = turnover > 0.0 ? error / turnover : 0.0;
-    result.momentum_error_x =
-        sums.momentum_x - ledger.opening_momentum_x - ledger.impulse_x - ledger.exchange_x;
-    result.momentum_error_y =
-        sums.momentum_y - ledger.opening_momentum_y - ledger.impulse_y - ledger.exchange_y;
+    result.momentum_error_x = sums.momentum_x - terms.opening_momentum_x - terms.impulse_x - terms.exchange_x;
+    result.momentum_error_y = sums.momentum_y - terms.opening_momentum_y - terms.impulse_y - terms.exchange_y;
     return result;
 }
 

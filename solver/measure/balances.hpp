@@ -1,0 +1,70 @@
+// Balances of energy, momentum and water: works, dissipation by drag, impulses and outflow, added up over the
+// steps.
+//
+// In an explicit step the nodal balance holds exactly: with v the mean of the velocities before and after,
+// m (v1^2 - v0^2) / 2 = dt f . v for the sum of all forces f. The work of a force is therefore the nodal
+// force times the mean velocity. It belongs to the time of the velocities, half a step before that of the
+// stresses. The difference between the kinetic energy of the nodes and that of the particles is lost in the
+// transfers and at the walls; this numerical dissipation is a term of its own.
+#pragma once
+
+#include "solver/boundaries/nodes.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+struct NodeConditions;
+
+/// Start the balances at the present state; all terms are counted from here.
+void open_balances(const Problem& problem, State& state);
+
+/// Kinds of the nodes for the balances: 0 tied, counted at its master; 1 free; 2 held by a wall, whose
+/// reaction is the change of momentum less the impulse of the known forces.
+std::vector<std::uint8_t> balance_nodes(const NodeConditions& conditions);
+
+/// Treat a node in this step as one with a reaction: the change of momentum less the impulse of the known
+/// forces is the force of its dashpots, which move with the soil.
+void count_reaction(std::size_t node, std::vector<std::uint8_t>& kinds);
+
+/// Add the works of one step's forces on the nodes. `acceleration` is that of the base [m/s2]; `outer` is the
+/// part of the forces that acts from outside, empty without.
+void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                 double acceleration, const std::vector<TwoPhaseSums>& sums,
+                 const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
+                 BalanceTerms& terms);
+void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                 double acceleration, const std::vector<SinglePhaseSums>& sums,
+                 const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
+                 BalanceTerms& terms);
+
+/// Add the water that left the soil in a step: dt sum V (div[(1-n) v_s + n v_w] - div v_s). Before the
+/// particles move.
+void enter_outflow(const Problem& problem, double dt, const Particles& particles,
+                   const Scalars& flux_divergence, BalanceTerms& terms);
+
+/// Add the momentum of the water that enters particles as their pores grow in a step, at the velocity of the
+/// particle. Before the particles move.
+void enter_exchange(const Problem& problem, double dt, const Particles& particles, BalanceTerms& terms);
+
+/// Residuals of the balances at the present state, and the numerical dissipation.
+struct BalanceErrors {
+    double numerical_loss = 0.0;   // kinetic energy lost between particles and nodes and at walls [J/m]
+    double energy_error = 0.0;     // residual / sum of the sizes of all terms [-]
+    double momentum_error_x = 0.0; // momentum less initial momentum, impulses and exchange [N s/m]
+    double momentum_error_y = 0.0;
+    double water_error = 0.0; // (water content - initial content + outflow) / initial content [-]
+};
+
+BalanceErrors balance(const Problem& problem, const State& state);
+
+/// sum n V p^2 / (2 K_w) of the excess pressure: energy stored in the water [J/m].
+double storage_energy(const Problem& problem, const Particles& particles);
+
+/// sum n V (1 + p / K_w), p the whole pressure: the pore water's volume without pressure [m3/m].
+double water_content(const Problem& problem, const Particles& particles);
+
+} // namespace quicksand
