@@ -53,7 +53,7 @@ ExitCode require_output(ExitCode code)
 {
     std::cout.flush();
     if (std::cout || code != ExitCode::good) return code;
-    return report("standard output cannot be written: what was to be told is not complete", ExitCode::files);
+    return report("standard output cannot be written: the output is incomplete", ExitCode::files);
 }
 
 } // namespace

@@ -105,7 +105,7 @@ Measurement measure_scene(const std::string& scene, const BenchChoice& choice, J
     Measurement measured;
     measured.end = run_setting(scene, fine, choice, folder / "reference").end;
     if (measured.end == SessionEnd::failed)
-        journal.complain(name + ": left out, the explicit run to compare with went bad");
+        journal.complain(name + ": left out: the explicit run to compare with failed");
     if (measured.end != SessionEnd::finished) return measured;
     const std::vector<ProbeHistory> reference = read_probe_histories(folder / "reference");
     for (const Setting& setting : step_settings()) {
@@ -113,7 +113,7 @@ Measurement measure_scene(const std::string& scene, const BenchChoice& choice, J
         const SettingRun run = run_setting(scene, setting, choice, folder / directory);
         if (run.end == SessionEnd::stopped) return {run.end, {}};
         if (run.end == SessionEnd::failed) {
-            journal.say(setting.name + ": left out, its run went bad; see " + (folder / directory).string());
+            journal.say(setting.name + ": left out: its run failed; see " + (folder / directory).string());
             continue;
         }
         for (const HistoryError& each : history_errors(read_probe_histories(folder / directory), reference)) {

@@ -72,7 +72,7 @@ bool execute(const std::string& scene, const BenchChoice& choice, const fs::path
         return false;
     }
     if (run.outcome.end == SessionEnd::failed)
-        journal.say("  left out: the run went bad; see " + run.results.string());
+        journal.say("  left out: the run failed; see " + run.results.string());
     if (run.outcome.end != SessionEnd::finished) return false;
     run.probes = read_probe_histories(run.results);
     return true;

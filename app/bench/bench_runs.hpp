@@ -24,8 +24,8 @@ struct SettingRun {
     double seconds = 0.0; // wall time
 };
 
-/// Run a scene with a setting in a folder, in place of what is there; where the run goes bad, it tells so
-/// itself. Throws InputError.
+/// Run a scene with a setting in a folder, in place of what is there; reports a run
+/// that fails. Throws InputError.
 SettingRun run_setting(const std::string& scene, const Setting& setting, const BenchChoice& choice,
                        const std::filesystem::path& directory);
 

@@ -92,7 +92,7 @@ ExitCode measure_skips(const BenchChoice& choice)
     Journal journal;
     fs::create_directories(choice.directory);
     journal.say(machine_text());
-    journal.say(fmt::format("{:<36}{:>12}{:>10}{:>10}{:>12}{:>14}{:>16}", "scene; shares of the first",
+    journal.say(fmt::format("{:<36}{:>12}{:>10}{:>10}{:>12}{:>14}{:>16}", "scene; relative to the first",
                             "particles", "ns each", "a step", "dt s", "a second", "bytes/particle"));
     std::string csv = "# " + machine_text() + "\nscene,particles,step_s,time_step_s,bytes\n";
     std::optional<SkipPoint> first;

@@ -49,7 +49,7 @@ void add_results_commands(CLI::App& program, Commands& commands);
 /// The program itself: demo, verify, bench.
 void add_measuring_commands(CLI::App& program, Commands& commands);
 
-/// What the program tells about itself: keys, manual, version.
+/// Commands about the program itself: keys, manual, version.
 void add_reference_commands(CLI::App& program, Commands& commands);
 
 } // namespace quicksand

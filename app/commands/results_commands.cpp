@@ -28,7 +28,7 @@ void add_probe(CLI::App& program, Commands& commands)
         ->allow_extra_args(false)
         ->required()
         ->type_name("A,B");
-    parser->add_option("--kind", words->kind, "fixed in space, or riding with the material")
+    parser->add_option("--kind", words->kind, "fixed in space, or moving with the material")
         ->check(CLI::IsMember({"fixed", "material"}));
     parser->add_option("-o,--output", choice->file, "CSV file to write")->required()->type_name("FILE");
     commands.push_back({parser, [choice, words] {
@@ -64,8 +64,8 @@ void add_picture(CLI::App& program, Commands& commands)
 void add_figures(CLI::App& program, Commands& commands)
 {
     const auto [parser, choice] = add_command<FiguresChoice>(
-        program, commands, "figures", "Draw the figures that a scene asks for from its finished run",
-        draw_scene_figures);
+        program, commands, "figures",
+        "Draw the figures of a scene's tables [figures.NAME] from its finished run", draw_scene_figures);
     parser->add_option("SOURCE", choice->source, "Scene, its folder, or the results folder of a run")
         ->required();
     parser->add_option("--results", choice->results, "Results of the scene; results/<scene> when not given")

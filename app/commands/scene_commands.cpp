@@ -31,8 +31,7 @@ void add_run(CLI::App& program, Commands& commands)
 void add_check(CLI::App& program, Commands& commands)
 {
     const auto [parser, choice] = add_command<CheckChoice>(
-        program, commands, "check", "Say what a run of the scene will be, and write its initial frame",
-        check_scene);
+        program, commands, "check", "Print the plan of a run and write its initial frame", check_scene);
     add_scene(*parser, choice->scene);
     parser
         ->add_option("-o,--output", choice->directory,
@@ -44,8 +43,7 @@ void add_stability(CLI::App& program, Commands& commands)
 {
     const auto [parser, choice] = add_command<StabilityChoice>(
         program, commands, "stability",
-        "Find the factor of safety of a slope by reducing its strength, with the way it fails",
-        assess_stability);
+        "Find the factor of safety and the failure mode of a slope by strength reduction", assess_stability);
     add_scene(*parser, choice->scene);
     parser
         ->add_option("-o,--output", choice->directory,

@@ -56,7 +56,7 @@ void require_still_water(const AssembledCase& assembled)
         findings.add(
             error_at(condition != nullptr ? condition->water_place : SourcePlace(), "boundary",
                      fmt::format("the water beyond \"{}\" differs from that in the soil, which stands at "
-                                 "{:.5g} m: a slope at rest has one water",
+                                 "{:.5g} m: a slope at rest has one water level",
                                  boundary.name, problem.water->level),
                      "water.level or water.phreatic_line at the height of the water beyond the curve"));
     }

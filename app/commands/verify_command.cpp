@@ -102,7 +102,7 @@ void complain(const VerificationRun& run, Journal& journal)
 struct Outcome {
     std::vector<Convergence> results;
     std::vector<Drawing> figures;
-    bool failed = false; // a run went bad
+    bool failed = false; // a run failed
 };
 
 Outcome evaluate(const std::vector<VerificationRun>& runs, const fs::path& directory, Journal& journal)

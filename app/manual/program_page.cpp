@@ -37,7 +37,7 @@ constexpr std::array files = {
 
 constexpr std::array environment = {
     Entry{"OMP_NUM_THREADS", "threads where --threads is not given"},
-    Entry{"GOMP_SPINCOUNT, OMP_WAIT_POLICY", "how long threads wait busily for each other; when neither is "
+    Entry{"GOMP_SPINCOUNT, OMP_WAIT_POLICY", "how long threads wait actively for each other; when neither is "
                                              "set, the program starts itself once more "
                                              "with GOMP_SPINCOUNT=1000"},
     Entry{"GLIBC_TUNABLES",
@@ -47,7 +47,7 @@ constexpr std::array environment = {
 constexpr std::array examples = {
     Entry{"quicksand demo", "the dike example, shortened to two minutes, with pictures"},
     Entry{"quicksand new dike my_dike", "a folder with a commented scene and drawing to start from"},
-    Entry{"quicksand check my_dike", "what a run will be: particles, time step, run time, disk"},
+    Entry{"quicksand check my_dike", "the plan of a run: particles, time step, run time, disk"},
     Entry{"quicksand run my_dike --set motion.amplitude=\"40 g\" --until 0.2",
           "a run with other shaking, 0.2 s long"},
     Entry{"quicksand run my_dike --resume", "go on with a run that was stopped"},

@@ -175,11 +175,11 @@ void refuse_failed_patches(const AssembledCase& assembled, const std::vector<Pat
         if (!acts || worst <= most) continue;
         const SceneBoundary* written = find_boundary(assembled.scene, boundary.name);
         if (written == nullptr) continue;
-        findings.add(
-            error_at(written->place, "patch-test",
-                     fmt::format("the curve \"{}\" leaves {} % of a pressure unbalanced that it should bear",
-                                 boundary.name, short_number(100.0 * worst, 2)),
-                     "at most 2 %", "use interpolation = \"cpdi\", or smaller cells"));
+        findings.add(error_at(
+            written->place, "patch-test",
+            fmt::format("the nodal forces at the curve \"{}\" leave {} % of a pressure on it unbalanced",
+                        boundary.name, short_number(100.0 * worst, 2)),
+            "at most 2 %", "use interpolation = \"cpdi\", or smaller cells"));
     }
     if (findings.has_errors()) throw_findings(findings, assembled.scene.text);
 }

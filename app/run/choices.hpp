@@ -1,4 +1,4 @@
-// What a call of the program asks for, and how it may end.
+// Choices of the command line, and exit codes.
 #pragma once
 
 #include "solver/base/conventions.hpp"
@@ -14,7 +14,7 @@ namespace quicksand {
 enum class ExitCode {
     good = 0,
     input = 2,      // the user's input cannot be run
-    numerical = 3,  // the run went bad
+    numerical = 3,  // the run failed
     files = 4,      // files, disk or memory
     bug = 5,        // our own
     inaccurate = 6, // verify: an error or an order misses its limit

@@ -1,4 +1,4 @@
-// What the user is told during a command, on the terminal and in log.txt.
+// Messages of a command to the user, on the terminal and in log.txt.
 #pragma once
 
 #include <filesystem>

@@ -193,10 +193,11 @@ std::string describe_cost(const Forecast& forecast)
     std::string text = "Cost\n";
     const RelaxationForecast& relaxation = forecast.relaxation;
     if (relaxation.needed) {
-        text += fmt::format(
-            "  settling   about {} steps of {} ms{}\n", grouped(relaxation.steps),
-            short_number(1e3 * relaxation.step_seconds),
-            relaxation.reliable ? "" : "; the trial did not see it settle, so this is the limit max_steps");
+        text += fmt::format("  settling   about {} steps of {} ms{}\n", grouped(relaxation.steps),
+                            short_number(1e3 * relaxation.step_seconds),
+                            relaxation.reliable
+                                ? ""
+                                : "; the soil did not settle in the trial, so this is the limit max_steps");
     }
     text += fmt::format("  shaking    {} steps of {} ms, measured with {} threads\n", grouped(forecast.steps),
                         short_number(1e3 * forecast.step_seconds), thread_count());
@@ -205,9 +206,10 @@ std::string describe_cost(const Forecast& forecast)
                                           : "",
                         duration_text(forecast.shaking_seconds()), duration_text(forecast.output.seconds));
     if (forecast.output.background_seconds > 0.0)
-        text += fmt::format("             frames are written in the background, in {}{}\n",
-                            duration_text(forecast.output.background_seconds),
-                            forecast.output.has_own_core ? "" : ", which counts: all cores run the steps");
+        text += fmt::format(
+            "             frames are written in the background, in {}{}\n",
+            duration_text(forecast.output.background_seconds),
+            forecast.output.has_own_core ? "" : ", which adds to the run time: all cores run the steps");
     text += fmt::format("  memory     {}\n", bytes_text(forecast.memory));
     text += fmt::format("  disk       {} for {} frames, probes and one checkpoint\n",
                         bytes_text(forecast.output.bytes), grouped(forecast.output.frames));
@@ -233,15 +235,16 @@ std::string describe_left_out(const Scene& scene, const StagedRun& run)
               "pore water: dry soil moves as one phase and its particles carry no arrays for water");
     leave_out(
         scene.water && scene.water->flow == WaterFlow::undrained,
-        "relative flow: undrained, grains and water share one velocity and the pressure follows from it");
+        "relative flow: undrained, grains and water have one velocity, from which the pressure follows");
     leave_out(scene.water && scene.water->flow == WaterFlow::drained,
-              "excess pore pressure: drained, the water weighs and moves along and resists nothing");
+              "excess pore pressure: drained, the water has weight, moves with the grains and stays without "
+              "excess");
     leave_out(scene.strain == StrainForm::small,
               "the update of domains, volumes and weights: small strain, on the drawn shape");
     leave_out(scene.scheme == TimeScheme::semi_implicit,
-              "steps as short as the water's sound asks for: its pressure is implicit");
+              "steps limited by sound in water: the pore pressure is implicit");
     leave_out(!scene.relaxation, "settling: the run starts from the K0 state as it is");
-    leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is still");
+    leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is at rest");
     leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),
               "meshing: the particles lie on a lattice");
     leave_out(scene.probes.empty(), "probes: none are named");

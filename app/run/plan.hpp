@@ -21,7 +21,7 @@ std::string describe_soil(const AssembledCase& assembled);
 std::string describe_boundaries(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
 
 /// Throws InputError where a curve that holds or carries something leaves more than two per cent of a
-/// pressure unbalanced that it should bear (solver/run/patch_test.hpp).
+/// pressure on it unbalanced (solver/run/patch_test.hpp).
 void refuse_failed_patches(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
 
 /// What the laws say of their materials; nothing where they have nothing to say.

@@ -18,7 +18,7 @@ struct SceneSetup {
     std::string hash;              // of the scene's text and the overrides
 };
 
-/// Set the number of threads, read the scene, draw and sample its section, and tell the warnings. Throws
+/// Set the number of threads, read the scene, draw and sample its section, and print the warnings. Throws
 /// InputError.
 SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal);
 

@@ -228,7 +228,7 @@ void FaceWater::check_tied_sides()
     findings_.add(warning_at(scene_.phreatic_place, "water.phreatic_line", "phreatic-line",
                              "the phreatic line is " + number_text(left) + " m high at the tied side \"" +
                                  problem_.tied_sides->left + "\" and " + number_text(right) + " m at \"" +
-                                 problem_.tied_sides->right + "\": as one side they have one water",
+                                 problem_.tied_sides->right + "\": a common side has one pore water pressure",
                              "the same height at both"));
 }
 
@@ -259,7 +259,7 @@ void FaceWater::refuse_given_water(const SourcePlace& where, const Boundary& bou
         (head != nullptr ? number_text(head->head) + " m"
                          : number_text(std::get<PorePressure>(water.value).pressure) + " Pa");
     const std::string place = "at " + text(point);
-    const std::string hint = "a head that changes begins with the water at rest: give it a ramp_time";
+    const std::string hint = "a variable head begins with the water at rest: give it a ramp_time";
     if (scene_.phreatic_line.empty()) {
         findings_.add(error_at(where, "boundary",
                                given + ", stands against soil " + place +

@@ -57,7 +57,7 @@ std::vector<SceneKey> specimen_keys()
          .doc = "Horizontal over vertical effective stress after consolidation."},
         {.pattern = "tests.*.static_shear_ratio", .default_value = 0.0, .allowed = {-1.0, 1.0}, .plausible = {-0.4, 0.4},
          .when = {"kind", {stress_cycles, shear}},
-         .doc = "Static shear stress over sigma'_v0 that is there before the loading, as below a slope."},
+         .doc = "Static shear stress over sigma'_v0 before the loading, as below a slope."},
     };
 }
 
@@ -66,10 +66,10 @@ std::vector<SceneKey> loading_keys()
     return {
         {.pattern = "tests.*.csr", .type = number_list, .required = true, .allowed = positive, .plausible = {0.02, 1.0},
          .when = stress_controlled,
-         .doc = "Cyclic stress ratios: amplitude of the shear stress over sigma'_v0, a test each."},
+         .doc = "Cyclic stress ratios: amplitude of the shear stress over sigma'_v0, one test each."},
         {.pattern = "tests.*.shear_strains", .type = number_list, .required = true, .allowed = positive,
          .plausible = {1e-6, 0.1}, .caution = "0.01 is 1 %",
-         .when = strain_controlled, .doc = "Amplitudes of the shear strain, a test each."},
+         .when = strain_controlled, .doc = "Amplitudes of the shear strain, one test each."},
         {.pattern = "tests.*.cycles", .default_value = 100.0, .allowed = {0.5, 10'000.0}, .plausible = {1.0, 1000.0},
          .when = cyclic, .doc = "Cycles after which a test ends."},
         {.pattern = "tests.*.cycles_after_liquefaction", .default_value = 5.0, .allowed = {.lower = 0.0},
@@ -91,16 +91,16 @@ std::vector<SceneKey> comparison_keys()
 {
     return {
         {.pattern = "tests.*.vary", .type = text, .default_note = "nothing is varied",
-         .doc = "A number of the material or of the test, as \"n1_60\" or \"k0\", that takes each of values."},
+         .doc = "A number of the material or of the test, as \"n1_60\" or \"k0\", which takes the values one by one."},
         {.pattern = "tests.*.values", .type = quantity_list, .default_note = "none",
          .doc = "Values of the key that is varied; the curves are labelled by them."},
         {.pattern = "tests.*.criterion", .type = word, .default_value = "ru_95",
          .words = {"ru_95", "strain_3_percent", "strain_3.75_percent"}, .when = stress_controlled,
-         .doc = "What liquefaction is in the picture of CSR over cycles: ru, or single-amplitude shear strain."},
+         .doc = "Criterion of liquefaction in the picture of CSR over cycles: ru, or single-amplitude shear strain."},
         {.pattern = "tests.*.data", .type = path, .default_note = "no points are drawn", .when = stress_controlled,
          .doc = "CSV file with your own points: columns CSR and N, and if you like the key that is varied."},
         {.pattern = "tests.*.data_label", .type = text, .default_note = "the name of the file", .when = stress_controlled,
-         .doc = "What the points are called in the picture."},
+         .doc = "Name of the points in the picture."},
     };
 }
 

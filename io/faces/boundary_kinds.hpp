@@ -86,7 +86,7 @@ struct SceneWaterKind {
 const std::vector<SceneWaterKind>& water_kinds();
 
 /// The kind of a checked word; the first where the file has an error in its place. A word that no kind has
-/// although its row does is a bug of ours and throws InternalError.
+/// although its row does is a program bug and throws InternalError.
 template <class Kind>
 const Kind& kind_named(const std::vector<Kind>& kinds, std::string_view word)
 {

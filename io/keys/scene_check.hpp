@@ -35,7 +35,7 @@ struct NamedTable {
 };
 
 /// The values of a file by their paths. Where the file has errors, some are missing. To ask for a key that
-/// the table does not have, or for another type than its row says, is a bug of ours and throws InternalError.
+/// the table does not have, or for another type than its row says, is a program bug and throws InternalError.
 struct SceneValues {
     const KeyTable* table = nullptr;
     std::map<std::string, FoundValue> by_path;

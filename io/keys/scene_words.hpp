@@ -15,7 +15,7 @@ template <class Word, std::size_t count>
 using WordList = std::array<std::pair<std::string_view, Word>, count>;
 
 /// What a checked word stands for; the first where the file has an error in its place. A word that the list
-/// lacks although its row has it is a bug of ours and throws InternalError.
+/// lacks although its row has it is a program bug and throws InternalError.
 template <class Word, std::size_t count>
 Word word_of(const WordList<Word, count>& words, const std::string& text)
 {

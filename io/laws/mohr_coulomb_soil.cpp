@@ -33,7 +33,7 @@ void check_mohr_coulomb(const LawSource& source)
             error_at(values.place(path + ".dilation_angle"), "range",
                      path + ".dilation_angle = " + quantity_text(*dilation, Dimension::angle) +
                          " is more than friction_angle = " + quantity_text(*friction, Dimension::angle),
-                     "at most the angle of friction: otherwise shearing would give off energy",
+                     "at most the angle of friction: otherwise shearing would produce energy",
                      "sand dilates by about friction_angle - 30 deg"));
     }
     if (!cohesion || !friction) return;

@@ -31,12 +31,13 @@ std::string laws_that_settle()
 void refuse_settling(const LawSource& source)
 {
     const std::string& path = source.table.path;
-    source.findings.add(error_at(source.values.place(path + ".model"), "conflict",
-                                 path + ".model = \"" + source.values.text(path + ".model") +
-                                     "\" cannot settle in [relaxation]: its stress is that of its shape, and "
-                                     "the shaking starts from the settled shape without any",
-                                 laws_that_settle() + " beside [relaxation]",
-                                 "remove [relaxation]: gravity is then switched on at once"));
+    source.findings.add(
+        error_at(source.values.place(path + ".model"), "conflict",
+                 path + ".model = \"" + source.values.text(path + ".model") +
+                     "\" cannot settle in [relaxation]: its stress follows from its deformation, and "
+                     "the shaking takes the settled shape as undeformed",
+                 laws_that_settle() + " beside [relaxation]",
+                 "remove [relaxation]: gravity is then switched on at once"));
 }
 
 /// The dimension of a law's unit, which is an SI unit or the degree.

@@ -147,13 +147,13 @@ std::vector<SceneKey> strength_keys()
     };
 }
 
-/// How the sand remembers its cycles.
+/// Parameters of the memory of cycles.
 std::vector<SceneKey> memory_keys()
 {
     const UbcSandParameters m;
     return {
         {.pattern = "materials.*.virgin_factor", .default_value = m.virgin_factor, .allowed = positive,
-         .plausible = {0.2, 5.0}, .doc = "h1 on the plastic modulus, in all loading."},
+         .plausible = {0.2, 5.0}, .doc = "h1, factor on the plastic modulus in all loading."},
         {.pattern = "materials.*.secondary_factor", .default_value = m.secondary_factor, .allowed = positive,
          .plausible = {0.1, 5.0},
          .doc = "h2 in h1 h2 (s0 + s1 n) below the largest ratio so far; calibrated to the triggering curve."},
@@ -163,13 +163,13 @@ std::vector<SceneKey> memory_keys()
          .plausible = {0.0, 2.0},
          .doc = "s1, its growth per half cycle n; larger makes the cyclic strength curve flatter."},
         {.pattern = "materials.*.reversal_tolerance", .default_value = m.reversal_tolerance, .allowed = not_negative,
-         .plausible = {0.0, 0.1}, .doc = "Smallest change of the stress ratio that is a reversal; below it reloading is elastic."},
+         .plausible = {0.0, 0.1}, .doc = "Smallest change of the stress ratio that counts as a reversal; below it reloading is elastic."},
         {.pattern = "materials.*.dilation_softening", .default_value = m.dilation_softening, .allowed = not_negative,
          .plausible = {0.0, 5000.0},
          .doc = "The plastic modulus falls by exp(-dilation_softening times shear strain in dilation)."},
         {.pattern = "materials.*.softened_factor", .default_value = m.softened_factor, .allowed = positive,
          .plausible = {0.005, 1.0},
-         .doc = "Least factor after dilation; 1 is no softening, and such a sand never reaches ru = 1."},
+         .doc = "Least factor after dilation; with 1 there is no softening, and ru never reaches 1."},
     };
 }
 
@@ -184,11 +184,11 @@ std::vector<SceneKey> substep_keys()
          .plausible = {0.001, 0.2}, .doc = "Relative elastic change of the mean stress in a substep."},
         {.pattern = "materials.*.stress_floor", .dimension = Dimension::pressure, .default_value = m.stress_floor,
          .allowed = positive, .plausible = {10.0, 5000.0},
-         .doc = "Least in-plane mean effective stress, of liquefied sand."},
+         .doc = "Least in-plane mean effective stress, reached by liquefied sand."},
     };
 }
 
-/// What runs need besides the parameters.
+/// Parameters of runs beside those of the law.
 std::vector<SceneKey> sand_run_keys()
 {
     return {
@@ -198,18 +198,18 @@ std::vector<SceneKey> sand_run_keys()
          .doc = "Poisson's ratio in the relaxation; level ground settles to K0 = nu / (1 - nu), 1/3 to 0.5."},
         {.pattern = "materials.*.ripple_strain", .default_value = UbcSandRunSettings().ripple_strain,
          .allowed = not_negative, .plausible = {0.0, 3e-4},
-         .doc = "Reversals of less shear strain are ripples of the run, no half cycles; below it sand keeps its "
-                "volume [Dobry et al. 1982]."},
+         .doc = "Reversals of smaller shear strain are ripples of the run and not counted as half cycles; they do "
+                "not change the volume [Dobry et al. 1982]."},
         {.pattern = "materials.*.largest_porosity", .default_note = "e_max = e + 0.376 relative_density",
          .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true}, .plausible = {0.38, 0.6},
-         .doc = "Porosity of the loosest sand, which no longer dilates; once its grains have parted it bears nothing "
-                "until they touch again."},
+         .doc = "Porosity of the loosest sand, which no longer dilates; at the stress floor such sand has no stiffness "
+                "until its grains touch again."},
         {.pattern = "materials.*.smallest_porosity", .default_note = "e_min = e - 0.376 (1 - relative_density)",
          .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.2, 0.45},
          .doc = "Porosity of the densest sand, which no longer contracts."},
         {.pattern = "materials.*.resolved_floors", .default_value = UbcSandRunSettings().resolved_floors,
          .allowed = not_negative, .plausible = {0.0, 40.0},
-         .doc = "Below this multiple of stress_floor substeps are as long as there, which speeds liquefied sand up."},
+         .doc = "Below this multiple of stress_floor substeps are as long as at it, which makes liquefied sand faster."},
     };
 }
 

@@ -105,7 +105,7 @@ std::string describe_ubcsand(const Material& material, double k0)
     std::string text =
         fmt::format("  {:<16}shear modulus {} MPa, drained bulk modulus {} MPa at 100 kPa\n", material.name,
                     three_digits(1e-6 * shear_modulus(law)), three_digits(1e-6 * law.B_atm));
-    text += fmt::format("  {:<16}bears K0 from {} to {}; settles to K0 = {} below level ground\n", "",
+    text += fmt::format("  {:<16}K0 possible from {} to {}; settles to K0 = {} below level ground\n", "",
                         three_digits(least_k0), three_digits(1.0 / least_k0),
                         three_digits(law.static_poisson / (1.0 - law.static_poisson)));
     const auto csr = csr_to_ru_95(law, {atmospheric_pressure, k0, 0.0}, 15.0);

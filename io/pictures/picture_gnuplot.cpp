@@ -153,7 +153,7 @@ std::vector<fs::path> draw_pictures(const std::vector<Drawing>& drawings)
         }
     }
     if (failed == nullptr) return files;
-    if (failure.empty()) failure = "gnuplot left a part of the picture; is the disk full?";
+    if (failure.empty()) failure = "gnuplot wrote only a part of the picture; is the disk full?";
     throw FileError(failed->png, "cannot draw", failure, still_good);
 }
 

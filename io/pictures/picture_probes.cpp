@@ -149,7 +149,7 @@ std::optional<LinePlot> comparison_plot(const std::vector<ProbeTable>& probes)
         panel.curves.push_back({members[k].probe->name, curve_colour(k, members.size()),
                                 *members[k].probe->table.find("time_s"), scaled(*members[k].pressure, unit)});
     return LinePlot{"Excess pore pressure",
-                    "probes that ride with the soil",
+                    "probes that move with the soil",
                     {std::move(panel)},
                     PlotArrangement::stacked};
 }

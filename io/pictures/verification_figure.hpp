@@ -8,7 +8,7 @@
 
 namespace quicksand {
 
-/// The curves of one problem (a gap where a run went bad), with dashed lines of slope 1 and 2 from the
+/// The curves of one problem (a gap where a run failed), with dashed lines of slope 1 and 2 from the
 /// coarsest grid.
 LinePlot convergence_plot(const std::vector<Convergence>& problem);
 

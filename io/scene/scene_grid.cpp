@@ -120,7 +120,7 @@ std::optional<GridChoice> choose_grid(const Scene& scene, const Section& section
         if (cells.is_bounded)
             findings.add(warning_at(scene.grid_place, "grid.cell_size", "grid",
                                     fmt::format("cells of {:.4g} m are coarse: {}", h, cells.reasons.front()),
-                                    "", "give grid.cell_size where time is no matter"));
+                                    "", "give a smaller grid.cell_size if run time does not matter"));
         choice.reasons = std::move(cells.reasons);
     }
     const Room room = find_room(scene, section, h);

@@ -52,7 +52,7 @@ void check_materials(const SceneValues& values, Diagnostics& findings)
     for (const NamedTable& material : materials) {
         if (!all_known || contains(used, material.name)) continue; // a misspelt name may have meant this one
         findings.add(warning_at(material.place, material.path, "unused",
-                                "no region is made of the material \"" + material.name + "\""));
+                                "no region has the material \"" + material.name + "\""));
     }
 }
 

@@ -87,7 +87,7 @@ void check_viscous_side(const Scene& scene, const SceneBoundary& condition, cons
     if (!steep) return;
     findings.add(warning_at(condition.place, join_path({"boundaries", boundary.name}), "viscous-side",
                             "the viscous side \"" + boundary.name +
-                                "\" brakes the shaking of the ground, not only the waves that leave",
+                                "\" damps the shaking of the ground itself, not only the outgoing waves",
                             "sides tied to each other where the base shakes"));
 }
 

@@ -70,12 +70,12 @@ std::vector<SceneKey> analysis_keys()
          .doc = "Whether the equations follow the motion, or stay on the drawn shape as in linear theory."},
         {.pattern = "analysis.scheme", .type = word, .saturated_only = true, .default_value = "explicit",
          .words = {"explicit", "semi_implicit"},
-         .doc = "Steps limited by the water's sound, or several times longer ones with the water's pressure "
+         .doc = "Steps limited by sound in water, or several times longer ones with the water's pressure "
                 "implicit."},
         {.pattern = "analysis.columns", .type = word, .default_value = "one", .words = {"one", "all"},
-         .doc = "Whether one column of cells stands for all between tied sides, where all of them are the same."},
+         .doc = "Whether only one column of cells is computed between tied sides where all columns are equal."},
         {.pattern = "analysis.step_fraction", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
-         .doc = "Part of the stable time step that is taken: less shows what the steps cost in accuracy."},
+         .doc = "Time step over the stable time step; runs with smaller values show the error of the time steps."},
     };
 }
 
@@ -102,12 +102,12 @@ std::vector<SceneKey> ground_keys()
                 "their own get the line's; level beyond its ends."},
         {.pattern = "water.flow", .type = word, .default_value = "coupled",
          .words = {"coupled", "undrained", "drained"},
-         .doc = "Water with a velocity of its own, moving with the grains, or leaving no excess pressure."},
+         .doc = "Water with its own velocity, with the velocity of the grains, or without excess pressure."},
         {.pattern = "water.saturation", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
          .plausible = {0.85, 1.0},
          .caution = "air is entrapped in bubbles above 85 per cent or so; below, suction would count",
          .when = water_with_pressure,
-         .doc = "Share of water in the pores; the rest is entrapped air, 1/K = S/K_w + (1-S)/p_air."},
+         .doc = "Fraction of the pore volume filled with water; the rest is entrapped air, 1/K = S/K_w + (1-S)/p_air."},
         {.pattern = "water.air_pressure", .dimension = Dimension::pressure, .default_value = atmospheric_pressure,
          .allowed = positive, .plausible = {5e4, 5e6}, .when = water_with_pressure,
          .doc = "Absolute pressure of the entrapped air, taken as constant; of use with saturation < 1."},
@@ -169,13 +169,13 @@ std::vector<SceneKey> phase_keys()
         {.pattern = "materials.*.conductivity_gravity", .dimension = Dimension::acceleration,
          .saturated_only = true, .flows = coupled_only,
          .default_value = standard_gravity, .allowed = positive, .plausible = {1.0, 2000.0},
-         .doc = "Gravity at which the conductivity was measured; at 120 g a wrong pairing is a factor 120."},
+         .doc = "Gravity at which the conductivity was measured; at 120 g a wrong value changes k by a factor of 120."},
         {.pattern = "materials.*.saturation_above_water", .saturated_only = true, .default_value = 0.0,
          .allowed = {.lower = 0.0, .upper = 1.0},
-         .doc = "Share of the pores that is filled above the phreatic line; it counts as weight alone."},
+         .doc = "Fraction of the pore volume filled with water above the phreatic line; it adds weight only."},
         {.pattern = "materials.*.permeability_law", .type = word, .saturated_only = true, .flows = coupled_only,
          .default_value = "constant", .words = {"constant", "kozeny_carman", "specific_volume_squared"},
-         .doc = "How k follows the porosity: not, as n^3/(1-n)^2, or as 1/(1-n)^2."},
+         .doc = "Dependence of k on the porosity: constant, n^3/(1-n)^2, or 1/(1-n)^2."},
     };
 }
 
@@ -183,7 +183,7 @@ std::vector<SceneKey> region_keys()
 {
     return {
         {.pattern = "regions", .type = named_tables, .required = true,
-         .doc = "What the physical surfaces are made of."},
+         .doc = "The materials of the physical surfaces."},
         {.pattern = "regions.*", .type = table, .doc = "One physical surface of the drawing, by its name."},
         {.pattern = "regions.*.material", .type = text, .required = true, .doc = "Name of a material."},
     };
@@ -197,7 +197,7 @@ std::vector<SceneKey> initial_keys()
          .doc = "Horizontal over vertical effective stress."},
         {.pattern = "initial.excess_pore_pressure", .dimension = Dimension::pressure,
          .saturated_only = true, .flows = with_pressure, .default_value = 0.0, .plausible = {-1e5, 1e7},
-         .doc = "Excess pore pressure everywhere at the start of the run, as a load leaves it behind."},
+         .doc = "Excess pore pressure everywhere at the start of the run, as from an undrained load."},
         {.pattern = "relaxation", .type = table, .default_note = "the run starts from the K0 state as it is",
          .doc = "A damped stage in which the soil settles under gravity before the shaking."},
         {.pattern = "relaxation.damping", .default_value = 0.7, .allowed = fraction,
@@ -217,7 +217,7 @@ std::vector<SceneKey> run_keys()
         {.pattern = "run", .type = table, .required = true, .doc = "The run."},
         {.pattern = "run.end_time", .dimension = Dimension::time, .required = true, .allowed = positive,
          .plausible = {1e-4, 1e4}, .doc = "End of the run, counted from the start of the shaking."},
-        {.pattern = "output", .type = table, .doc = "What is written, and how often."},
+        {.pattern = "output", .type = table, .doc = "Times at which results are written."},
         {.pattern = "output.frame_interval", .dimension = Dimension::time,
          .derived = {.key = "run.end_time", .divisor = 50.0},
          .allowed = positive, .doc = "Time between the frames of fields.pvd."},
@@ -233,7 +233,7 @@ std::vector<SceneKey> run_keys()
         {.pattern = "probes.*", .type = table, .doc = "One probe; its name is that of its CSV file."},
         {.pattern = "probes.*.kind", .type = word, .default_value = "material",
          .words = {"material", "fixed", "surface", "profile"},
-         .doc = "Rides with the soil, stays in space, follows the surface at an x, or samples a line."},
+         .doc = "Moves with the soil, is fixed in space, follows the surface at an x, or samples a line."},
         {.pattern = "probes.*.at", .type = point, .dimension = Dimension::length,
          .default_note = "the physical point of the probe's name",
          .doc = "Place of the probe; start of a profile."},

@@ -12,7 +12,7 @@ std::string describe(const FailureRecord& record)
 {
     std::ostringstream text;
     text.precision(8);
-    text << "the run went bad in phase '" << record.phase << "' of step " << record.step
+    text << "the run failed in phase '" << record.phase << "' of step " << record.step
          << ", t = " << record.time << " s, dt = " << record.time_step << " s: " << record.what;
     if (record.identifier >= 0) {
         text << "\n  particle " << record.identifier << " at (" << record.position.x() << ", "

@@ -144,7 +144,7 @@ SafetyFactor safety_factor(const Problem& problem, const StrengthReductionContro
         if (result.stands == 0.0) {
             factor /= growth;
             if (factor * controls.greatest_factor < 1.0)
-                reduction.fail(trial, 0.0, "the body does not stand, however strong its soil");
+                reduction.fail(trial, 0.0, "the body does not come to rest at any strength of its soil");
         } else if (std::isinf(result.fails)) {
             if (factor >= controls.greatest_factor) break;
             factor = std::min(growth * factor, controls.greatest_factor);

@@ -131,7 +131,7 @@ TEST(Bench, TellsWhenNoGridReachesItsEnd)
                                         " --set relaxation.max_steps=1 -o " +
                                         (folder / "bench").string());
     EXPECT_EQ(outcome.code, 3) << outcome.output;
-    EXPECT_NE(outcome.output.find("  left out: the run went bad; see "), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("  left out: the run failed; see "), std::string::npos) << outcome.output;
     EXPECT_NE(outcome.output.find("none of the runs reached its end; see "), std::string::npos)
         << outcome.output;
 }

@@ -91,7 +91,7 @@ TEST(Stability, RefusesWaterThatComesLater)
     write_slope(folder, "level = 6", "water = \"head\"\nhead = 7");
     const std::string said = factor_of(folder);
     EXPECT_NE(said.find("error[boundary]: the water beyond \"surface\" differs from that in the soil, which "
-                        "stands at 6 m: a slope at rest has one water"),
+                        "stands at 6 m: a slope at rest has one water level"),
               std::string::npos)
         << said;
 }

@@ -17,7 +17,7 @@ TEST(Bench, ARunThatGoesBadIsANumericalFailure)
                     example("dike") + " -o " + (folder / "out").string());
     EXPECT_EQ(outcome.code, 3) << outcome.output;
     EXPECT_NE(outcome.output.find("does not settle"), std::string::npos) << outcome.output;
-    EXPECT_NE(outcome.output.find("dike: left out, the explicit run to compare with went bad"),
+    EXPECT_NE(outcome.output.find("dike: left out: the explicit run to compare with failed"),
               std::string::npos)
         << outcome.output;
 }

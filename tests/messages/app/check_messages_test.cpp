@@ -54,8 +54,8 @@ TEST(CheckMessages, RefuseACurveThatLeavesMoreThanTwoPerCent)
                     "boundaries.surface.pressure=1000 -o " + (folder / "check").string());
     EXPECT_EQ(outcome.code, 2) << outcome.output;
     EXPECT_NE(
-        outcome.output.find("error[patch-test]: the curve \"surface\" leaves 4.5 % of a pressure unbalanced "
-                            "that it should bear"),
+        outcome.output.find("error[patch-test]: the nodal forces at the curve \"surface\" leave 4.5 % of a "
+                            "pressure on it unbalanced"),
         std::string::npos)
         << outcome.output;
     EXPECT_FALSE(std::filesystem::exists(folder / "check"));

@@ -211,7 +211,7 @@ TEST(NumericalFailure, OfABodyThatNothingHoldsIsTold)
                                         " --set boundaries.right.soil=free -o " +
                                         (folder / "results").string());
     EXPECT_EQ(outcome.code, 3) << outcome.output;
-    expect_mention(outcome, "the body does not stand, however strong its soil");
+    expect_mention(outcome, "the body does not come to rest at any strength of its soil");
     expect_mention(outcome, "likely causes: a wall is missing among the boundaries");
 }
 

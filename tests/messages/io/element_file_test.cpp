@@ -57,7 +57,7 @@ R"_(
 test.toml:8:1: error[missing-key]: [tests.strength] has no shear_strains
     8 | [tests.strength]
       | ^~~~~~~~~~~~~~~~
-expected: shear_strains: Amplitudes of the shear strain, a test each.
+expected: shear_strains: Amplitudes of the shear strain, one test each.
 test.toml:12:1: error[unused-key]: tests.strength.csr is not used with kind = "cyclic_shear_strain_controlled"
    12 | csr = [0.15, 0.2, 0.3]
       | ^~~

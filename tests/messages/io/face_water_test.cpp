@@ -24,7 +24,7 @@ TEST(FaceWater, RefusesAHeadThatContradictsTheLine)
    11 | head = 3
       |        ^
 expected: the height of the line, or no head: the curve then takes the line's
-hint: a head that changes begins with the water at rest: give it a ramp_time
+hint: a variable head begins with the water at rest: give it a ramp_time
 )");
     EXPECT_EQ(message("level = 1\nphreatic_line = [[0, 5], [12, 5]]",
                       "water = \"head\"\nhead = 3\nramp_time = \"1 s\""),
@@ -62,7 +62,7 @@ TEST(FaceWater, RefusesAHeadBeforeDrySoil)
    10 | head = 4
       |        ^
 expected: no head above the level where there is soil above it
-hint: raise water.level, or draw water.phreatic_line; a head that changes begins with the water at rest: give it a ramp_time
+hint: raise water.level, or draw water.phreatic_line; a variable head begins with the water at rest: give it a ramp_time
 )");
     EXPECT_EQ(message("level = 3", "water = \"head\"\nhead = 4\nramp_time = \"1 s\""), "");
     EXPECT_EQ(message("level = 4", "water = \"head\"\nhead = 5"), "") << "all soil is wet";
@@ -121,7 +121,7 @@ TEST(FaceWater, WarnsOfALineThatDiffersBetweenTiedSides)
     const std::string said = SceneFolder().assembly_message(text, fixtures::column_section());
     EXPECT_NE(
         said.find("warning[phreatic-line]: the phreatic line is 0.25 m high at the tied side \"left\" and "
-                  "0.15 m at \"right\": as one side they have one water"),
+                  "0.15 m at \"right\": a common side has one pore water pressure"),
         std::string::npos)
         << said;
 }

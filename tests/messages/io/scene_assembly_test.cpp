@@ -256,7 +256,7 @@ TEST(Assembly, WarnsOfAViscousSideOfAShakenSection)
     text = replaced(text, "soil = \"tied\"\ntied_to = \"left\"", "soil = \"roller\"");
     EXPECT_EQ(
         SceneFolder().assembly_message(text, column_section()),
-        R"(scene.toml:33:1: warning[viscous-side]: the viscous side "left" brakes the shaking of the ground, not only the waves that leave
+        R"(scene.toml:33:1: warning[viscous-side]: the viscous side "left" damps the shaking of the ground itself, not only the outgoing waves
    33 | [boundaries.left]
       | ^~~~~~~~~~~~~~~~~
 expected: sides tied to each other where the base shakes

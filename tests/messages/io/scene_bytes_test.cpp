@@ -81,7 +81,7 @@ expected: a table [geometry] with file: The drawn cross-section.
 scene.toml: error[missing-table]: there is no table [materials.NAME]
 expected: a table [materials.NAME]: The soils.
 scene.toml: error[missing-table]: there is no table [regions.NAME]
-expected: a table [regions.NAME]: What the physical surfaces are made of.
+expected: a table [regions.NAME]: The materials of the physical surfaces.
 scene.toml: error[missing-table]: there is no table [run]
 expected: a table [run] with end_time: The run.
 )");

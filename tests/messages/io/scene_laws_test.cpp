@@ -52,7 +52,7 @@ R"_(
 scene.toml:23:18: error[range]: materials.sand.dilation_angle = 12 deg is more than friction_angle = 10 deg
    23 | dilation_angle = 12
       |                  ^~
-expected: at most the angle of friction: otherwise shearing would give off energy
+expected: at most the angle of friction: otherwise shearing would produce energy
 hint: sand dilates by about friction_angle - 30 deg
 )_"},
 SceneMistake{"NoStrength",
@@ -87,7 +87,7 @@ SceneMistake{"LargeStrainElasticityThatSettles",
     "[materials.sand]\nmodel = \"linear_elastic\"",
     "[relaxation]\ndamping = 0.7\n\n[materials.sand]\nmodel = \"neo_hookean\"",
 R"_(
-scene.toml:23:9: error[conflict]: materials.sand.model = "neo_hookean" cannot settle in [relaxation]: its stress is that of its shape, and the shaking starts from the settled shape without any
+scene.toml:23:9: error[conflict]: materials.sand.model = "neo_hookean" cannot settle in [relaxation]: its stress follows from its deformation, and the shaking takes the settled shape as undeformed
    23 | model = "neo_hookean"
       |         ^~~~~~~~~~~~~
 expected: linear_elastic, mohr_coulomb or ubcsand beside [relaxation]

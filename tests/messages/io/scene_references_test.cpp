@@ -33,7 +33,7 @@ SceneMistake{"UnusedMaterial",
     "[regions.sand]",
     "[materials.clay]\nmodel = \"linear_elastic\"\nshear_modulus = \"10 MPa\"\nporosity = 0.5\npoisson_ratio = 0.3\nhydraulic_conductivity = 1e-8\n\n[regions.sand]",
 R"_(
-scene.toml:27:1: warning[unused]: no region is made of the material "clay"
+scene.toml:27:1: warning[unused]: no region has the material "clay"
    27 | [materials.clay]
       | ^~~~~~~~~~~~~~~~
 to accept it: accept = ["materials.clay"] at the top of the scene

@@ -59,7 +59,7 @@ TEST(SceneSchema, FindsKeysByThePathOfAnyName)
 TEST(SceneSchema, DescribesAKey)
 {
     EXPECT_EQ(describe_keys(scene_key_table(), "conductivity_gravity"), R"(materials.NAME.conductivity_gravity
-    Gravity at which the conductivity was measured; at 120 g a wrong pairing is a factor 120.
+    Gravity at which the conductivity was measured; at 120 g a wrong value changes k by a factor of 120.
     is       number in m/s2
     default  9.81
     used     with water.flow = "coupled"

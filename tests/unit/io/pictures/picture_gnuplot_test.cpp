@@ -96,7 +96,8 @@ TEST(Gnuplot, OnAFullDiskLeavesTheFormerPicture)
         const fixtures::FullDisk disk(8000);
         EXPECT_EQ(complaint({line_to(folder / "a.png")}),
                   (folder / "a.png").string() +
-                      ": cannot draw: gnuplot left a part of the picture; is the disk full?" + still_good);
+                      ": cannot draw: gnuplot wrote only a part of the picture; is the disk full?" +
+                      still_good);
     }
     EXPECT_EQ(fixtures::text_of(folder / "a.png"), "former");
     EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
