@@ -1,4 +1,4 @@
-// The kinds of failure: the user's input (InputError), a run that went bad (NumericalError), files and disk
+// The kinds of failure: the user's input (InputError), a run that failed (NumericalError), files and disk
 // (FileError) and our own bug (ENSURE).
 #pragma once
 
@@ -18,7 +18,7 @@ public:
     using std::runtime_error::runtime_error;
 };
 
-/// Where and why a run went bad.
+/// Where and why a run failed.
 struct FailureRecord {
     std::string phase;                  // phase of the step, e.g. "gather"
     std::string what;                   // what was found, with the numbers

@@ -1,4 +1,4 @@
-// The phases of a step: they name where the time goes and where a run went bad.
+// The phases of a step: they name where the time goes and where a run failed.
 #pragma once
 
 #include <array>

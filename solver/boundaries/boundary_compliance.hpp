@@ -1,5 +1,5 @@
-// What dashpots do to the flux that a force of the pressure makes on a node: for the
-// semi-implicit step, which solves for pressures whose fluxes it will find in its velocities afterwards.
+// The effect of dashpots on the flux at a node due to a force of the pressure, for the
+// semi-implicit step: its pressures must fit the velocities that include the dashpots.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
@@ -11,7 +11,7 @@
 
 namespace quicksand {
 
-/// Brake the compliances of the nodes that have dashpots.
+/// Reduce the compliances of the nodes that have dashpots.
 void include_dashpots(const Problem& problem, const NodeConditions& conditions, double dt,
                       const std::vector<Dashpot>& dashpots, const std::vector<TwoPhaseSums>& sums,
                       NodeCompliances& compliances);

@@ -24,7 +24,7 @@ enum NodeCondition : std::uint8_t {
     seal_y = 32,
 };
 
-/// Nodes that share one velocity with another: the second carries the sum of both.
+/// Nodes with the velocity of another node: the second carries the sum of both.
 struct TiedNodes {
     std::size_t node = 0;
     std::size_t master = 0;

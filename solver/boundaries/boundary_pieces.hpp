@@ -1,13 +1,13 @@
 // Boundary curves carried by the particles beside them.
 //
-// What acts on the surface of the soil has to follow it. At the set-up a curve is cut into pieces, each
+// Loads on the surface of the soil have to follow it. At the set-up a curve is cut into pieces, each
 // beside one particle; the ends of a piece keep their places in the particle's domain (local coordinates), so
-// that it moves, turns and stretches with the domain. What acts on a piece is shared among the corners of the
-// domain by the bilinear functions of the local coordinates and goes from there to the nodes, as CPDI does
-// with everything else (Sadeghirad, Brannon and Burghardt 2011). Nodes that a piece loads thus carry mass of
-// the piece's particle, the total is exact, and so is the moment. A piece of a cut domain lies on an edge of
-// its polygon, whose two corners share the load: with the trapezoid rule of the polygon's gradient, equal
-// pressures on both sides of the edge balance.
+// that it moves, turns and stretches with the domain. The load on a piece is distributed to the corners of
+// the domain by the bilinear functions of the local coordinates and goes from there to the nodes, as CPDI
+// does with everything else (Sadeghirad, Brannon and Burghardt 2011). Nodes that a piece loads thus carry
+// mass of the piece's particle, the total is exact, and so is the moment. A piece of a cut domain lies on an
+// edge of its polygon, whose two corners take the load: with the trapezoid rule of the polygon's gradient,
+// equal pressures on both sides of the edge balance.
 #pragma once
 
 #include "solver/problem/problem.hpp"

@@ -1,5 +1,5 @@
-// What an impulse on a node does to its velocities: for boundary forces that follow from the velocities
-// themselves (walls in motion, dashpots), put on after the momentum balance.
+// Change of a node's velocities by an impulse, for boundary forces that depend on the velocities (walls in
+// motion, dashpots) and are applied after the momentum balance.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
@@ -41,7 +41,7 @@ inline NodeResponse response(const TwoPhaseSums& node, double dt, std::uint8_t h
     return {(m_w + dt_drag) / determinant, dt_drag / determinant, (m_s + dt_drag) / determinant};
 }
 
-/// Add velocities to a node's motion; the water's are of no meaning to a body that moves as one phase.
+/// Add velocities to a node's motion; the water's are not used for a body that moves as one phase.
 inline void add_velocity(SinglePhaseMotion& motion, const Vector2& solid, const Vector2&)
 {
     motion.x += solid.x();

@@ -1,6 +1,6 @@
-// Boundaries that let waves out: dashpots on the curve (Lysmer and Kuhlemeyer 1969).
+// Absorbing boundaries: dashpots on the curve (Lysmer and Kuhlemeyer 1969).
 //
-// A half-space beyond the curve answers a plane wave at normal incidence with the stress
+// A half-space beyond the curve reacts to a plane wave at normal incidence with the stress
 //   sigma_n = - rho V_p v_n,   tau = - rho V_s v_t
 // on the soil. With the rock's own density and wave speeds this is a compliant base. The frame moves with the
 // motion that the rock would have without the soil, the outcrop motion, as with a rigid base: the incoming
@@ -10,9 +10,9 @@
 // impervious curve on the water's normal velocity as well) and are implicit at each node (Crank-Nicolson), so
 // that they do not limit the step.
 //
-// Without a rock's numbers what lies beyond is as stiff as the soil beside it at its present stress: sand
-// that follows its stress and softens meets its like, and a run that goes on from a checkpoint has the same
-// dashpots. The modulus is that of unloading, which waves of small amplitude travel with.
+// Without parameters of a rock the half-space has the present stiffness of the soil beside the curve: sand
+// that softens has soil of the same stiffness beyond the curve, and a run that is resumed has the same
+// dashpots. The modulus is that of unloading, which governs waves of small amplitude.
 //
 // While the soil settles the curve is held; the forces that held it stay when the dashpots take over.
 #pragma once

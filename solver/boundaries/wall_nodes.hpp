@@ -44,8 +44,8 @@ double reach_past(const Problem& problem, const Segment& wall, const Vector2& en
 using Masters = std::vector<std::size_t>;
 
 /// Nodes beyond the first row of nodes on or beyond a wall, which is parallel to the grid, are tied to that
-/// row. A corner that sticks out through the wall then weighs on the wall's node; a node out there has no
-/// soil behind it to balance its stress, and would be shot away along the wall. `drawn` is the wall as the
+/// row. A corner beyond the wall then acts on the wall's node; a node beyond the wall has no soil
+/// behind it to balance its stress and would accelerate along the wall. `drawn` is the wall as the
 /// problem has it, `wall` as it stands now.
 void tie_beyond(const Problem& problem, const Segment& drawn, const Segment& wall, Masters& masters);
 

@@ -92,8 +92,8 @@ bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Speci
     return !stops;
 }
 
-/// Strengths of one specimen. The searches for several numbers of cycles halve the same range of CSR, so that
-/// they share their tests.
+/// Strengths of one specimen. The searches for several numbers of cycles bisect the same range of CSR and use
+/// the same tests.
 class StrengthSearch {
 public:
     StrengthSearch(const UbcSand& law, const Consolidation& start, double most_cycles)

@@ -1,9 +1,9 @@
-// What a kind of boundary is to the grains: a plain struct of what the scene gives, and the functions below,
+// A kind of boundary condition of the grains: a plain struct of the scene's values and the functions below,
 // found by its type.
 //
 // Every kind has
 //   hold_of(kind, segment, stage)    what a segment of it holds of the grains
-// and those here, which answer for the kinds that do not give an answer of their own. A new kind is a file
+// and those here, which are the defaults for kinds without such a function. A new kind is a file
 // (pair) with these functions, a place in SoilCondition (soil_condition.hpp) and its keys
 // (io/faces/boundary_kinds.hpp).
 #pragma once
@@ -25,7 +25,7 @@ struct Impedance {
     double normal = 0.0, shear = 0.0;
 };
 
-/// What answers for itself; anything else asked by mistake, as a whole boundary, does not compile.
+/// A kind with its own hold_of; any other argument, such as a whole boundary, does not compile.
 template <class Kind>
 concept SoilKind = requires(const Kind& kind, const Segment& segment, Stage stage)
 {

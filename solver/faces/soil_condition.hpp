@@ -12,11 +12,11 @@
 
 namespace quicksand {
 
-/// What a boundary curve is to the grains.
+/// The boundary condition of the grains on a curve.
 using SoilCondition = std::variant<FreeFace, FixedWall, RollerWall, TiedSide, MovingWall, ViscousFace>;
 
-// The functions of face_interface.hpp for whichever kind it is. (The first has a name of its own: a kind that
-// forgets to answer would otherwise be made a SoilCondition and asked again.)
+// The functions of face_interface.hpp for whichever kind it is. (The first has another name: a kind
+// without hold_of would otherwise be converted to SoilCondition, in an endless recursion.)
 GrainHold grains_held_by(const SoilCondition& soil, const Segment& segment, Stage stage);
 bool lies_in_soil(const SoilCondition& soil);
 bool lets_go(const SoilCondition& soil);

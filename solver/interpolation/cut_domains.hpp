@@ -23,7 +23,7 @@ struct NodeStencil;
 struct StencilStore;
 struct Tile;
 
-/// The convex polygon that stands for the domain of a particle that an outline cuts.
+/// The convex polygon in the place of the domain of a particle that an outline cuts.
 struct CutDomain {
     std::vector<Vector2> corners;  // (alpha, beta), counter-clockwise [-]
     std::vector<double> fractions; // w_c, adding up to 1 [-]

@@ -322,7 +322,7 @@ double water_content(const Problem& problem, const Particles& particles)
     double sum = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (!is_wet(p)) continue;
-        // cavities hold the volume that the missing tension stands for
+        // cavities have the volume that belongs to the missing tension
         const double cavities = particles.tension_deficit.empty() ? 0.0 : particles.tension_deficit[p];
         const double pressure =
             excess_pore_pressure(particles, p) + cavities + static_water_pressure(problem, heights[p]);

@@ -1,16 +1,16 @@
 // Domains of flowing soil are kept compact.
 //
-// Why     A domain that is sheared on and on becomes a sliver, ten times as long as a cell and thinner than a
-//         tenth of one. Its gradient is a small difference of values at far corners, which magnifies noise
-//         until the grains and the water of its nodes swing against each other. A domain that is torn long
-//         reaches through a wall: corners before it drag the particle on to where nothing holds it.
-// How     Parallelograms on a lattice tile the plane as well when the shorter edge is taken off the longer
-//         one as often as it fits: same centre and same area. What is still long then has been stretched: it
-//         becomes shorter and wider, with the same area. With the same done to the reference domain the
-//         deformation gradient stays what it was.
-// Where   Soil that yields, whose stress hangs on the strain's increments. Elastic soil that follows its
-//         shape smoothly is better served by its long domains: the error of the largest vortex on 48 cells
-//         is below 1.4 % with them and 3.6 % without.
+// Why     A domain under continued shearing becomes ten times longer than a cell and thinner than a tenth of
+//         one. Its gradient is a small difference of values at distant corners, which amplifies null-space
+//         modes until grains and water oscillate against each other at its nodes. A domain that is long by
+//         stretching reaches through a wall: its corners before the wall then move the particle through it.
+// How     Parallelograms on a lattice still tile the plane if a whole multiple of the shorter edge is
+//         subtracted from the longer one: centre and area stay. A domain that is still too long has been
+//         stretched: it is made shorter and wider with the same area. The reference domain is changed in the
+//         same way, so that the deformation gradient stays.
+// Where   Soil that yields, whose stress follows from strain increments. Elastic soil with smooth deformation
+//         is more accurate with its long domains: the error of the largest vortex on 48 cells is below 1.4 %
+//         with them and 3.6 % without.
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -22,7 +22,7 @@ namespace quicksand {
 /// through a wall by more than the rim of cells around the grid.
 inline constexpr double longest_half_edge = 0.75;
 
-/// Soil that is mixed stretches without end. The deformation gradient is recorded up to this stretch and
+/// Soil that is mixed stretches without limit. The deformation gradient is recorded up to this stretch and
 /// keeps its determinant beyond, which would be lost in rounding [-].
 inline constexpr double largest_recorded_stretch = 1e4;
 

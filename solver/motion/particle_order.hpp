@@ -1,4 +1,4 @@
-// Keeping the particles findable: by cell in every step, in memory now and then.
+// Sorting of the particles: by cell in every step, in memory from time to time.
 #pragma once
 
 #include "solver/particles/background_grid.hpp"
@@ -7,8 +7,8 @@
 
 namespace quicksand {
 
-/// Bring the lists up to date; every 64 steps, where more than a twentieth of the neighbours are strangers in
-/// memory, also reorder the particle arrays. Depends on nothing but the state: a resumed run does the same.
+/// Update the lists; every 64 steps also reorder the particle arrays if more than a twentieth of the
+/// neighbours in a cell are not adjacent in memory. Depends on the state only: a resumed run does the same.
 /// Throws NumericalError when a particle has left the grid or its position is not a number.
 void sort_particles(const BackgroundGrid& grid, double dt, State& state, CellLists& lists);
 

@@ -46,7 +46,7 @@ struct Water {
     double level = 0.0;             // y of the still water surface [m]
     bool rises_above_level = false; // a phreatic line in the soil lies above the level somewhere
     WaterFlow flow = WaterFlow::coupled;
-    std::optional<double> cavitation_pressure = {}; // absolute; none: water bears any tension [Pa]
+    std::optional<double> cavitation_pressure = {}; // absolute; none: no limit of tension [Pa]
 };
 
 /// Two vertical sides whose points of equal height move together, as in a laminar box.

@@ -64,7 +64,7 @@ struct State {
     double last_step = 0.0; // length of the step before, 0 at the start of a stage [s]
     Particles particles;
     Vectors reactions; // forces held at viscous boundaries, piece by piece; none without [N/m]
-    std::optional<BalanceTerms> terms; // none: a run without balances
+    std::optional<BalanceTerms> balance_terms; // none: a run without balances
 };
 
 /// dt_v = (dt_last + dt) / 2, the time over which accelerations act on velocities in a step of length dt [s].

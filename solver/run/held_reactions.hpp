@@ -1,4 +1,4 @@
-// The forces that held a viscous curve while the soil settled.
+// The reactions at a viscous curve from the settling of the soil.
 #pragma once
 
 #include "solver/problem/problem.hpp"

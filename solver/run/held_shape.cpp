@@ -99,7 +99,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     });
     ParticlePlaces places;
     scatter_surface_loads(problem, state.time, resting, places, shape.rest);
-    // without any pressure in the pores the grains alone would bear the water beyond curves
+    // without pore pressures the grains alone would carry the water beyond curves
     if (has_pressure(resting)) scatter_outer_water(problem, state.time, resting, places, shape.rest);
     shape.sums = shape.rest;
     hold_walls_of(problem, state, shape);

@@ -1,6 +1,6 @@
-// Damped relaxation of a body whose shape is held: stresses and velocities change, places do not. For
-// questions of small displacement, such as whether a slope of this shape can stand; a shape that moves along
-// finds another one to stand in.
+// Damped relaxation of a body on a fixed shape: stresses and velocities change, positions do not. For
+// questions of small displacement, such as whether a slope of this shape is stable; a slope that deforms
+// would come to rest in another shape.
 //
 // The velocities live on the nodes, whose weights are those of the body's interpolation, evaluated once.
 #pragma once
@@ -49,7 +49,7 @@ void reset_displacement(HeldShape& shape);
 /// Sum of the unbalanced forces over the sum of the weights in the last step [-].
 double out_of_balance(const Problem& problem, double acceleration, const HeldShape& shape);
 
-/// Largest displacement of a particle [m]. Nodes that hold next to no soil move by more, without meaning.
+/// Largest displacement of a particle [m]. Nodes with almost no soil move farther, without meaning.
 double largest_displacement(const Problem& problem, const HeldShape& shape);
 
 /// Give particles of the shape the displacement of the nodes: position and edges, for pictures.

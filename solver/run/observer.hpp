@@ -1,4 +1,4 @@
-// Those who look at a run while it goes on.
+// Observers of a run.
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -11,7 +11,7 @@
 
 namespace quicksand {
 
-/// What an observer is told of the step just taken.
+/// Data of the last step for observers.
 struct StepReport {
     std::int64_t step = 0;            // steps taken in the stage [-]
     double time = 0.0;                // t at the end of the step [s]

@@ -1,9 +1,9 @@
-// How well the boundaries of a sampled section hold what they have to hold: patch tests (Irons and Razzaque
+// Patch tests of the boundaries of a sampled section (Irons and Razzaque
 // 1972).
 //
-// A pressure in the soil is in balance with walls and with the same pressure on all other curves. What of it
-// the nodes along a curve leave unbalanced accelerates soil that should rest: it tells whether domains,
-// curves and walls fit.
+// A pressure in the soil is in equilibrium with walls and with the same pressure on all other curves. The
+// force that remains at the nodes along a curve accelerates soil that should be at rest. It measures how well
+// domains, curves and walls fit.
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -14,7 +14,7 @@
 
 namespace quicksand {
 
-/// Forces that nodes along a curve leave unbalanced, summed up, over those that it bears.
+/// Sum of the unbalanced forces at the nodes along a curve over the sum of the forces on it.
 struct PatchTest {
     std::string boundary;           // as Problem::boundaries; "" for the edges without a name
     double constant_pressure = 0.0; // of one pressure everywhere [-]

@@ -1,12 +1,12 @@
-// One column of cells that stands for a body whose columns are all the same.
+// One column of cells in the place of a body whose columns are all equal.
 //
 // Between tied sides columns a whole number of widths apart are the same column. When the initial state
-// repeats from cell to cell, and nothing that acts on the body tells its columns apart, a shift by one cell
+// repeats from cell to cell, and all actions on the body are equal for all columns, a shift by one cell
 // maps the equations onto themselves and the initial state onto itself. Their solution is unique, so it
-// repeats from cell to cell for ever, and is that of one column whose sides are tied at a width of one cell.
-// Soil that leaves the column by one side comes in by the other. A run of all columns has the same answer
-// until soil drifts over its sides; there its outermost cells are filled in part only, those of the column
-// never. It also lets differences of rounding between columns grow, which one column does not have.
+// repeats from cell to cell at all times, and is that of one column whose sides are tied at a width of one
+// cell. Soil that leaves the column by one side comes in by the other. A run of all columns has the same
+// result until soil drifts over its sides; there its outermost cells are filled in part only, those of the
+// column never. It also lets differences of rounding between columns grow, which one column does not have.
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -24,7 +24,7 @@ namespace quicksand {
 struct SoilColumn {
     Problem problem; // one cell wide
     State state;     // its particles are numbered anew
-    int columns = 1; // that it stands for [-]
+    int columns = 1; // of the body [-]
 
     std::vector<std::int32_t> source;     // of each particle of the body: its number in the column [-]
     std::vector<std::int32_t> identifier; // of each particle of the body [-]
@@ -32,8 +32,8 @@ struct SoilColumn {
     Scalars drawn_x;                      // of each number in the column: x at the beginning [m]
 };
 
-/// The column that stands for the body, or what keeps there from being one: empty for a body without tied
-/// sides, for which nobody asks. `state` is that at the start of a run.
+/// The column that represents the body, or the obstacle if there is none: empty for a body without tied
+/// sides, where it has no interest. `state` is that at the start of a run.
 struct ColumnSearch {
     std::optional<SoilColumn> column;
     std::string obstacle;

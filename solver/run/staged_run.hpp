@@ -35,10 +35,10 @@ public:
               std::optional<State> kept = std::nullopt);
 
     const Problem& body() const { return *body_; }
-    /// What is computed: the body, or the column that stands for it.
+    /// The computed problem: the body, or the column that represents it.
     const Problem& problem() const { return column() ? column()->problem : *body_; }
     const State& state() const { return column() ? column()->state : state_; }
-    /// The column that stands for the body; none: null, and the obstacle tells why, see ColumnSearch.
+    /// The column that represents the body; null without one; `obstacle` has the reason, see ColumnSearch.
     const SoilColumn* column() const { return search_.column ? &*search_.column : nullptr; }
     const std::string& obstacle() const { return search_.obstacle; }
     /// The whole body's state; true until the run goes on.
@@ -67,7 +67,7 @@ private:
     const Problem* body_;
     RunControls controls_;
     ColumnSearch search_;
-    State state_; // of the body, where no column stands for it
+    State state_; // of the body, unless a column represents it
     State wide_;  // of the body, where one does
     bool is_shaking_ = false;
 };

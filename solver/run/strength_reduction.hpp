@@ -2,9 +2,10 @@
 // to be divided for the slope to fail under its weight (Zienkiewicz, Humpheson and Lewis 1975; Griffiths and
 // Lane 1999).
 //
-// For every factor the body relaxes under gravity with damping, in a shape that is held, from the stress in
-// which it stood with the last factor. It stands when the forces come to balance, and fails when they do not:
-// then the displacement runs away, by far beyond that of an elastic body. The factor is found by bisection.
+// For every factor the body relaxes under gravity with damping, on a fixed shape, from the stress in
+// which it was stable with the last factor. It is stable if the forces come into balance, and fails
+// otherwise: then its displacement grows far beyond that of an elastic body. The factor is found by
+// bisection.
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -27,7 +28,7 @@ struct StrengthReductionControls {
     double greatest_factor = 32.0;    // beyond which the slope is safe [-]
 };
 
-/// What became of the body with one factor.
+/// Result for one factor.
 struct StrengthTrial {
     double factor = 0.0; // F [-]
     bool stands = false;

@@ -1,4 +1,4 @@
-// How far a body at rest is from equilibrium.
+// The out-of-balance force of a body at rest.
 #pragma once
 
 #include "solver/boundaries/nodes.hpp"

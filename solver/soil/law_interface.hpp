@@ -3,8 +3,8 @@
 // Every law has
 //   update_stress(law, dt, first, last, particles)     stress of the particles [first, last) after a strain
 //   particle_moduli(law, first, last, particles)       their moduli, for waves
-//   constrained_modulus(law), shear_modulus(law)       where no particle is at hand [Pa]
-// and those here, which answer for the laws that do not give an answer of their own. A new law is a file pair
+//   constrained_modulus(law), shear_modulus(law)       without particles [Pa]
+// and those here, which are the defaults for laws without such a function. A new law is a file pair
 // with these functions and a place in SkeletonLaw (skeleton_law.hpp); scenes know it by its name and its
 // keys.
 #pragma once
@@ -102,8 +102,8 @@ bool yields(const Law&)
     return true;
 }
 
-/// Whether the soil bears a stress in the shape as drawn; else its stress is that of its shape alone, and
-/// every new reference takes it away.
+/// Whether the soil can have a stress in the shape as drawn; else its stress follows from the deformation
+/// alone and is zero after a new reference.
 template <class Law>
 bool bears_stress_as_drawn(const Law&)
 {

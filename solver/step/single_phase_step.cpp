@@ -18,9 +18,9 @@ bool is_undrained(const Problem& problem, const State& state)
     return state.stage == Stage::shaking && water_flow(problem) == WaterFlow::undrained;
 }
 
-/// Whether pore pressures act on the body: they follow from its motion, or are held as they are. Held at zero
-/// everywhere while the soil settles, they have no part in what the water beyond curves brings: that comes
-/// with the shaking, when the pores answer it; put on before, the grains alone would settle under it.
+/// Whether pore pressures act on the body: they follow from its motion, or are constant. While the soil
+/// settles with zero pore pressures everywhere, outer water does not act. It acts from the begin of the
+/// shaking, when pore pressures react; before, the grains alone would carry it and settle.
 bool carries_pressure(const State& state)
 {
     const Particles& particles = state.particles;

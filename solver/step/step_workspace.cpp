@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-/// Exchanges the particles' shape with that of the reference for as long as it lives.
+/// Exchanges the particles' shape with that of the reference during its lifetime.
 class ReferenceShape {
 public:
     explicit ReferenceShape(Particles& particles) : particles_(particles) { exchange(); }

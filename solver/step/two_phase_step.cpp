@@ -100,7 +100,7 @@ void set_up_cavities(const Problem& problem, const Particles& particles, SemiImp
     });
 }
 
-/// Divergence and storage of the cells, and what boundaries let the nodes answer.
+/// Divergence and storage of the cells, and compliances of the nodes with their boundaries.
 void set_up_pressure(const Problem& problem, double dt, double velocity_dt, const Particles& particles,
                      SemiImplicitWorkspace& work)
 {

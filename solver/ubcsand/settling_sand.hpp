@@ -5,8 +5,8 @@
 //            any horizontal stress (K_0 = 0.016 for the generic set), beyond failure. nu = 1/3 gives 0.5.
 // Failure    Perfectly plastic at t = (s + a) sin phi_f without volume change, so that a slope starts shaking
 //            from a stress that the sand can carry; no mean stress below the floor, so no tension. Within
-//            the stress of one cell's weight the limit is that of this stress: single particles on the steps
-//            that the cells make of a slope hang by their corners and would creep for ever.
+//            the stress of one cell's weight the limit is that of this stress: single particles at the
+//            surface of a slope are held by few nodes only and would creep without end.
 #pragma once
 
 #include "solver/particles/particle_moduli.hpp"

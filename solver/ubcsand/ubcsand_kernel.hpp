@@ -50,8 +50,8 @@ struct Strain {
     double x, y, xy; // [-]
 };
 
-/// The strain that the grains feel: none where they have parted, which is at the stress floor in sand looser
-/// than the loosest.
+/// Strain of the grain skeleton: zero where the grains have lost contact, which is at the stress floor in
+/// sand looser than the loosest.
 inline Strain borne(const UbcSand& m, const UbcSandState& state, const Strain& strain)
 {
     constexpr double rounding = 1.0 + 1e-9;

@@ -14,7 +14,7 @@
 namespace quicksand {
 
 /// How a substep is integrated. The published algorithm is of first order; its reference strengths hold for
-/// it and for small steps. Second order bears substeps some twenty times as long, as runs need them.
+/// it and for small steps. Second order allows substeps some twenty times longer, as runs need.
 enum class Integration { first_order, second_order };
 
 /// Defaults are the generic set for (N1)60 = 13.9 in round numbers; `ubcsand_from_blow_count` gives all
@@ -48,8 +48,8 @@ struct UbcSandParameters {
     double dilation_softening = 1000.0; // a_dil [-]; F falls by exp(-a_dil x shear strain in dilation)
     double softened_factor = 0.05;      // least F after dilation [-]
 
-    // the loosest sand: it does not dilate, and when its grains have parted it bears nothing until they touch
-    // [own]
+    // the loosest sand: it does not dilate; without contact of its grains it has no stiffness until they
+    // touch [own]
     double largest_specific_volume = std::numeric_limits<double>::infinity(); // per mass of grains [m3/kg]
     double smallest_specific_volume = 0.0; // of the densest sand, which does not contract [m3/kg] [own]
 

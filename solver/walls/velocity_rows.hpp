@@ -1,10 +1,10 @@
-// Linear conditions on the velocities of several nodes, answered together.
+// Linear conditions on the velocities of several nodes, solved together.
 //
 //   sum_i c_ri . u_i = V_r,   u_i = (v_s, v_w) of node i
 //   v = v* - A^-1 C^T lambda,   P lambda = C v* - V,   P = C A^-1 C^T
 //
 // A_i is the matrix of a node: masses, implicit drag and dashpots, with the conditions on the node alone
-// inside. P is symmetric and positive definite but for rows that say the same twice; it is sparse, for a row
+// inside. P is symmetric and positive definite except for linearly dependent rows; it is sparse, for a row
 // touches its neighbours along the boundary, and is factorised in every step.
 #pragma once
 
@@ -31,7 +31,7 @@ struct HeldNode {
     NodeVelocities velocities;   // A^-1 c [1/kg]
     Vector2 flux;                // beta^T A^-1 c [1/kg]
 };
-/// A row, or what a follower weighs on the nodes that it follows.
+/// A row, or the weights of a follower on the nodes that it follows.
 struct HeldRow {
     std::vector<HeldNode> nodes; // each once
     double compliance = 0.0;     // of the follower's grains; 0: a row, which nothing moves [1/kg]
@@ -84,14 +84,14 @@ public:
 
     /// Make the velocities meet the rows' values.
     void hold(std::vector<NodeVelocities>& velocities) const;
-    /// Take out of velocities (or accelerations) what the rows do not let through: they then meet zero.
+    /// Project velocities (or accelerations) on those that meet the rows with values of zero.
     void project(std::vector<NodeVelocities>& velocities) const;
 
-    /// Set up what forces of the pressure do: a force f on node i is the impulse (1-n) f, n f; porosities by
-    /// nodes().
+    /// Set up the response to forces of the pressure: a force f on node i is the impulse (1-n) f, n f;
+    /// porosities by nodes().
     void set_porosities(const Scalars& porosities);
-    /// What a force of the pressure does at each node without the rows, and at followers by the nodes that
-    /// they follow: an answer that knows no neighbours, for preconditioners.
+    /// Response of each node to a force of the pressure without the rows, and of followers by the nodes that
+    /// they follow; without coupling between nodes, for preconditioners.
     std::vector<Eigen::Matrix2d> local_compliances() const;
     /// The rows before the followers', with what followers have of them at the nodes that they follow.
     std::vector<HeldRow> held_rows() const;

@@ -117,7 +117,7 @@ void increments_of(const Problem& problem, double dt, const CellLists& lists, co
     });
 }
 
-/// Least excess pressure that water at height y bears without cavities [Pa].
+/// Least excess pressure of water at height y without cavities [Pa].
 double lowest_excess(const Problem& problem, double y)
 {
     return *problem.water->cavitation_pressure - atmospheric_pressure - static_water_pressure(problem, y);

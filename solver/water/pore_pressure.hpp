@@ -1,17 +1,17 @@
 // The mass balance of the water, cell by cell.
 //
-// The pressure is as rich as the cells, not as the particles: that is the cure for volumetric locking and its
-// noise. A cell's mean grows by
+// The pressure has one increment per cell, not per particle; this prevents volumetric locking and pressure
+// oscillations. The mean of a cell changes by
 //   dp = - dt K_w  sum V_p div[(1-n) v_s + n v_w] / sum n_p V_p
-// and, since the excess is counted from a static pressure that falls with height below the water level, by
-// dt rho_w g v_y there (not in small strain, where nothing leaves its height). Within the cell the pressure
-// is the plane through the mean with the slope of the neighbours' means: second order at the particles where
-// the mean alone would be first, and without force on a filled cell's own volume mode, so that the means keep
-// the balance of energy with the velocities.
+// and, since the excess pressure refers to a static pressure that decreases with height, below the water
+// level also by dt rho_w g v_y (not in small strain, where heights stay). Within the cell the pressure is a
+// plane through the mean with the gradient of the neighbours' means. It is of second order at the particles,
+// where the mean alone would be of first order; in a filled cell it exerts no force on the volume mode of the
+// cell, so that the means keep the balance of energy with the velocities.
 //
-// Cavitation, where the scene asks for it: the absolute pressure (atmosphere, static and excess together)
-// does not fall below a limit. What the balance asks for beyond it is kept as a deficit, that is as the
-// volume of cavities: it must close before the pressure rises again, so that the water's volume is conserved.
+// With cavitation the absolute pressure (atmosphere, static and excess pressure together) does not fall below
+// a limit. The part of the increment below the limit is stored as a deficit, the volume of cavities; they
+// must close before the pressure rises again, so that the volume of water is conserved.
 #pragma once
 
 #include "solver/particles/background_grid.hpp"
@@ -36,7 +36,7 @@ void select_saturated(const Problem& problem, const Particles& particles, const 
 /// Volumes of the saturated particles, 0 for the others [m3/m].
 void set_saturated_volumes(const Problem& problem, const Particles& particles, Scalars& volumes);
 
-/// What little water unsaturated soil holds moves with its grains.
+/// The water that unsaturated soil holds moves with its grains.
 void carry_moisture(const Problem& problem, Particles& particles);
 
 CellMeans make_cell_means(const Problem& problem);

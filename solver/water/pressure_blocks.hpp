@@ -1,9 +1,9 @@
 // The preconditioner of the pressure solve: blocks of cells, each with the factor of its own equations.
 //
-// In a time step the water's pressure is felt as far as its sound travels, some c dt = 3 to 10 cells, so that
-// blocks of 64 x 64 cells that overlap a little hardly need each other (additive Schwarz; the overlap is
-// weighted to keep it symmetric). The equations change slowly but for their scale: the factor of one step
-// serves many.
+// In a time step pressure acts over the distance that sound in water travels, c dt = 3 to 10 cells. Blocks of
+// 64 x 64 cells with a small overlap are therefore almost independent (additive Schwarz; the overlap is
+// weighted to keep it symmetric). Apart from their scale the equations change slowly: one factor is used for
+// many steps.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"

@@ -4,15 +4,16 @@
 //   sum_c' L_cc' dp_c' = - dt sum_i D_ci . flux*_i
 //   L_cc' = delta_cc' n_c V_c / K_w + dt^2 sum_i D_ci . W_i D_c'i
 //
-// flux* is the flux with the old pressure, and W_i = beta^T A_i^-1 beta, beta = (1-n_i, n_i), what a unit
-// force of the pressure on node i does to its flux in a unit of time, drag (and held velocities) included.
-// Backward Euler in pressure and relative velocity: sound of any speed is stable, and a wave of the pressure
-// is damped with a ratio of about omega dt / 2. Solved by conjugate gradients, preconditioned by blocks; the
-// guess is the last step's rate of pressure.
+// flux* is the flux with the old pressure. W_i = beta^T A_i^-1 beta, beta = (1-n_i, n_i), is the change of
+// the flux at node i by a unit force of the pressure in a unit of time, with drag and held velocities.
+// Backward Euler in pressure and relative velocity is stable for sound of any speed, and damps pressure waves
+// with a ratio of about omega dt / 2. Solver: conjugate gradients with a preconditioner of blocks; the
+// initial guess is the pressure rate of the last step.
 //
-// With a limit of tension the pressure of a cell is the larger of the limit and of what its water's volume
-// asks for: an obstacle, found by the set of cells that have cavities (primal-dual active set: Hintermueller,
-// Ito and Kunisch 2002). A cell of the set has the pressure of the limit, and its cavities take the flux.
+// With a limit of tension the pressure of a cell is the larger of the limit and of the pressure that follows
+// from its volume of water: an obstacle problem, found by the set of cells that have cavities (primal-dual
+// active set: Hintermueller, Ito and Kunisch 2002). A cell of the set has the pressure of the limit, and its
+// cavities take the flux.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
@@ -32,7 +33,7 @@ struct CavitySolve {
     Scalars deficit;                    // of the cells at the begin of the step, see pore_pressure.hpp [Pa]
     Scalars lowest_increment;           // the limit less the pressure at the begin of the step [Pa]
     std::vector<std::uint8_t> cavities; // whether the cell has some at the end of the step
-    Scalars water_increment;            // of pressure and deficit together: what the volume asks for [Pa]
+    Scalars water_increment;            // of pressure and deficit together, from the volume of water [Pa]
     Scalars lacking;                    // of a cell with cavities: what its water does not fill [m3/m]
 };
 
@@ -70,13 +71,13 @@ PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::siz
 /// Give the solve a limit of tension.
 void add_cavities(PressureSolve& solve);
 
-/// Ask for new blocks where those at hand are of another time step (dt^2 weighs the nodes' answer against
-/// storage), or no longer fit for other reasons: walls touch other nodes, soil has moved. The first in a
-/// step.
+/// Request new blocks if the present ones belong to another time step (dt^2 weights the nodes' response
+/// against storage) or are out of date for other reasons: walls touch other nodes, soil has moved. First call
+/// in a step.
 void choose_blocks(double dt, PressureSolve& solve);
 
-/// Let the nodes of the rows answer the pressure as the rows have it. After the compliances of the nodes have
-/// been set.
+/// Set the response of the nodes of rows to the pressure, with the rows. After the compliances of the nodes
+/// have been set.
 void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSolve& solve);
 
 /// Let badly filled cells have the pressure of their roots. After storage and increments of the roots have

@@ -73,8 +73,8 @@ TEST(ManufacturedSolution, StrongVortexKeepsItsOrderWithCpdi)
 
 TEST(ManufacturedSolution, LargestVortexEndsOnACoarseGrid)
 {
-    // shear strains of 7 across four cells: the points drift apart in a cell unless their noise is taken out
-    // as fast as it is made, and the soil gets four times as stiff
+    // shear strains of 7 across four cells: the points drift apart in a cell unless null-space modes are
+    // damped as fast as they arise, and the soil gets four times as stiff
     ManufacturedRun run{VortexMotion{1.0}, Interpolation::cpdi};
     run.cells = 24;
     EXPECT_LT(run_manufactured(run).displacement_error, 0.16);

@@ -85,7 +85,7 @@ TEST(MovingWall, ShearsTheSoilWhenItIsRough)
 
 TEST(MovingWall, TakesTheWaterAlong)
 {
-    // undrained: the water is pressed with the grains, and the pore pressure takes its share of the load
+    // undrained: the water is pressed with the grains, and the pore pressure takes its part of the load
     const double pushed = 1e-3, end = 0.01;
     WallMotion motion{MotionQuantity::displacement, WallGrip::smooth, {0.0, 0.0}, pushed, {}};
     motion.history.ramp_time = end;

@@ -84,8 +84,8 @@ TEST(SlidingBlock, AcceleratesWithTheDownhillPartOfItsWeight)
         const double middle_of_last_step = end - 0.5 * state.last_step;
         const double acceleration = after.momentum.dot(downhill) / after.mass / middle_of_last_step;
         const double expected = before.weight / before.mass * 9.81 * std::sin(slope);
-        // the mass of the water follows the pores, which change a little under the weight; dry soil loses its
-        // noise unevenly where it strains (8e-10 measured)
+        // the mass of the water follows the pores, which change a little under the weight; dry soil loses
+        // null-space modes unevenly where it strains (8e-10 measured)
         EXPECT_NEAR(acceleration, expected, (saturated ? 1e-5 : 2e-9) * expected);
         // it stays on the roller: the normal velocity is that of small bounces
         EXPECT_LT(std::abs(after.momentum.dot(upward) / after.mass), 1e-3); // of 1.7 m/s in free fall

@@ -11,7 +11,7 @@ namespace {
 
 using namespace fixtures;
 
-/// Kinetic energy after 2000 steps of `share` times the stable step, over that at the start.
+/// Kinetic energy after 2000 steps of `fraction` times the stable step, over that at the start.
 double energy_growth(const Problem& problem, double fraction)
 {
     State state = restless(problem);

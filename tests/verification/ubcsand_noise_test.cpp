@@ -25,7 +25,7 @@ std::vector<double> cycles_of_strain(double amplitude, int half_cycles)
     return path;
 }
 
-/// The same path with every twentieth step taken back by a share of itself.
+/// The same path with every twentieth step taken back by a fraction of itself.
 std::vector<double> with_back_steps(const std::vector<double>& path, double fraction)
 {
     std::vector<double> rippled;

@@ -13,7 +13,7 @@ struct Convergence {
     std::string title;           // of the problem, as people say it
     double length = 0.0;         // the reference length [m]
     std::vector<int> cells;      // along it [-]
-    std::vector<double> errors;  // infinite where the run went bad [-]
+    std::vector<double> errors;  // infinite where the run failed [-]
     std::vector<double> limits;  // largest error accepted on each grid; infinite: none [-]
     std::vector<double> seconds; // wall time of each run [s]
     double least_order = -std::numeric_limits<double>::infinity(); // accepted [-]

@@ -46,7 +46,7 @@ VortexMotion vortex(double amplitude, const SolidBody& solid)
     return {amplitude, 0.5 * (solid.lower + solid.upper)};
 }
 
-/// Infinite where the run goes bad: that of one interpolation is no failure of the others.
+/// Infinite where the run fails: that of one interpolation is no failure of the others.
 double error_of(const ManufacturedMotion& motion, Interpolation interpolation, double end_time,
                 const Problem& problem, const State& state)
 {

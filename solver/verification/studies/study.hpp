@@ -25,7 +25,7 @@ struct StudyParameters {
 
 /// A study reads the parameters of its closed form off the problem and the state it is given, so that the
 /// reference follows a scene that is changed. It throws InputError where the problem is not one that it knows
-/// and NumericalError where the run goes bad.
+/// and NumericalError where the run fails.
 struct Study {
     std::string_view name;      // as [verification] problem = "name"
     std::string_view reference; // author, year

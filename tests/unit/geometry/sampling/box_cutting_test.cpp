@@ -19,8 +19,8 @@ std::vector<Vector2> polygon_of(const Sampling& sampling, const ParticleDomain& 
     return corners_in_frame(shape, domain.centre, domain.half_edge_1, domain.half_edge_2);
 }
 
-/// Every polygon is convex, has the volume of its domain and its centroid there, and shares that find it; the
-/// volumes of a region add up to its area but for what is left out.
+/// Every polygon is convex, has the volume of its domain and its centroid there, and fractions that give it;
+/// the volumes of a region add up to its area but for what is left out.
 void expect_sound(const Section& section, const Sampling& sampling, double box, double left_out = 0.0)
 {
     const double box_size = std::sqrt(box); // [m]

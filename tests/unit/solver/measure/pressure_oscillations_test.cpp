@@ -1,4 +1,4 @@
-// The measures of noise on fields whose noise is known.
+// The measures of oscillations on fields whose oscillations are known.
 #include "solver/measure/pressure_oscillations.hpp"
 #include "tests/fixtures/soil_block.hpp"
 

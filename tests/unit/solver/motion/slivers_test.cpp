@@ -10,7 +10,7 @@ namespace {
 
 using namespace fixtures;
 
-/// Boxes of 0.25 m, of which number 5 is cut to a piece of `share` of itself, in one corner of its box.
+/// Boxes of 0.25 m, of which number 5 is cut to a piece of `fraction` of itself, in one corner of its box.
 struct Soil {
     Problem problem;
     State state;
