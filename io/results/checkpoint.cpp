@@ -2,7 +2,7 @@
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
 // memory_columns, last_step, particles, reactions. The last 16 bytes are the FNV-1a hash of all before them,
 // which HDF5 does not look at: the file is checked before HDF5 opens it, since it copes badly with damaged
-// tables.
+// tables. HDF5 keeps no times of its objects, so that equal states make equal files.
 #include "io/results/checkpoint.hpp"
 
 #include "io/files/atomic_file.hpp"
@@ -132,6 +132,7 @@ void write_array(hid_t file, const char* name, const std::vector<Value>& values)
     const Handle layout(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, name);
     require(H5Pset_chunk(layout, 1, &chunk), name);
     require(H5Pset_fletcher32(layout), name);
+    require(H5Pset_obj_track_times(layout, false), name);
     const Handle dataset(H5Dcreate2(file, name, type_of(Value{}), space, H5P_DEFAULT, layout, H5P_DEFAULT),
                          H5Dclose, name);
     require(H5Dwrite(dataset, type_of(Value{}), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), name);
@@ -197,7 +198,9 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
 {
     const Handle settings(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "settings");
     set_up_memory_file(settings, image);
-    const Handle file(H5Fcreate("in memory", H5F_ACC_TRUNC, H5P_DEFAULT, settings), H5Fclose,
+    const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "settings");
+    require(H5Pset_obj_track_times(creation, false), "settings");
+    const Handle file(H5Fcreate("in memory", H5F_ACC_TRUNC, creation, settings), H5Fclose,
                       "creating the file");
     write_number(file, "format_version", format_version);
     write_text(file, "program_version", program_version());

@@ -1,3 +1,4 @@
+#include "io/files/atomic_file.hpp"
 #include "io/files/file_error.hpp"
 #include "io/results/checkpoint.hpp"
 #include "io/results/run_manifest.hpp"
@@ -6,7 +7,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 namespace quicksand {
 
@@ -91,6 +94,16 @@ TEST(Checkpoint, ReadsBackToTheSameBits)
         }
     }
     EXPECT_FALSE(fixtures::any_temporary_file(folder.path()));
+}
+
+TEST(Checkpoint, OfEqualStatesIsTheSameFileAtAnyTime)
+{
+    const TemporaryFolder folder;
+    const State state = varied_state(true, true);
+    write_checkpoint(folder / "first.h5", state, "abc");
+    std::this_thread::sleep_for(std::chrono::milliseconds(1100)); // HDF5 counts whole seconds
+    write_checkpoint(folder / "second.h5", state, "abc");
+    EXPECT_TRUE(read_text(folder / "first.h5") == read_text(folder / "second.h5"));
 }
 
 TEST(Checkpoint, KeepsTheTwistOfQuadrilaterals)
