@@ -1,6 +1,7 @@
 #include "io/motions/peer_record.hpp"
 
 #include "io/keys/scene_units.hpp"
+#include "io/motions/record_limits.hpp"
 #include "solver/base/conventions.hpp"
 
 #include <algorithm>
@@ -139,6 +140,10 @@ bool PeerReader::read_count_and_interval()
         return refuse(line, count_word_, "the number of values is no whole number of 2 or more", forms);
     if (!interval || *interval <= 0.0)
         return refuse(line, interval_word, "the interval is no number of seconds above 0", forms);
+    if (*interval > longest_interval)
+        return refuse(line, interval_word,
+                      "an interval of " + number_text(*interval) + " s is not that of an earthquake's record",
+                      "at most " + number_text(longest_interval) + " s");
     count_ = static_cast<std::int64_t>(*count);
     record_.interval = *interval;
     return true;
@@ -181,6 +186,11 @@ bool PeerReader::read_values()
             if (!value)
                 return refuse(line, word, "'" + std::string(word.text.substr(0, 40)) + "' is no number",
                               "the values only, separated by blanks");
+            if (!(std::abs(record_.unit * *value) <= largest_acceleration))
+                return refuse(line, word,
+                              "no earthquake has an acceleration of " + number_text(*value) + ' ' +
+                                  record_.unit_name,
+                              allowed_accelerations);
             record_.accelerations.push_back(record_.unit * *value);
             word = next_word(lines_[line], word.column + word.text.size());
         }

@@ -27,7 +27,8 @@ std::vector<SceneKey> motion_keys()
         {.pattern = "motion.ramp_cycles", .default_value = 0.0, .allowed = not_negative, .when = sine_only,
          .doc = "Cycles over which the amplitude rises from zero."},
         {.pattern = "motion.file", .type = path, .required = true, .when = file_only,
-         .doc = "A record in PEER's AT2 form, or two columns, time in s and acceleration, at equal intervals."},
+         .doc = "A record in PEER's AT2 form, or two columns, time in s and acceleration, at equal intervals. "
+                "Values beyond 1000 g and intervals beyond 10 s are refused."},
         {.pattern = "motion.unit", .type = word, .default_note = "required of two columns, else that of the record",
          .words = {"m/s2", "g"}, .when = file_only,
          .doc = "Unit of the record's accelerations; a record that states another one is refused."},

@@ -2,9 +2,12 @@
 
 #include "io/faces/boundary_kinds.hpp"
 #include "io/keys/scene_text.hpp"
+#include "io/keys/scene_units.hpp"
+#include "io/motions/record_limits.hpp"
 #include "io/motions/time_table.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace quicksand {
 
@@ -26,7 +29,15 @@ std::optional<SampledHistory> read_table(const BoundaryTable& boundary, const st
         return std::nullopt;
     }
     SampledHistory history;
-    for (const TimeRow& row : table.rows) {
+    for (std::size_t k = 0; k < table.rows.size(); ++k) {
+        const TimeRow& row = table.rows[k];
+        if (std::abs(row.value) > largest_factor) {
+            findings.keep_text(file, *text);
+            findings.add(error_at(SourcePlace{file, table.lines[k], 1, 1}, "history",
+                                  "a factor of " + number_text(row.value) + " is beyond all loads",
+                                  "at most " + number_text(largest_factor) + " in amount"));
+            return std::nullopt;
+        }
         history.times.push_back(row.time);
         history.values.push_back(row.value);
     }

@@ -2,6 +2,7 @@
 
 #include "io/keys/scene_text.hpp"
 #include "io/motions/peer_record.hpp"
+#include "io/motions/record_limits.hpp"
 #include "io/motions/time_table.hpp"
 #include "solver/problem/motion_measures.hpp"
 
@@ -97,6 +98,22 @@ std::optional<SampledMotion> parse_columns(const std::filesystem::path& file, co
     motion.interval =
         (table.rows.back().time - table.rows.front().time) / static_cast<double>(table.rows.size() - 1);
     for (const TimeRow& row : table.rows) motion.accelerations.push_back(unit * row.value);
+    const auto refuse = [&](std::size_t row, const std::string& what_is_wrong, const std::string& expected) {
+        findings.keep_text(file, text);
+        findings.add(error_at(SourcePlace{file, table.lines[row], 1, 1}, "record", what_is_wrong, expected));
+        return std::nullopt;
+    };
+    if (motion.interval > longest_interval)
+        return refuse(
+            1, "an interval of " + number_text(motion.interval) + " s is not that of an earthquake's record",
+            "at most " + number_text(longest_interval) + " s");
+    for (std::size_t k = 0; k < table.rows.size(); ++k) {
+        if (!(std::abs(motion.accelerations[k]) <= largest_acceleration))
+            return refuse(k,
+                          "no earthquake has an acceleration of " + number_text(table.rows[k].value) +
+                              (unit == 1.0 ? " m/s2" : " g"),
+                          allowed_accelerations);
+    }
     return motion;
 }
 
@@ -116,6 +133,29 @@ std::optional<SampledMotion> parse_stated(const SceneValues& values, const std::
     return SampledMotion{record->interval, std::move(record->accelerations)};
 }
 
+/// Warn of what is no record of an earthquake in all likelihood, though it can be run.
+void check_plausibility(const SceneValues& values, const SampledMotion& record, Diagnostics& findings)
+{
+    const double field = std::max(1.0, values.number("gravity.acceleration") / standard_gravity); // [g]
+    const auto warn = [&](const std::string& what, const std::string& expected, const std::string& hint) {
+        findings.add(
+            warning_at(values.place("motion.file"), "motion.file", "plausibility", what, expected, hint));
+    };
+    const auto in_g = [](double acceleration) {
+        return quantity_text(acceleration / standard_gravity, Dimension::none) + " g";
+    };
+    double peak = 0.0; // [m/s2]
+    for (const double acceleration : record.accelerations) peak = std::max(peak, std::abs(acceleration));
+    if (peak > field * usual_acceleration)
+        warn("the record's peak of " + in_g(peak) + " is unusually large",
+             "usually at most " + in_g(field * usual_acceleration),
+             "motion.unit and motion.scale say what the numbers stand for");
+    if (record.interval > usual_interval / field)
+        warn("the record's interval of " + number_text(record.interval) + " s is unusually long",
+             "usually at most " + number_text(usual_interval / field) + " s",
+             "between two values the acceleration goes along a straight line");
+}
+
 std::optional<SampledMotion> read_record(const SceneValues& values, const std::filesystem::path& file,
                                          Diagnostics& findings)
 {
@@ -131,7 +171,8 @@ std::optional<SampledMotion> read_record(const SceneValues& values, const std::f
     if (!motion) return std::nullopt;
     const double scale = values.find<double>("motion.scale").value_or(1.0);
     for (double& acceleration : motion->accelerations) acceleration *= scale;
-    if (values.text("motion.baseline") == "linear") return without_linear_baseline(std::move(*motion));
+    if (values.text("motion.baseline") == "linear") *motion = without_linear_baseline(std::move(*motion));
+    check_plausibility(values, *motion, findings);
     return motion;
 }
 

@@ -17,6 +17,7 @@ TEST_P(SceneBoundaries, AreReportedWithPlaceAndCure)
     folder.write("words.csv", "time,factor\n0,0\nlater,1\n");
     folder.write("one.csv", "time,factor\n0,0\n");
     folder.write("good.csv", "0,0\n0.2,1\n");
+    folder.write("huge.csv", "0,0\n0.1,1\n0.2,1e90\n");
     const std::string text = fixtures::replaced(fixtures::column_scene, mistake.sound, mistake.mistaken);
     EXPECT_EQ(folder.message(text), mistake.message.substr(1)); // after the line break that opens it
 }
@@ -217,6 +218,15 @@ scene.toml:44:11: error[history]: 'one.csv': it holds fewer than two rows of two
    44 | history = "one.csv"
       |           ^~~~~~~~~
 expected: rows `time_s, factor` from time 0 on, at most one header line
+)_"},
+SceneMistake{"HistoryBeyondAllLoads",
+    "soil = \"free\"",
+    "soil = \"free\"\npressure = 1e4\nhistory = \"huge.csv\"",
+R"_(
+huge.csv:3:1: error[history]: a factor of 1e90 is beyond all loads
+    3 | 0.2,1e90
+      | ^
+expected: at most 1e12 in amount
 )_"},
 SceneMistake{"HistoryOfWords",
     "soil = \"free\"",

@@ -123,6 +123,24 @@ record.AT2:2:1: error[record]: the header says 2 values, the file holds 3
       | ^
 hint: is more than one record in the file?
 )_"},
+RecordMistake{"IntervalOfMinutes",
+    "UNITS OF G\nNPTS= 2, DT= 500 SEC\n.1 .2\n",
+    "",
+R"_(
+record.AT2:2:14: error[record]: an interval of 500 s is not that of an earthquake's record
+    2 | NPTS= 2, DT= 500 SEC
+      |              ^~~
+expected: at most 10 s
+)_"},
+RecordMistake{"NoEarthquake",
+    "UNITS OF G\nNPTS= 3, DT= .01 SEC\n.1\n.2 -1e90\n",
+    "",
+R"_(
+record.AT2:4:4: error[record]: no earthquake has an acceleration of -1e90 G
+    4 | .2 -1e90
+      |    ^~~~~
+expected: at most 1000 g in amount
+)_"},
 RecordMistake{"UnitAtOdds",
     "UNITS OF G\nNPTS= 2, DT= .01 SEC\n.1 .2\n",
     "unit = \"m/s2\"",
@@ -148,6 +166,55 @@ TEST(SceneRecords, TwoColumnsNeedTheirUnit)
       |        ^~~~~~~~~~~~
 expected: motion.unit = "g" or "m/s2"
 )_");
+}
+
+std::string of_columns()
+{
+    return fixtures::replaced(fixtures::column_scene,
+                              "kind = \"sine\"\namplitude = \"24 g\"\nfrequency = 180",
+                              "kind = \"file\"\nfile = \"record.csv\"\nunit = \"g\"");
+}
+
+TEST(SceneRecords, OfTwoColumnsAreRefusedWhereTheyAreNoEarthquake)
+{
+    const fixtures::SceneFolder folder;
+    folder.write("record.csv", "time,a\n0,0.1\n0.01,1e90\n");
+    EXPECT_EQ(folder.message(of_columns()),
+              R"_(record.csv:3:1: error[record]: no earthquake has an acceleration of 1e90 g
+    3 | 0.01,1e90
+      | ^
+expected: at most 1000 g in amount
+)_");
+    folder.write("record.csv", "0,0.1\n500,0.2\n1000,0.1\n");
+    EXPECT_EQ(folder.message(of_columns()),
+              R"_(record.csv:2:1: error[record]: an interval of 500 s is not that of an earthquake's record
+    2 | 500,0.2
+      | ^
+expected: at most 10 s
+)_");
+    folder.write("record.csv", "0,0.1\n0.01,inf\n");
+    EXPECT_NE(folder.message(of_columns()).find("line 2 is not two numbers: 0.01,inf"), std::string::npos);
+}
+
+TEST(SceneRecords, ThatAreUnusualAreWarnedOf)
+{
+    const fixtures::SceneFolder folder;
+    const auto warning = [&](const std::string& gravity) {
+        const SceneReading reading = folder.read(fixtures::replaced(of_columns(), "\"120 g\"", gravity));
+        return reading.warnings.render("");
+    };
+    folder.write("record.csv", "0,0.1\n0.2,-2.5\n0.4,0.1\n");
+    const std::string at_1_g = warning("\"1 g\"");
+    EXPECT_NE(at_1_g.find("warning[plausibility]: the record's peak of 2.5 g is unusually large\n"
+                          "expected: usually at most 2 g\n"),
+              std::string::npos)
+        << at_1_g;
+    EXPECT_NE(at_1_g.find("warning[plausibility]: the record's interval of 0.2 s is unusually long\n"
+                          "expected: usually at most 0.1 s\n"),
+              std::string::npos)
+        << at_1_g;
+    folder.write("record.csv", "0,0.1\n5e-4,-25\n1e-3,0.1\n");
+    EXPECT_EQ(warning("\"120 g\"").find("the record's"), std::string::npos) << "of a centrifuge model";
 }
 
 TEST(SceneRecords, AreTakenWithTheirUnitScaleAndBaseline)
