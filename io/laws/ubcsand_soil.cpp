@@ -82,6 +82,18 @@ void bound_volumes(const NamedTable& table, double grain_density, SceneValues& v
     parameters.smallest_specific_volume = volume(densest);
 }
 
+/// A scene may have a K0 that its soil bears by cohesion at lower stresses, and not at the test's.
+std::string describe_strength(const UbcSand& law, double k0)
+{
+    const Consolidation start{atmospheric_pressure, k0, 0.0};
+    if (!can_consolidate(law, start))
+        return "its cyclic strength is not told: it fails as it is consolidated";
+    const auto csr = csr_to_ru_95(law, start, 15.0);
+    return csr ? "liquefies (ru = 0.95) in 15 cycles of simple shear at a stress ratio of " +
+                     three_digits(*csr)
+               : "liquefies (ru = 0.95) at no stress ratio from 0.01 to 2 in 15 cycles of simple shear";
+}
+
 } // namespace
 
 SkeletonLaw read_ubcsand(const LawSource& source)
@@ -108,11 +120,7 @@ std::string describe_ubcsand(const Material& material, double k0)
     text += fmt::format("  {:<16}K0 possible from {} to {}; settles to K0 = {} below level ground\n", "",
                         three_digits(least_k0), three_digits(1.0 / least_k0),
                         three_digits(law.static_poisson / (1.0 - law.static_poisson)));
-    const auto csr = csr_to_ru_95(law, {atmospheric_pressure, k0, 0.0}, 15.0);
-    const std::string strength =
-        csr ? "in 15 cycles of simple shear at a stress ratio of " + three_digits(*csr)
-            : std::string("at no stress ratio from 0.01 to 2 in 15 cycles of simple shear");
-    return text + fmt::format("  {:<16}liquefies (ru = 0.95) {}, at 100 kPa and K0 = {}\n", "", strength,
+    return text + fmt::format("  {:<16}{}, at 100 kPa and K0 = {}\n", "", describe_strength(law, k0),
                               three_digits(k0));
 }
 

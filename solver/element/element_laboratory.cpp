@@ -113,21 +113,39 @@ ElementPath load_through(const UbcSand& law, const Consolidation& start, const s
     return path;
 }
 
+double mean_consolidation_stress(const Consolidation& start)
+{
+    return 0.5 * (1.0 + start.k0) * start.vertical_stress;
+}
+
+/// At the stresses of the start, whether it bears them or not.
+Specimen place_specimen(const UbcSand& law, const Consolidation& start)
+{
+    const double horizontal = start.k0 * start.vertical_stress;
+    Specimen specimen;
+    specimen.law = law;
+    specimen.initial_vertical_stress = start.vertical_stress;
+    specimen.state.sigma_x = horizontal;
+    specimen.state.sigma_y = start.vertical_stress;
+    specimen.state.sigma_z = horizontal;
+    specimen.state.tau_xy = start.static_shear;
+    begin_shaking(law, specimen.state);
+    return specimen;
+}
+
 } // namespace
+
+bool can_consolidate(const UbcSand& law, const Consolidation& start)
+{
+    return start.vertical_stress > 0.0 && start.k0 > 0.0 && mean_consolidation_stress(start) >= law.s_min &&
+           place_specimen(law, start).state.eta_max <= law.eta_f;
+}
 
 Specimen consolidate(const UbcSand& law, const Consolidation& start)
 {
     check(start);
-    const double vertical = start.vertical_stress, horizontal = start.k0 * start.vertical_stress;
-    require_above_floor(law, 0.5 * (vertical + horizontal));
-    Specimen specimen;
-    specimen.law = law;
-    specimen.initial_vertical_stress = vertical;
-    specimen.state.sigma_x = horizontal;
-    specimen.state.sigma_y = vertical;
-    specimen.state.sigma_z = horizontal;
-    specimen.state.tau_xy = start.static_shear;
-    begin_shaking(law, specimen.state);
+    require_above_floor(law, mean_consolidation_stress(start));
+    const Specimen specimen = place_specimen(law, start);
     if (specimen.state.eta_max > law.eta_f) {
         std::ostringstream what;
         what.precision(3);

@@ -47,6 +47,9 @@ struct Specimen {
 /// beyond the failure limit.
 Specimen consolidate(const UbcSand& law, const Consolidation& start);
 
+/// Whether consolidate() has a specimen for these stresses.
+bool can_consolidate(const UbcSand& law, const Consolidation& start);
+
 void strain(double strain_x, double strain_y, double shear, Specimen& specimen);
 
 /// The specimen's state; ru is that of a vertical total stress which stays.

@@ -35,6 +35,27 @@ TEST(CheckMessages, TellTheImpedanceOfTheSoilBesideAViscousCurve)
     EXPECT_NEAR(std::stod(match[1]), expected, 0.01 * expected);
 }
 
+TEST(CheckMessages, ComeOfEverySandThatARunTakes)
+{
+    const WorkFolder folder;
+    const auto agree = [&](const std::string& keys) {
+        const std::string scene = example("column") + keys + " --until 2e-5 -o " + folder.string();
+        const Outcome check = run_program("check " + scene + "/check"),
+                      run = run_program("run " + scene + "/run");
+        EXPECT_EQ(run.code, 0) << run.output;
+        EXPECT_EQ(check.code, 0) << check.output;
+        std::filesystem::remove_all(folder / "run");
+        return check.output;
+    };
+    const std::string cohesive = agree(" --set initial.k0=0 --set materials.sand.cohesion=5000");
+    EXPECT_NE(cohesive.find("its cyclic strength is not told: it fails as it is consolidated, at 100 kPa and "
+                            "K0 = 0"),
+              std::string::npos)
+        << cohesive;
+    agree(" --set initial.k0=0.1 --set materials.sand.cohesion=5000");
+    agree(" --set materials.sand.hydraulic_conductivity=1e-12");
+}
+
 TEST(CheckMessages, TellWhatABoundaryLeavesUnbalanced)
 {
     const WorkFolder folder;
