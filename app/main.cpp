@@ -48,11 +48,12 @@ ExitCode execute(int argument_count, char** arguments)
     }
 }
 
-/// A full disk under the standard output may show only now. A failure that has been told goes before it.
+/// A full disk under the standard output may show only now. A failure that has been told goes before it, and
+/// a reader who has left wants no more: files and log.txt are complete without him.
 ExitCode require_output(ExitCode code)
 {
     std::cout.flush();
-    if (std::cout || code != ExitCode::good) return code;
+    if (std::cout || code != ExitCode::good || quicksand::reader_has_left()) return code;
     return report("standard output cannot be written: the output is incomplete", ExitCode::files);
 }
 
@@ -61,5 +62,6 @@ ExitCode require_output(ExitCode code)
 int main(int argument_count, char** arguments)
 {
     quicksand::apply_process_settings(arguments);
+    quicksand::let_writes_fail();
     return static_cast<int>(require_output(execute(argument_count, arguments)));
 }

@@ -1,7 +1,9 @@
 #include "app/run/process_settings.hpp"
 
+#include <poll.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 
 namespace quicksand {
@@ -30,6 +32,18 @@ void apply_process_settings(char** arguments)
     if (setenv(started_again, "1", 0) != 0) return;
     // Comes back only when it fails; then the run goes on as it is.
     execv("/proc/self/exe", arguments);
+}
+
+void let_writes_fail()
+{
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+bool reader_has_left()
+{
+    pollfd output{STDOUT_FILENO, 0, 0};
+    return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
 } // namespace quicksand

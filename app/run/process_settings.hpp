@@ -1,4 +1,4 @@
-// What libraries read from the environment once, when they are loaded.
+// What libraries read from the environment once, when they are loaded, and what becomes of failed writes.
 #pragma once
 
 namespace quicksand {
@@ -12,5 +12,12 @@ namespace quicksand {
 /// Memory comes in pages of 2 MB where the system has them, for looking up small ones takes a sixth of a step
 /// of 300,000 particles and more, and from one arena: those of several threads keep a tenth of it unused.
 void apply_process_settings(char** arguments);
+
+/// Let a write into a pipe whose reader has left (SIGPIPE), or beyond the size that a file may have (SIGXFSZ,
+/// ulimit -f), fail as on a full disk instead of ending the program in the middle of its work.
+void let_writes_fail();
+
+/// Whether standard output is a pipe whose reader has left, as `| head -1` does.
+bool reader_has_left();
 
 } // namespace quicksand

@@ -20,11 +20,7 @@ void tell_of_stop()
         "\nStopping at the next restart point, a few dozen steps on at most. A second Ctrl-C "
         "or kill ends the run at once.\n";
     const int former_error = errno;
-    // Ctrl-C ends a `tee` behind the run as well, whose broken pipe must not end the run before its
-    // checkpoint.
-    const Handler former = std::signal(SIGPIPE, SIG_IGN);
     [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, sizeof(text) - 1);
-    std::signal(SIGPIPE, former);
     errno = former_error;
 }
 

@@ -95,9 +95,9 @@ protected:
 
     void expect_same_files(const std::string& other)
     {
-        for (const char* name :
-             {"probes/upper.csv", "probes/middle.csv", "probes/surface.csv", "probes/centre_line.csv",
-              "history.csv", "fields.pvd", "fields/frame_000001.vtu", "grid/frame_000001.vtu"}) {
+        for (const char* name : {"probes/upper.csv", "probes/middle.csv", "probes/surface.csv",
+                                 "probes/centre_line.csv", "history.csv", "fields.pvd",
+                                 "fields/frame_000001.vtu", "grid/frame_000001.vtu", "checkpoint/state.h5"}) {
             EXPECT_EQ(read_file(folder / ("whole/" + std::string(name))),
                       read_file(folder / (other + "/" + name)))
                 << name;
@@ -197,6 +197,41 @@ TEST(Hangup, StopsARunWithACheckpoint)
     EXPECT_EQ(outcome.code, 0) << outcome.output;
     EXPECT_NE(outcome.output.find("Stopped on request"), std::string::npos) << outcome.output;
     EXPECT_TRUE(std::filesystem::exists(results + "/checkpoint/state.h5"));
+}
+
+TEST(Pipe, WhoseReaderLeavesEndsNoRun)
+{
+    const WorkFolder folder;
+    const std::string results = (folder / "results").string(), code = (folder / "code").string();
+    std::signal(SIGPIPE, SIG_DFL); // for the shell: what it ignores its programs ignore
+    const Outcome outcome = run_shell("{ \"$QUICKSAND\" " + column_run + results + "; echo $? >" + code +
+                                      "; } 2>/dev/null | head -n 1");
+    EXPECT_EQ(outcome.output, "Saturated column at 120 g, sine 180 Hz of 24 g\n");
+    EXPECT_EQ(read_file(code), "0\n");
+    EXPECT_NE(read_file(results + "/run_manifest.json").find("\"status\": \"finished\""), std::string::npos);
+    EXPECT_NE(read_file(results + "/log.txt").find(" steps to t = 0.004 s in "), std::string::npos);
+}
+
+TEST(FileSizeLimit, EndsARunAsAFullDiskDoes)
+{
+    const WorkFolder folder;
+    const std::string results = (folder / "results").string();
+    // rows of the profile come to 16 MB, far more than the other files: its file is the one that is too large
+    const std::string run = "run " + example("column") + " -o " + results +
+                            " --set run.end_time=1e-3 --set output.probe_interval=2e-6"
+                            " --set probes.centre_line.points=400 --set output.frame_interval=1e-4"
+                            " --set output.checkpoint_interval=0.01";
+    const Outcome failed = run_shell("ulimit -f 8000\n\"$QUICKSAND\" " + run); // of 512 byte
+    EXPECT_EQ(failed.code, 4) << failed.output;
+    EXPECT_NE(failed.output.find("centre_line.csv: cannot write: File too large"), std::string::npos)
+        << failed.output;
+    const std::string manifest = read_file(results + "/run_manifest.json");
+    EXPECT_NE(manifest.find("\"status\": \"failed\""), std::string::npos) << manifest;
+    EXPECT_NE(manifest.find("File too large"), std::string::npos) << manifest;
+    const Outcome resumed = run_program(run + " --resume");
+    EXPECT_EQ(resumed.code, 0) << resumed.output;
+    EXPECT_NE(resumed.output.find("Going on with "), std::string::npos) << resumed.output;
+    EXPECT_EQ(run_program("picture " + results + " --field ru -o " + (folder / "ru.png").string()).code, 0);
 }
 
 TEST(Benchmark, StopsWithItsRun)
