@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <system_error>
 
 namespace {
 
@@ -28,6 +29,15 @@ ExitCode report_bug(const char* what)
     return ExitCode::bug;
 }
 
+/// Of a thread that the system does not start; what else it refuses is told where it is asked for.
+ExitCode report_refusal(const std::system_error& error)
+{
+    if (error.code() != std::errc::resource_unavailable_try_again) return report_bug(error.what());
+    return report("the system does not start another thread\nhint: ask for fewer with --threads, or raise "
+                  "the limits of memory (ulimit -v) or of processes (ulimit -u)",
+                  ExitCode::files);
+}
+
 ExitCode execute(int argument_count, char** arguments)
 {
     try {
@@ -40,6 +50,8 @@ ExitCode execute(int argument_count, char** arguments)
         return report(error.what(), ExitCode::files);
     } catch (const std::filesystem::filesystem_error& error) {
         return report(error.what(), ExitCode::files);
+    } catch (const std::system_error& error) {
+        return report_refusal(error);
     } catch (const std::bad_alloc&) {
         return report("not enough memory\nhint: larger cells and fewer particles per cell need less",
                       ExitCode::files);

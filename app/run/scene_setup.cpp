@@ -13,6 +13,21 @@ namespace quicksand {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+void start_threads(int threads, Journal& journal)
+{
+    constexpr int bearable = 4; // threads a processor [-]
+    if (threads > bearable * processor_count())
+        journal.complain(
+            fmt::format("warning: {0} threads share the machine's processors ({1}): the run takes "
+                        "longer than with --threads {1}",
+                        threads, processor_count()));
+    set_thread_count(threads);
+}
+
+} // namespace
+
 fs::path find_scene_file(const fs::path& scene)
 {
     if (!fs::exists(scene)) {
@@ -29,7 +44,7 @@ fs::path find_scene_file(const fs::path& scene)
 
 SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal)
 {
-    if (choice.threads > 0) set_thread_count(choice.threads);
+    start_threads(choice.threads > 0 ? choice.threads : thread_count(), journal);
     SceneReading reading = read_scene_file(find_scene_file(choice.scene), choice.overrides);
     if (choice.until) reading.scene.end_time = *choice.until;
     SceneSetup setup;

@@ -10,9 +10,13 @@
 
 namespace quicksand {
 
-/// Threads that the kernels use; results do not depend on it.
+/// Threads that the kernels use; results do not depend on it. They are started here, for OpenMP ends the
+/// program where it cannot start one later. Throws InputError where the system does not start so many.
 void set_thread_count(int threads);
 int thread_count();
+
+/// Processors that this program may use.
+int processor_count();
 
 /// Work on fewer particles or nodes than this stays on one thread: starting and joining the others costs more
 /// than they save, much more on a machine that is busy with other work [-].

@@ -49,6 +49,30 @@ TEST(Numbers, HaveTheirRange)
                    "1e-4 to 0.5");
 }
 
+TEST(Threads, ThatTheSystemDoesNotStartAreRefused)
+{
+    const WorkFolder folder;
+    const Outcome outcome =
+        run_shell("ulimit -s 8192; ulimit -v 2500000\n\"$QUICKSAND\" run " + example("column") +
+                  " --threads 1024 -o " + (folder / "results").string());
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    EXPECT_NE(outcome.output.find(" threads, not the 1024 asked for: "), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("hint: ask for fewer with --threads"), std::string::npos) << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "results"));
+}
+
+TEST(Threads, FarBeyondTheProcessorsAreWarnedOf)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_shell("taskset 1 \"$QUICKSAND\" run " + example("column") +
+                                      " --until 1e-5 --threads 5 -o " + (folder / "results").string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("warning: 5 threads share the machine's processors (1): the run takes "
+                                  "longer than with --threads 1"),
+              std::string::npos)
+        << outcome.output;
+}
+
 TEST(Numbers, OfOverridesAreFinite)
 {
     const WorkFolder folder;
