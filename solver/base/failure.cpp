@@ -12,8 +12,11 @@ std::string describe(const FailureRecord& record)
 {
     std::ostringstream text;
     text.precision(8);
-    text << "the run failed in phase '" << record.phase << "' of step " << record.step
-         << ", t = " << record.time << " s, dt = " << record.time_step << " s: " << record.what;
+    const bool settling = record.stage == Stage::relaxation;
+    text << "the run failed " << (settling ? "while settling, " : "") << "in phase '" << record.phase
+         << "' of step " << record.step;
+    if (!settling) text << ", t = " << record.time << " s";
+    text << ", dt = " << record.time_step << " s: " << record.what;
     if (record.identifier >= 0) {
         text << "\n  particle " << record.identifier << " at (" << record.position.x() << ", "
              << record.position.y() << ") m";

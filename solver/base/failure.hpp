@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solver/base/conventions.hpp"
+#include "solver/base/stage.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,12 +24,20 @@ struct FailureRecord {
     std::string phase;                  // phase of the step, e.g. "gather"
     std::string what;                   // what was found, with the numbers
     std::string causes;                 // likely causes, the most likely first
+    Stage stage = Stage::shaking;       // time counts in the shaking alone
     std::int64_t step = 0;              // step number [-]
     double time = 0.0;                  // t [s]
     double time_step = 0.0;             // dt [s]
     std::int64_t identifier = -1;       // the particle's lasting number [-], -1 when no particle is involved
     Vector2 position = Vector2::Zero(); // [m]
 };
+
+/// Why a run becomes unstable, the most likely cause first.
+inline constexpr const char* causes_of_instability =
+    "the time step is too long (a smaller analysis.step_share shows it); a wall or a side is held or moved "
+    "in "
+    "a way that the step does not bear (look at the last good frame for the place where it began); a "
+    "material parameter or a load is far from what the soil can carry";
 
 /// The run went bad: the state is no longer meaningful and nothing of it should be written.
 class NumericalError : public std::runtime_error {

@@ -16,16 +16,44 @@ namespace {
 [[noreturn]] void fail_at(const char* phase, const std::string& what, const std::string& causes, double dt,
                           const State& state, std::size_t p)
 {
-    FailureRecord record;
+    FailureRecord record = failure_at(dt, state, p);
     record.phase = phase;
     record.what = what;
     record.causes = causes;
-    record.step = state.step;
-    record.time = state.time;
-    record.time_step = dt;
-    record.identifier = state.particles.identifier[p];
-    record.position = state.particles.position[p];
     throw NumericalError(record);
+}
+
+[[noreturn]] void fail_lost(const BackgroundGrid& grid, double dt, const State& state, std::size_t p)
+{
+    const Particles& particles = state.particles;
+    if (!std::isfinite(particles.position.x[p]) || !std::isfinite(particles.position.y[p]))
+        fail_at("sort", "a particle's position is not a number", causes_of_instability, dt, state, p);
+    const std::string unstable = causes_of_instability;
+    const std::string moved = "a wall is missing among the boundaries; the soil moves farther than the grid "
+                              "reaches (enlarge grid.cells or shift grid.origin)";
+    const bool has_jumped = dt * particles.velocity_solid[p].norm() > grid.cell_size;
+    fail_at("sort", "a particle has left the grid",
+            has_jumped ? unstable + "; " + moved : moved + "; " + unstable, dt, state, p);
+}
+
+[[noreturn]] void fail_bad(double dt, const State& state, std::size_t p)
+{
+    const Particles& particles = state.particles;
+    const double volume = particles.volume[p];
+    if (!std::isfinite(particles.velocity_solid[p].norm()))
+        fail_at("gather", "a particle's velocity is not a number", causes_of_instability, dt, state, p);
+    if (!std::isfinite(volume) || (particles.has_fluid() && !std::isfinite(particles.porosity[p])))
+        fail_at("motion", "a particle's volume is not a number", causes_of_instability, dt, state, p);
+    const std::string crushed =
+        "the time step is too long (a smaller analysis.step_share shows it); a wall or "
+        "a load crushes or tears the soil there; its material is too soft for its load";
+    if (!(volume > 0.0))
+        fail_at("motion", "a particle's volume is no longer positive: " + std::to_string(volume) + " m3/m",
+                crushed + "; cells are too large", dt, state, p);
+    fail_at("motion",
+            "a particle has no pores left for its water: its porosity is " +
+                std::to_string(particles.porosity[p]),
+            crushed + ", or contracts without end", dt, state, p);
 }
 
 /// Particles whose velocity or volume is out of all bounds.
@@ -51,25 +79,26 @@ std::int64_t count_overfull(const Scalars& porosity, std::size_t first, std::siz
     return overfull;
 }
 
+bool is_finite(const Particles& particles, std::size_t p)
+{
+    return std::isfinite(particles.velocity_solid[p].norm()) && std::isfinite(particles.volume[p]) &&
+           (!particles.has_fluid() || std::isfinite(particles.porosity[p]));
+}
+
+bool is_bad(const Particles& particles, std::size_t p)
+{
+    return count_bad(particles, p, p + 1) > 0 ||
+           (particles.has_fluid() && count_overfull(particles.porosity, p, p + 1) > 0);
+}
+
 } // namespace
 
 void sort_particles(const BackgroundGrid& grid, double dt, State& state, CellLists& lists)
 {
     constexpr std::int64_t steps_between = 64;
     constexpr double tolerated = 0.05;
-    std::int64_t lost = update_cell_lists(grid, state.particles, lists);
-    if (lost >= 0) {
-        const auto p = static_cast<std::size_t>(lost);
-        const bool number =
-            std::isfinite(state.particles.position.x[p]) && std::isfinite(state.particles.position.y[p]);
-        fail_at("sort", number ? "a particle has left the grid" : "a particle's position is not a number",
-                number
-                    ? "the soil moves farther than the grid reaches (enlarge grid.cells or shift "
-                      "grid.origin); a wall "
-                      "is missing among the boundaries; the run has become unstable"
-                    : "the run has become unstable: look at the last good frame for the place where it began",
-                dt, state, p);
-    }
+    const std::int64_t lost = update_cell_lists(grid, state.particles, lists);
+    if (lost >= 0) fail_lost(grid, dt, state, static_cast<std::size_t>(lost));
     if (state.step % steps_between == 0 && disorder(lists) > tolerated) {
         reorder(state.particles, lists.order);
         lists.cell_of_particle.clear();
@@ -95,32 +124,39 @@ void check_particles(double dt, const State& state)
         if (particles.has_fluid() && count_overfull(particles.porosity, first, last) > 0) all_good = false;
     });
     if (all_good) return;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        if (!(particles.volume[p] > 0.0)) {
-            fail_at("motion",
-                    "a particle's volume is no longer positive: " + std::to_string(particles.volume[p]) +
-                        " m3/m",
-                    "the soil is torn or crushed there; its material is too soft for its load; cells are too "
-                    "large",
-                    dt, state, p);
-        }
-        if (particles.has_fluid() && !(particles.porosity[p] > 0.0)) {
-            fail_at("motion",
-                    "a particle has no pores left for its water: its porosity is " +
-                        std::to_string(particles.porosity[p]),
-                    "the soil is crushed there; its material is too soft for its load, or contracts without "
-                    "end",
-                    dt, state, p);
-        }
-        const double speed = particles.velocity_solid[p].norm();
-        if (!std::isfinite(speed)) {
-            fail_at("gather", "a particle's velocity is not a number",
-                    "the run has become unstable: look at the last good frame for the place where it began; "
-                    "a material "
-                    "parameter or a load is far from what the soil can carry",
-                    dt, state, p);
+    // what is no number spoils its neighbours: it is told before what is only out of bounds
+    for (const bool is_number : {false, true}) {
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            if (is_bad(particles, p) && is_finite(particles, p) == is_number) fail_bad(dt, state, p);
         }
     }
+}
+
+FailureRecord failure_at(double dt, const State& state, std::size_t p)
+{
+    FailureRecord record;
+    record.stage = state.stage;
+    record.step = state.step;
+    record.time = state.time;
+    record.time_step = dt;
+    record.identifier = state.particles.identifier[p];
+    record.position = state.particles.position[p];
+    return record;
+}
+
+std::size_t fastest_particle(const Particles& particles)
+{
+    std::size_t fastest = 0;
+    double most = -1.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double speed = particles.velocity_solid[p].norm();
+        if (!std::isfinite(speed)) return p;
+        if (speed > most) {
+            fastest = p;
+            most = speed;
+        }
+    }
+    return fastest;
 }
 
 } // namespace quicksand

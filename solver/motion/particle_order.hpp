@@ -1,6 +1,7 @@
 // Sorting of the particles: by cell in every step, in memory from time to time.
 #pragma once
 
+#include "solver/base/failure.hpp"
 #include "solver/particles/background_grid.hpp"
 #include "solver/particles/cell_lists.hpp"
 #include "solver/problem/state.hpp"
@@ -18,5 +19,11 @@ void sort_particles(const BackgroundGrid& grid, double dt, State& state, CellLis
 /// Throws NumericalError when a particle's velocity is not a number, its volume is not positive or its pores
 /// have closed on their water.
 void check_particles(double dt, const State& state);
+
+/// Stage, step, time and the particle with its place; phase, what and causes are left to fill in.
+FailureRecord failure_at(double dt, const State& state, std::size_t p);
+
+/// The first whose velocity is not a number, else the fastest: where a run goes bad.
+std::size_t fastest_particle(const Particles& particles);
 
 } // namespace quicksand

@@ -7,6 +7,7 @@
 #include "solver/measure/balances.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/particle_motion.hpp"
+#include "solver/motion/particle_order.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/motion/slivers.hpp"
 
@@ -73,16 +74,18 @@ void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& 
     enter_exchange(problem, dt, particles, *state.balance_terms);
 }
 
-[[noreturn]] void fail_to_solve(const PressureSolve& pressure, double dt, const State& state)
+/// The solve ends before its last iteration only where it meets what is not a number.
+[[noreturn]] void fail_to_solve(const PressureSolve& pressure, const PressureSolveControls& controls,
+                                double dt, const State& state)
 {
-    FailureRecord record;
+    const bool is_number = pressure.iterations >= controls.max_iterations;
+    FailureRecord record = failure_at(dt, state, fastest_particle(state.particles));
     record.phase = "pressure";
-    record.what = "the pressure of the cells does not converge in " + std::to_string(pressure.iterations) +
-                  " iterations";
-    record.causes = "the run has become unstable: look at the last good frame for the place where it began";
-    record.step = state.step;
-    record.time = state.time;
-    record.time_step = dt;
+    record.what = is_number ? "the pressure of the cells is not found within " +
+                                  std::to_string(pressure.iterations) + " iterations"
+                            : "the pressure of the cells is not a number, nor is the motion it follows from";
+    record.what += "; the particle below is the fastest";
+    record.causes = causes_of_instability;
     throw NumericalError(record);
 }
 
@@ -142,7 +145,7 @@ void solve_pressure(const Problem& problem, double dt, double velocity_dt, const
         pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
     });
     if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
-        fail_to_solve(pressure, dt, state);
+        fail_to_solve(pressure, work.controls, dt, state);
     set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
     for_each_index(work.sums.size(), [&](std::size_t i) {
         work.sums[i].pressure_force_x += pressure.force_x[i];

@@ -54,7 +54,27 @@ TEST(SemiImplicitStep, AnUnsolvedPressureIsANumericalFailure)
         advance_semi_implicit_step(problem, stable_time_step(problem, state.particles).dt, state, work);
         FAIL() << "no error";
     } catch (const NumericalError& error) {
-        EXPECT_EQ(error.record.what, "the pressure of the cells does not converge in 1 iterations");
+        EXPECT_EQ(error.record.what, "the pressure of the cells is not found within 1 iterations; the "
+                                     "particle below is the fastest");
+        EXPECT_EQ(std::string(error.record.causes).find("the time step is too long"), 0U);
+    }
+}
+
+TEST(SemiImplicitStep, APressureOfNoNumberIsToldAsSuch)
+{
+    const Problem problem = semi_implicit_patch(1e-4);
+    State state = restless(problem);
+    const double dt = stable_time_step(problem, state.particles).dt;
+    const std::int64_t spoiled = state.particles.identifier[7];
+    state.particles.velocity_solid.x[7] = std::numeric_limits<double>::quiet_NaN();
+    SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
+    try {
+        advance_semi_implicit_step(problem, dt, state, work);
+        FAIL() << "no error";
+    } catch (const NumericalError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("the pressure of the cells is not a number"), std::string::npos) << text;
+        EXPECT_EQ(error.record.identifier, spoiled);
     }
 }
 

@@ -43,6 +43,32 @@ TEST(NumericalFailure, NamesPhaseStepTimeParticlePlaceAndCauses)
     EXPECT_NE(text.find("likely causes: "), std::string::npos) << text;
 }
 
+TEST(NumericalFailure, NamesWhatIsNoNumberFirst)
+{
+    const Problem problem = centrifuge_column();
+    State state = column(problem);
+    state.particles.volume[9] = -1e-9;
+    state.particles.volume[11] = std::numeric_limits<double>::quiet_NaN();
+    const std::string text = message_of([&] { check_particles(2e-6, state); });
+    EXPECT_NE(text.find("a particle's volume is not a number"), std::string::npos) << text;
+    EXPECT_NE(text.find("particle 11 at"), std::string::npos) << text;
+    EXPECT_NE(text.find("likely causes: the time step is too long (a smaller analysis.step_share shows it); "
+                        "a wall or a side is held or moved in a way that the step does not bear"),
+              std::string::npos)
+        << text;
+}
+
+TEST(NumericalFailure, TellsThatTheSoilWasSettling)
+{
+    const Problem problem = centrifuge_column();
+    State state = column(problem);
+    state.stage = Stage::relaxation;
+    state.particles.velocity_solid.x[5] = std::numeric_limits<double>::quiet_NaN();
+    const std::string text = message_of([&] { check_particles(2e-6, state); });
+    EXPECT_NE(text.find("while settling, in phase 'gather' of step 42, dt = 2e-06 s: "), std::string::npos)
+        << text;
+}
+
 TEST(NumericalFailure, AVanishingVolumeIsReported)
 {
     const Problem problem = centrifuge_column();
@@ -72,7 +98,11 @@ TEST(NumericalFailure, AParticleThatLeavesTheGridIsReported)
     state.particles.position.y[3] = 1.0;
     const std::string text = message_of([&] { sort_particles(problem.grid, 2e-6, state, lists); });
     EXPECT_NE(text.find("a particle has left the grid"), std::string::npos) << text;
+    EXPECT_NE(text.find("likely causes: a wall is missing"), std::string::npos) << text;
     EXPECT_NE(text.find("enlarge grid.cells"), std::string::npos) << text;
+    state.particles.velocity_solid.y[3] = 1e6; // two metres a step
+    const std::string unstable = message_of([&] { sort_particles(problem.grid, 2e-6, state, lists); });
+    EXPECT_NE(unstable.find("likely causes: the time step is too long"), std::string::npos) << unstable;
 }
 
 TEST(NumericalFailure, APositionThatIsNoNumberIsReported)
