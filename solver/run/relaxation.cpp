@@ -1,6 +1,7 @@
 #include "solver/base/failure.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/problem/material_runs.hpp"
+#include "solver/run/elastic_displacement.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/run/unbalanced_forces.hpp"
 #include "solver/step/single_phase_step.hpp"
@@ -61,20 +62,64 @@ std::size_t count_at_failure(const Problem& problem, const Particles& particles)
     return count;
 }
 
+Vector2 displacement(const Particles& particles, std::size_t p)
+{
+    return particles.position[p] - particles.reference_position[p];
+}
+
+std::size_t farthest_particle(const Particles& particles)
+{
+    std::size_t farthest = 0;
+    double most = -1.0; // [m2]
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double square = displacement(particles, p).squaredNorm();
+        if (square > most) {
+            farthest = p;
+            most = square;
+        }
+    }
+    return farthest;
+}
+
 [[noreturn]] void fail_to_settle(const RelaxationControls& controls, double residual, double dt,
                                  const State& state)
 {
     std::ostringstream what;
     what << "the soil does not settle: after " << state.step << " steps the out-of-balance force is "
          << residual << " of the weight, the tolerance " << controls.tolerance;
-    FailureRecord record;
+    FailureRecord record = failure_at(dt, state, farthest_particle(state.particles));
     record.phase = "relaxation";
-    record.what = what.str();
+    record.what = what.str() + "; the particle below has moved farthest";
     record.causes =
         "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
         "small or max_steps too few";
-    record.step = state.step;
-    record.time_step = dt;
+    throw NumericalError(record);
+}
+
+/// Displacement that no soil reaches which comes to rest as drawn: a cell, a quarter of its height and twice
+/// its elastic displacement, whichever is largest [m].
+double largest_settling(const Problem& problem, const Particles& particles)
+{
+    return std::max({problem.grid.cell_size, 0.25 * drawn_height(particles),
+                     2.0 * elastic_displacement(problem, particles)});
+}
+
+/// Soil that slides does not come to rest, or only as another slope than the drawn one.
+void require_standing(double limit, double dt, const State& state)
+{
+    const std::size_t p = farthest_particle(state.particles);
+    const double moved = displacement(state.particles, p).norm();
+    if (!(moved > limit)) return;
+    std::ostringstream what;
+    what.precision(3);
+    what << "the soil runs away instead of settling: it has moved " << moved << " m, soil that comes to rest "
+         << "moves less than " << limit << " m";
+    FailureRecord record = failure_at(dt, state, p);
+    record.phase = "relaxation";
+    record.what = what.str();
+    record.causes =
+        "the slope cannot stand under its weight (quicksand stability tells its factor of safety); "
+        "a wall is missing among the boundaries; the soil is far too soft for its weight";
     throw NumericalError(record);
 }
 
@@ -115,6 +160,7 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
         state.last_step = 0.0;
     }
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
+    const double limit = largest_settling(problem, state.particles);
     RelaxationReport report;
     for (;;) {
         const double dt = stable_relaxation_step(problem, state.particles).dt;
@@ -125,6 +171,7 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
         report.steps = state.step;
         report.settled = report.out_of_balance <= controls.tolerance;
         if (report.settled) break;
+        require_standing(limit, dt, state);
         if (state.step >= controls.max_steps) fail_to_settle(controls, report.out_of_balance, dt, state);
         if (progress) progress(state.step, report.out_of_balance);
         if (stop && stop()) return report;

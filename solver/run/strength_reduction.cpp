@@ -1,6 +1,7 @@
 #include "solver/run/strength_reduction.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/run/elastic_displacement.hpp"
 #include "solver/run/held_shape.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/step/time_step_control.hpp"
@@ -15,26 +16,6 @@ namespace {
 
 constexpr std::int64_t steps_between_checks = 50;
 constexpr double growth = 1.25; // of the factor while the bracket is open
-
-/// gamma H^2 / G of the softest material, gamma that of the grains alone: the size of elastic displacements
-/// [m].
-double elastic_displacement(const Problem& problem, const Particles& particles)
-{
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;
-    double mass = 0.0, volume = 0.0, softest = std::numeric_limits<double>::infinity();
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        lowest = std::min(lowest, particles.position.y[p]);
-        highest = std::max(highest, particles.position.y[p]);
-        mass += particles.mass_solid[p];
-        volume += particles.volume[p];
-    }
-    for (const Material& material : problem.materials) {
-        softest =
-            std::min(softest, std::visit([](const auto& law) { return shear_modulus(law); }, material.law));
-    }
-    const double height = highest - lowest;
-    return mass / volume * problem.gravity * height * height / softest;
-}
 
 /// Time of the slowest shear wave along the width and the height of the grid [s].
 double shear_crossing_time(const Problem& problem)

@@ -188,6 +188,22 @@ TEST(NumericalFailure, IsToldKeptAndCoded)
     EXPECT_NE(read_file(folder / "results/log.txt").find("does not settle"), std::string::npos);
 }
 
+TEST(NumericalFailure, OfSoilThatCannotStandEndsSoonWithItsPlace)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program(
+        "run " + example("verification/griffiths_lane") +
+        " --set grid.cell_size=1 --set materials.soil.cohesion=500 --set relaxation.damping=0.7 -o " +
+        (folder / "results").string());
+    EXPECT_EQ(outcome.code, 3) << outcome.output;
+    expect_mention(outcome, "while settling, in phase 'relaxation' of step ");
+    expect_mention(outcome, "the soil runs away instead of settling: it has moved ");
+    expect_mention(outcome, "\n  particle ");
+    expect_mention(outcome,
+                   "likely causes: the slope cannot stand under its weight (quicksand stability tells "
+                   "its factor of safety)");
+}
+
 TEST(NumericalFailure, TellsWhatIsStillGood)
 {
     const WorkFolder folder;

@@ -1,4 +1,5 @@
 // The damped settling before the shaking.
+#include "solver/base/failure.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -41,6 +42,27 @@ TEST(Relaxation, GoesOnToTheSameBitsAfterAStop)
     EXPECT_EQ(relax(problem, controls, stopped).steps, report.steps);
     EXPECT_EQ(stopped.particles.stress.yy, whole.particles.stress.yy);
     EXPECT_EQ(stopped.particles.position.y, whole.particles.position.y);
+}
+
+TEST(Relaxation, EndsSoonWhereTheSoilRunsAway)
+{
+    // a wall of sand without a side that holds it
+    Problem problem = block_problem(false);
+    problem.materials[0].law =
+        MohrCoulomb{.shear_modulus = 20e6, .poisson_ratio = 0.3, .friction_angle = 0.17};
+    State state = fill(problem, 3, [](const Vector2& x) { return x.x() < 0.5 && x.y() < 1.0; });
+    try {
+        relax(problem, RelaxationControls{}, state);
+        FAIL() << "no error";
+    } catch (const NumericalError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("the soil runs away instead of settling: it has moved 0.2"), std::string::npos)
+            << text;
+        EXPECT_NE(text.find("likely causes: the slope cannot stand under its weight"), std::string::npos);
+        EXPECT_LT(error.record.step, 2000);
+        EXPECT_GE(error.record.identifier, 0);
+        EXPECT_GT(error.record.position.x(), 0.3) << "the free side, not the held one";
+    }
 }
 
 TEST(Relaxation, HoldsThePorePressure)

@@ -1,0 +1,16 @@
+// How far soil moves under its weight while it is elastic: what slides goes far beyond.
+#pragma once
+
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+
+namespace quicksand {
+
+/// From the lowest to the highest particle as drawn [m].
+double drawn_height(const Particles& particles);
+
+/// gamma H^2 / G of the softest material, gamma that of the grains alone: the size of elastic displacements
+/// [m].
+double elastic_displacement(const Problem& problem, const Particles& particles);
+
+} // namespace quicksand
