@@ -1,6 +1,6 @@
 // The program quicksand: one command a call, failures sorted into exit codes.
 #include "app/commands/command_line.hpp"
-#include "app/run/process_settings.hpp"
+#include "app/machine/process_settings.hpp"
 #include "io/files/file_error.hpp"
 #include "solver/base/failure.hpp"
 

@@ -1,7 +1,7 @@
 #include "app/bench/benchmarks.hpp"
 #include "app/bench/law_benchmark.hpp"
+#include "app/machine/machine.hpp"
 #include "app/run/journal.hpp"
-#include "app/run/machine.hpp"
 #include "app/run/number_format.hpp"
 #include "app/run/step_cost.hpp"
 

@@ -1,8 +1,8 @@
 #include "app/bench/bench_runs.hpp"
 #include "app/bench/benchmarks.hpp"
 #include "app/bench/history_error.hpp"
+#include "app/machine/machine.hpp"
 #include "app/run/journal.hpp"
-#include "app/run/machine.hpp"
 #include "app/run/number_format.hpp"
 #include "app/run/scene_setup.hpp"
 #include "app/verify/verification_runs.hpp"
@@ -34,7 +34,7 @@ std::vector<Setting> settings()
     const auto particles = [](int count) {
         return fmt::format("sampling.particles_per_cell=[{},{}]", count, count);
     };
-    const std::string implicit = "analysis.scheme=\"semi_implicit\"", half = "analysis.step_fraction=0.5";
+    const std::string implicit = "analysis.scheme=\"semi_implicit\"", half = "analysis.step_share=0.5";
     return {{"as the scene says", {}},
             {"4 particles per cell", {particles(2)}},
             {"16 particles per cell", {particles(4)}},
@@ -80,8 +80,8 @@ std::string measure(const std::string& problem, const Setting& setting, const Be
 std::vector<Setting> step_settings()
 {
     const std::string semi_implicit = "analysis.scheme=\"semi_implicit\"",
-                      by_steps = "analysis.scheme=\"explicit\"", half = "analysis.step_fraction=0.5",
-                      quarter = "analysis.step_fraction=0.25";
+                      by_steps = "analysis.scheme=\"explicit\"", half = "analysis.step_share=0.5",
+                      quarter = "analysis.step_share=0.25";
     return {{"explicit", {by_steps}},
             {"semi-implicit", {semi_implicit}},
             {"semi-implicit, half steps", {semi_implicit, half}},
@@ -101,7 +101,7 @@ Measurement measure_scene(const std::string& scene, const BenchChoice& choice, J
     const std::string name = default_results(find_scene_file(scene)).filename().string();
     const std::filesystem::path folder = choice.directory / name;
     const Setting fine = {"explicit, a fifth of the step",
-                          {"analysis.scheme=\"explicit\"", "analysis.step_fraction=0.2"}};
+                          {"analysis.scheme=\"explicit\"", "analysis.step_share=0.2"}};
     Measurement measured;
     measured.end = run_setting(scene, fine, choice, folder / "reference").end;
     if (measured.end == SessionEnd::failed)

@@ -1,6 +1,6 @@
 #include "app/bench/benchmarks.hpp"
+#include "app/machine/machine.hpp"
 #include "app/run/journal.hpp"
-#include "app/run/machine.hpp"
 #include "app/run/number_format.hpp"
 #include "app/run/step_cost.hpp"
 #include "io/files/atomic_file.hpp"

@@ -1,8 +1,8 @@
 #include "app/run/step_cost.hpp"
 
+#include "app/machine/instruction_counter.hpp"
+#include "app/machine/machine.hpp"
 #include "app/run/example_folder.hpp"
-#include "app/run/instruction_counter.hpp"
-#include "app/run/machine.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/base/threads.hpp"
 #include "solver/run/simulation.hpp"

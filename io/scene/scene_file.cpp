@@ -122,7 +122,7 @@ void fill_ground(const SceneValues& values, Scene& scene)
     scene.strain = word_of(strain_words, values.text("analysis.strain"));
     if (values.has_table("water")) scene.scheme = word_of(scheme_words, values.text("analysis.scheme"));
     scene.columns = values.text("analysis.columns") == "all" ? ColumnsComputed::all : ColumnsComputed::one;
-    scene.step_fraction = values.number("analysis.step_fraction");
+    scene.step_fraction = values.number("analysis.step_share");
     scene.gravity = values.number("gravity.acceleration");
     if (values.has_table("water")) {
         scene.water = read_water(values);

@@ -74,7 +74,7 @@ std::vector<SceneKey> analysis_keys()
                 "implicit."},
         {.pattern = "analysis.columns", .type = word, .default_value = "one", .words = {"one", "all"},
          .doc = "Whether only one column of cells is computed between tied sides where all columns are equal."},
-        {.pattern = "analysis.step_fraction", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
+        {.pattern = "analysis.step_share", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
          .doc = "Time step over the stable time step; runs with smaller values show the error of the time steps."},
     };
 }

@@ -34,7 +34,8 @@ struct FailureRecord {
 
 /// Why a run becomes unstable, the most likely cause first.
 inline constexpr const char* causes_of_instability =
-    "the time step is too long (a smaller analysis.step_share shows it); a wall or a side is held or moved "
+    "the time step is too long (a smaller analysis.step_share shows it); a wall or a side is held or "
+    "moved "
     "in "
     "a way that the step does not bear (look at the last good frame for the place where it began); a "
     "material parameter or a load is far from what the soil can carry";

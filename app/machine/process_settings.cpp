@@ -1,4 +1,4 @@
-#include "app/run/process_settings.hpp"
+#include "app/machine/process_settings.hpp"
 
 #include <poll.h>
 #include <unistd.h>

@@ -1,4 +1,4 @@
-#include "app/run/instruction_counter.hpp"
+#include "app/machine/instruction_counter.hpp"
 
 #include <linux/perf_event.h>
 #include <sys/syscall.h>

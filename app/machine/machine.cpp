@@ -1,4 +1,4 @@
-#include "app/run/machine.hpp"
+#include "app/machine/machine.hpp"
 
 #include "io/results/run_manifest.hpp"
 
