@@ -86,7 +86,7 @@ HeldShape hold_shape(const Problem& problem, State& state)
     compute_carried_masses(problem, state, masses);
     Particles resting = state.particles; // their momenta and forces are none of the shape's
     for_each_array(resting, [](std::string_view name, Scalars& values) {
-        if (name.starts_with("velocity") || name.starts_with("stress"))
+        if (name.find("velocity") != name.npos || name.starts_with("stress"))
             std::fill(values.begin(), values.end(), 0.0);
     });
     shape.rest.assign(problem.grid.node_count(), SinglePhaseSums{});

@@ -50,7 +50,7 @@ State state_under(const PressureField& pressure, const State& state)
     pressed.balance_terms.reset();
     Particles& particles = pressed.particles;
     for_each_array(particles, [](std::string_view name, Scalars& values) {
-        if (name.starts_with("velocity") || name.starts_with("pore_pressure"))
+        if (name.find("velocity") != name.npos || name.starts_with("pore_pressure"))
             std::fill(values.begin(), values.end(), 0.0);
     });
     for (std::size_t p = 0; p < particles.size(); ++p) {

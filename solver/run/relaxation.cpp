@@ -26,7 +26,8 @@ double out_of_balance(const Problem& problem, const SinglePhaseWorkspace& work)
 void set_at_rest(Particles& particles)
 {
     for_each_array(particles, [](const char* name, Scalars& values) {
-        if (std::string_view(name).starts_with("velocity")) std::fill(values.begin(), values.end(), 0.0);
+        if (std::string_view(name).find("velocity") != std::string_view::npos)
+            std::fill(values.begin(), values.end(), 0.0);
     });
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string_view>
 
 namespace quicksand {
 namespace {
@@ -42,6 +43,20 @@ TEST(Relaxation, GoesOnToTheSameBitsAfterAStop)
     EXPECT_EQ(relax(problem, controls, stopped).steps, report.steps);
     EXPECT_EQ(stopped.particles.stress.yy, whole.particles.stress.yy);
     EXPECT_EQ(stopped.particles.position.y, whole.particles.position.y);
+}
+
+TEST(Relaxation, LeavesNoVelocityOfAnyKind)
+{
+    const Problem problem = block_problem(true);
+    State state = unsettled(problem);
+    ASSERT_TRUE(relax(problem, {0.7, 1e-3, 100'000}, state).settled);
+    int arrays = 0;
+    for_each_array(state.particles, [&](std::string_view name, const Scalars& values) {
+        if (name.find("velocity") == name.npos || values.empty()) return;
+        ++arrays;
+        EXPECT_EQ(values, Scalars(values.size(), 0.0)) << name;
+    });
+    EXPECT_EQ(arrays, 16); // v, C and L of the grains, v and C of the water
 }
 
 TEST(Relaxation, EndsSoonWhereTheSoilRunsAway)
