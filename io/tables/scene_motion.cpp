@@ -152,7 +152,7 @@ void check_plausibility(const SceneValues& values, const SampledMotion& record, 
              "motion.unit and motion.scale say what the numbers stand for");
     if (record.interval > usual_interval / field)
         warn("the record's interval of " + number_text(record.interval) + " s is unusually long",
-             "usually at most " + number_text(usual_interval / field) + " s",
+             "usually at most " + quantity_text(usual_interval / field, Dimension::none) + " s",
              "between two values the acceleration goes along a straight line");
 }
 
