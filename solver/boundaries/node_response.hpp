@@ -72,7 +72,7 @@ inline Vector2 solid_velocity(const TwoPhaseMotion& motion)
     return {motion.solid_x, motion.solid_y};
 }
 
-/// Velocity of the grains at the begin of the step.
+/// Velocity of the grains at the start of the step.
 inline Vector2 velocity_before(const SinglePhaseMotion& motion)
 {
     return {motion.x - motion.change_x, motion.y - motion.change_y};

@@ -6,7 +6,7 @@
 
 namespace quicksand {
 
-/// Call begin_row() and end_row() at the begin and end of every row of a stencil and add(node, phi, d phi/dx,
+/// Call begin_row() and end_row() at the start and end of every row of a stencil and add(node, phi, d phi/dx,
 /// d phi/dy) for its nodes, row by row from the lower left one.
 template <class Node, class BeginRow, class Add, class EndRow>
 inline void walk_stencil(const StoredStencil& stencil, const StencilStore& store, std::int32_t nodes_x,

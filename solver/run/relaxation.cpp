@@ -1,4 +1,5 @@
 #include "solver/base/failure.hpp"
+#include "solver/measure/particle_quantities.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/problem/material_runs.hpp"
 #include "solver/run/elastic_displacement.hpp"
@@ -61,11 +62,6 @@ std::size_t count_at_failure(const Problem& problem, const Particles& particles)
                               count += count_at_failure(material.law, first, last, particles);
                           });
     return count;
-}
-
-Vector2 displacement(const Particles& particles, std::size_t p)
-{
-    return particles.position[p] - particles.reference_position[p];
 }
 
 std::size_t farthest_particle(const Particles& particles)

@@ -1,6 +1,6 @@
 // A run of a body: what is computed of it, its two stages in their order, and one way to stop both.
 //
-//   StagedRun run(body, initial, controls);                      // with `kept` as well, to go on from it
+//   StagedRun run(body, initial, controls);                // with `kept` as well, to go on from it
 //   if (!run.is_shaking()) run.settle(relaxation);         // or run.begin_shaking(), without settling
 //   const bool finished = run.shake(observers, stop);
 #pragma once
@@ -22,7 +22,7 @@ enum class ColumnsComputed { one, all };
 struct RunControls {
     double end_time = 0.0; // of the shaking [s]
     ColumnsComputed columns = ColumnsComputed::all;
-    bool keeps_balances = false; // balances from the begin of the shaking
+    bool keeps_balances = false; // balances from the start of the shaking
 };
 
 /// One column of cells is computed for the whole body where the controls let it; observers are shown the

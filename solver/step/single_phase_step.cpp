@@ -19,7 +19,7 @@ bool is_undrained(const Problem& problem, const State& state)
 }
 
 /// Whether pore pressures act on the body: they follow from its motion, or are constant. While the soil
-/// settles with zero pore pressures everywhere, outer water does not act. It acts from the begin of the
+/// settles with zero pore pressures everywhere, outer water does not act. It acts from the start of the
 /// shaking, when pore pressures react; before, the grains alone would carry it and settle.
 bool carries_pressure(const State& state)
 {

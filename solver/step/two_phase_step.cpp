@@ -226,7 +226,7 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     work.flux_divergence.resize(particles.size());
     particles.pore_pressure_rate.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    // loads between the stresses, which stand at the begin of the step, and the pressures at its end
+    // loads between the stresses, which stand at the start of the step, and the pressures at its end
     timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time + 0.5 * dt, state, work); });
     const double velocity_dt = velocity_interval(state, dt);
     timed(work.timers, Phase::momentum, [&] {

@@ -30,8 +30,8 @@ namespace quicksand {
 
 /// Cells with cavities, by slot of the cell lists; no entries without a limit of tension.
 struct CavitySolve {
-    Scalars deficit;                    // of the cells at the begin of the step, see pore_pressure.hpp [Pa]
-    Scalars lowest_increment;           // the limit less the pressure at the begin of the step [Pa]
+    Scalars deficit;                    // of the cells at the start of the step, see pore_pressure.hpp [Pa]
+    Scalars lowest_increment;           // the limit less the pressure at the start of the step [Pa]
     std::vector<std::uint8_t> cavities; // whether the cell has some at the end of the step
     Scalars water_increment;            // of pressure and deficit together, from the volume of water [Pa]
     Scalars lacking;                    // of a cell with cavities: what its water does not fill [m3/m]
