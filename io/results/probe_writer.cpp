@@ -41,27 +41,21 @@ std::string description(const SceneProbe& probe, std::int32_t identifier)
 }
 
 /// What is written of a sample. A dry scene has no columns of the water.
-std::vector<const Quantity*> columns_of(bool saturated)
+std::vector<const Quantity*> written_quantities(bool saturated)
 {
-    std::vector<const Quantity*> columns = quantities_of(at_probes);
+    std::vector<const Quantity*> quantities = quantities_of(at_probes);
     if (!saturated)
-        std::erase_if(columns, [](const Quantity* each) { return each->of != QuantityOf::any_soil; });
-    return columns;
-}
-
-void append_cells(const PointSample& sample, bool saturated, CsvRow& row)
-{
-    for (const Quantity* quantity : columns_of(saturated))
-        for (std::size_t c = 0; c < component_count(quantity->form); ++c)
-            row.push_back(csv_number(sample[quantity->name][c]));
+        std::erase_if(quantities, [](const Quantity* each) { return each->of != QuantityOf::any_soil; });
+    return quantities;
 }
 
 std::vector<std::string> probe_comments(const SceneProbe& probe, std::int32_t identifier,
-                                        const RunLabel& label, const Problem& problem)
+                                        const RunLabel& label, const Problem& problem,
+                                        const std::vector<const Quantity*>& quantities)
 {
     std::vector<std::string> comments = run_comments(label);
     comments.push_back("probe: " + description(probe, identifier));
-    for (const Quantity* quantity : columns_of(problem.water.has_value())) {
+    for (const Quantity* quantity : quantities) {
         const bool scalar = quantity->form == QuantityForm::scalar;
         const std::string_view name = scalar ? quantity->name : quantity->symbol;
         if (!name.empty()) comments.push_back(fmt::format("{}: {}", name, quantity->meaning));
@@ -80,11 +74,12 @@ std::vector<std::string> probe_comments(const SceneProbe& probe, std::int32_t id
     return comments;
 }
 
-std::vector<std::string> probe_columns(const SceneProbe& probe, bool saturated)
+std::vector<std::string> probe_columns(const SceneProbe& probe,
+                                       const std::vector<const Quantity*>& quantities)
 {
     std::vector<std::string> columns{"time_s"};
     if (probe.kind == ProbeKind::profile) columns.emplace_back("distance_m");
-    for (const Quantity* quantity : columns_of(saturated))
+    for (const Quantity* quantity : quantities)
         for (std::size_t c = 0; c < component_count(quantity->form); ++c)
             columns.push_back(probe_column(*quantity, c));
     return columns;
@@ -116,7 +111,8 @@ std::size_t index_of(const Particles& particles, std::int32_t identifier)
 
 ProbeWriter::ProbeWriter(const Scene& scene, const Problem& problem, const State& state,
                          const RunLabel& label, const std::filesystem::path& results, bool resume)
-    : saturated_(problem.water.has_value()), clock_(scene.output.probe_interval, scene.end_time)
+    : quantities_(written_quantities(problem.water.has_value())),
+      clock_(scene.output.probe_interval, scene.end_time)
 {
     // A kill may have come between two files: go on after the shortest one; write() leaves the others alone.
     double last_time = std::numeric_limits<double>::infinity();
@@ -140,8 +136,8 @@ ProbeWriter::Probe ProbeWriter::open_probe(const SceneProbe& scene_probe, const 
     if (scene_probe.kind == ProbeKind::material)
         identifier = find_rider(scene_probe, problem, state.particles);
     const auto path = ResultsFolder{results}.probe(scene_probe.name);
-    const auto comments = probe_comments(scene_probe, identifier, label, problem);
-    const auto columns = probe_columns(scene_probe, saturated_);
+    const auto comments = probe_comments(scene_probe, identifier, label, problem, quantities_);
+    const auto columns = probe_columns(scene_probe, quantities_);
     Probe probe{scene_probe,
                 identifier,
                 resume ? CsvFile::resume(path, comments, columns, state.time)
@@ -208,7 +204,9 @@ void ProbeWriter::write(Probe& probe, double time, std::vector<PointSample> samp
         CsvRow row{csv_number(time)};
         if (probe.scene.kind == ProbeKind::profile)
             row.push_back(csv_number((sample.vector("position") - *probe.scene.at).norm()));
-        append_cells(sample, saturated_, row);
+        for (const Quantity* quantity : quantities_)
+            for (std::size_t c = 0; c < component_count(quantity->form); ++c)
+                row.push_back(csv_number(sample[quantity->name][c]));
         probe.file.add_row(row);
     }
     probe.file.flush();

@@ -41,8 +41,8 @@ private:
                                     const NodalFields& fields) const;
     void write(Probe& probe, double time, std::vector<PointSample> samples) const;
 
-    bool saturated_;
-    std::vector<Vector2> fixed_points_; // of all fixed probes and profiles [m]
+    std::vector<const Quantity*> quantities_; // that are written; a dry scene has none of the water
+    std::vector<Vector2> fixed_points_;       // of all fixed probes and profiles [m]
     ObservationClock clock_;
     std::vector<Probe> probes_;
 };
