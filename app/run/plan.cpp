@@ -6,6 +6,7 @@
 #include "solver/base/threads.hpp"
 #include "solver/measure/monitors.hpp"
 #include "solver/problem/motion_measures.hpp"
+#include "solver/vibration/step_bound.hpp"
 
 #include <fmt/format.h>
 
@@ -177,7 +178,7 @@ std::string describe_time_step(const AssembledCase& assembled)
     for (std::size_t m = 0; m < waves.size(); ++m) {
         text += describe_waves(problem.materials[m], waves[m], problem);
     }
-    const TimeStep step = stable_time_step(problem, assembled.state.particles);
+    const TimeStep step = measure_time_step(problem, assembled.state);
     text += fmt::format("Time step\n  {} s, limited by the {}{}\n", short_number(step.dt),
                         name_of(step.limiter), step.material.empty() ? "" : " in " + step.material);
     if (assembled.scene.relaxation) {

@@ -5,6 +5,7 @@
 #include "io/results/output_observers.hpp"
 #include "solver/base/threads.hpp"
 #include "solver/measure/balances.hpp"
+#include "solver/vibration/step_bound.hpp"
 
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -229,8 +230,7 @@ std::int64_t count_steps(const Scene& scene, double dt)
 Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, const fs::path& directory)
 {
     Forecast forecast;
-    forecast.steps =
-        count_steps(assembled.scene, stable_time_step(assembled.problem, assembled.state.particles).dt);
+    forecast.steps = count_steps(assembled.scene, measure_time_step(assembled.problem, assembled.state).dt);
     forecast.step_seconds = measure_step(run);
     if (assembled.scene.relaxation)
         forecast.relaxation = forecast_relaxation(*assembled.scene.relaxation, run);

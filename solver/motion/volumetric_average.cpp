@@ -48,18 +48,21 @@ VolumetricAverage make_volumetric_average(const Problem& problem)
     return average;
 }
 
+void average_volume_change(const CellLists& lists, VolumetricAverage& average, Particles& particles)
+{
+    if (average.asked_for.empty()) return;
+    average.own_xx = particles.velocity_gradient_solid.xx;
+    average.own_yy = particles.velocity_gradient_solid.yy;
+    for_each_tile(lists, [&](const Tile& tile) { average_tile(average, lists, tile, particles); });
+}
+
 void update_stress_of_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles,
                             VolumetricAverage& average)
 {
-    if (average.asked_for.empty()) {
-        update_effective_stress(problem, dt, particles);
-        return;
-    }
-    Gradients& L = particles.velocity_gradient_solid;
-    average.own_xx = L.xx;
-    average.own_yy = L.yy;
-    for_each_tile(lists, [&](const Tile& tile) { average_tile(average, lists, tile, particles); });
+    average_volume_change(lists, average, particles);
     update_effective_stress(problem, dt, particles);
+    if (average.asked_for.empty()) return;
+    Gradients& L = particles.velocity_gradient_solid;
     L.xx.swap(average.own_xx);
     L.yy.swap(average.own_yy);
 }

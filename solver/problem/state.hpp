@@ -62,6 +62,9 @@ struct State {
     double time = 0.0;      // t since the start of shaking [s]
     std::int64_t step = 0;  // steps taken in this stage [-]
     double last_step = 0.0; // length of the step before, 0 at the start of a stage [s]
+    /// Part of the closed forms' step that the vibration of the nodes leaves (vibration/step_bound.hpp) [-].
+    double step_scale = 1.0;
+    std::int64_t step_halvings = 0; // of this step, by the watchdog (run/watchdog.hpp) [-]
     Particles particles;
     Vectors reactions; // forces held at viscous boundaries, piece by piece; none without [N/m]
     std::optional<BalanceTerms> balance_terms; // none: a run without balances

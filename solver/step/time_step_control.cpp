@@ -119,16 +119,20 @@ std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& p
     return waves;
 }
 
-TimeStep stable_time_step(const Problem& problem, const Particles& particles)
+TimeStep stable_time_step(const Problem& problem, const Particles& particles, double wave_scale)
 {
     const CellExtremes extremes = find_extremes(problem, particles);
     const bool implicit_pressure =
         water_flow(problem) == WaterFlow::coupled && problem.scheme == TimeScheme::semi_implicit;
-    const TimeStep wave = implicit_pressure
-                              ? semi_implicit_limit(problem, extremes)
-                              : wave_limit(problem, extremes, wave_safety, [&](const WaveSpeeds& speeds) {
-                                    return fastest_speed(problem, speeds);
-                                });
+    TimeStep wave = implicit_pressure
+                        ? semi_implicit_limit(problem, extremes)
+                        : wave_limit(problem, extremes, wave_safety, [&](const WaveSpeeds& speeds) {
+                              return fastest_speed(problem, speeds);
+                          });
+    if (wave_scale < 1.0) {
+        wave.dt *= wave_scale;
+        wave.limiter = TimeStepLimiter::vibration;
+    }
     TimeStep step = limit_motion(problem, extremes, wave);
     step.dt *= problem.step_fraction;
     return step;
@@ -147,6 +151,8 @@ const char* name_of(TimeStepLimiter limiter)
     switch (limiter) {
     case TimeStepLimiter::wave:
         return "wave";
+    case TimeStepLimiter::vibration:
+        return "vibration of the nodes";
     case TimeStepLimiter::motion:
         return "motion";
     case TimeStepLimiter::output:

@@ -20,28 +20,6 @@ namespace quicksand {
 
 namespace {
 
-/// `time` is that of the loads [s].
-void scatter(const Problem& problem, double dt, double time, const State& state, TwoPhaseWorkspace& work)
-{
-    const Particles& particles = state.particles;
-    set_to_zero(work.sums);
-    work.outer.assign(work.outer.size(), OuterForce{});
-    for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
-        scatter_two_phase(problem, particles, work.lists, tile, work.stencils_of(tile), work.sums);
-        if (problem.water->rises_above_level)
-            scatter_risen_water(problem, particles, work.lists, tile, work.stencils_of(tile), work.sums,
-                                work.outer);
-    });
-    scatter_surface_loads(problem, time, particles, work.places, work.sums);
-    scatter_outer_water(problem, time, particles, work.places, work.sums);
-    scatter_reactions(problem, state, work.places, work.sums);
-    if (state.balance_terms && !work.outer.empty())
-        note_outer_forces(problem, time, state, work.places, work.outer);
-    place_boundaries(problem, dt, state, work);
-    gather_tied_sums(work.conditions, work.sums);
-    gather_tied_sums(work.conditions, work.outer);
-}
-
 /// `velocity_dt` is the time over which the forces act, see velocity_interval [s].
 void solve_velocities(const Problem& problem, double velocity_dt, const State& state, TwoPhaseWorkspace& work)
 {
@@ -131,29 +109,6 @@ void set_up_pressure(const Problem& problem, double dt, double velocity_dt, cons
     if (work.walls.any) aggregate_pressures(work.walls.roots.aggregated, pressure);
 }
 
-/// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes.
-void solve_pressure(const Problem& problem, double dt, double velocity_dt, const State& state,
-                    SemiImplicitWorkspace& work)
-{
-    PressureSolve& pressure = work.pressure;
-    // the flux changes over velocity_dt and fills cells over dt: dt velocity_dt in the place of dt^2
-    const double step = std::sqrt(dt * velocity_dt);
-    choose_blocks(step, pressure);
-    set_up_pressure(problem, dt, velocity_dt, state.particles, work);
-    for_each_index(work.motion.size(), [&](std::size_t i) {
-        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
-        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
-    });
-    if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
-        fail_to_solve(pressure, work.controls, dt, state);
-    set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
-    for_each_index(work.sums.size(), [&](std::size_t i) {
-        work.sums[i].pressure_force_x += pressure.force_x[i];
-        work.sums[i].pressure_force_y += pressure.force_y[i];
-        pressure.force_x[i] = pressure.force_y[i] = 0.0;
-    });
-}
-
 void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
 {
     timed(work.timers, Phase::motion, [&] {
@@ -195,12 +150,56 @@ SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem)
     return work;
 }
 
+void scatter_to_nodes(const Problem& problem, double dt, double time, const State& state,
+                      TwoPhaseWorkspace& work)
+{
+    const Particles& particles = state.particles;
+    set_to_zero(work.sums);
+    work.outer.assign(work.outer.size(), OuterForce{});
+    for_each_weighted_tile(problem, particles, work, [&](const Tile& tile) {
+        scatter_two_phase(problem, particles, work.lists, tile, work.stencils_of(tile), work.sums);
+        if (problem.water->rises_above_level)
+            scatter_risen_water(problem, particles, work.lists, tile, work.stencils_of(tile), work.sums,
+                                work.outer);
+    });
+    scatter_surface_loads(problem, time, particles, work.places, work.sums);
+    scatter_outer_water(problem, time, particles, work.places, work.sums);
+    scatter_reactions(problem, state, work.places, work.sums);
+    if (state.balance_terms && !work.outer.empty())
+        note_outer_forces(problem, time, state, work.places, work.outer);
+    place_boundaries(problem, dt, state, work);
+    gather_tied_sums(work.conditions, work.sums);
+    gather_tied_sums(work.conditions, work.outer);
+}
+
+void solve_pressure(const Problem& problem, double dt, double velocity_dt, const State& state,
+                    SemiImplicitWorkspace& work)
+{
+    PressureSolve& pressure = work.pressure;
+    // the flux changes over velocity_dt and fills cells over dt: dt velocity_dt in the place of dt^2
+    const double step = std::sqrt(dt * velocity_dt);
+    choose_blocks(step, pressure);
+    set_up_pressure(problem, dt, velocity_dt, state.particles, work);
+    for_each_index(work.motion.size(), [&](std::size_t i) {
+        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
+        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
+    });
+    if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
+        fail_to_solve(pressure, work.controls, dt, state);
+    set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
+    for_each_index(work.sums.size(), [&](std::size_t i) {
+        work.sums[i].pressure_force_x += pressure.force_x[i];
+        work.sums[i].pressure_force_y += pressure.force_y[i];
+        pressure.force_x[i] = pressure.force_y[i] = 0.0;
+    });
+}
+
 void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
 {
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time, state, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state.time, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         const double velocity_dt = velocity_interval(state, dt);
         centre_drag(velocity_dt, work.sums);
@@ -227,7 +226,8 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     particles.pore_pressure_rate.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
     // loads between the stresses, which stand at the start of the step, and the pressures at its end
-    timed(work.timers, Phase::scatter, [&] { scatter(problem, dt, state.time + 0.5 * dt, state, work); });
+    timed(work.timers, Phase::scatter,
+          [&] { scatter_to_nodes(problem, dt, state.time + 0.5 * dt, state, work); });
     const double velocity_dt = velocity_interval(state, dt);
     timed(work.timers, Phase::momentum, [&] {
         assemble_walls(problem, velocity_dt, work.sums, work);

@@ -29,6 +29,11 @@ struct SemiImplicitWorkspace : TwoPhaseWorkspace {
 
 TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
 
+/// Scatter the state to the nodes, tied nodes gathered: masses, momenta and forces of a step of `dt` about to
+/// be taken; `time` is that of the loads [s].
+void scatter_to_nodes(const Problem& problem, double dt, double time, const State& state,
+                      TwoPhaseWorkspace& work);
+
 /// Advance the saturated state by one explicit step, t -> t + dt.
 ///
 ///  1  particles by cell; CPDI weights from their domains
@@ -45,6 +50,11 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
 void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work);
 
 SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem);
+
+/// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes; the flux
+/// changes over `velocity_dt` and fills cells over `dt`. Throws NumericalError.
+void solve_pressure(const Problem& problem, double dt, double velocity_dt, const State& state,
+                    SemiImplicitWorkspace& work);
 
 /// The same step with the water's pressure implicit: between 3 and 4 the increments of the cells' pressure
 /// are solved for with drag and walls inside (pressure_solve.hpp), and the momentum balances again with their

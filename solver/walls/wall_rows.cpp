@@ -220,18 +220,33 @@ Scalars force_multipliers(const Problem& problem, double acceleration, const Vel
     return rows.multipliers_to_zero(gained);
 }
 
-template <class Motion>
-void hold(const VelocityRows& rows, std::vector<Motion>& motion)
+/// meet(velocities) makes those at rows.nodes() meet the rows.
+template <class Motion, class Meet>
+void change(const VelocityRows& rows, Meet&& meet, std::vector<Motion>& motion)
 {
     std::vector<NodeVelocities> velocities;
     velocities.reserve(rows.nodes().size());
     for (const std::size_t i : rows.nodes()) velocities.push_back(velocities_of(motion[i]));
-    rows.hold(velocities);
+    meet(velocities);
     for (std::size_t k = 0; k < velocities.size(); ++k) {
         Motion& node = motion[rows.nodes()[k]];
         const NodeVelocities change = velocities[k] - velocities_of(node);
         add_velocity(node, change.head<2>(), change.tail<2>());
     }
+}
+
+template <class Motion>
+void hold(const VelocityRows& rows, std::vector<Motion>& motion)
+{
+    change(
+        rows, [&](std::vector<NodeVelocities>& velocities) { rows.hold(velocities); }, motion);
+}
+
+template <class Motion>
+void rest(const VelocityRows& rows, std::vector<Motion>& motion)
+{
+    change(
+        rows, [&](std::vector<NodeVelocities>& velocities) { rows.project(velocities); }, motion);
 }
 
 } // namespace
@@ -272,6 +287,19 @@ void hold_at_walls(const Problem& problem, const std::vector<TwoPhaseSums>& sums
 void hold_at_walls(const WallRows& walls, std::vector<SinglePhaseMotion>& motion)
 {
     if (!walls.rows.empty()) hold(walls.rows, motion);
+}
+
+void rest_at_walls(const Problem& problem, const std::vector<TwoPhaseSums>& sums, const WallRows& walls,
+                   std::vector<TwoPhaseMotion>& motion)
+{
+    if (walls.rows.empty()) return;
+    rest(walls.rows, motion);
+    for (const std::size_t i : walls.rows.nodes()) set_flux(problem, sums[i], motion[i]);
+}
+
+void rest_at_walls(const WallRows& walls, std::vector<SinglePhaseMotion>& motion)
+{
+    if (!walls.rows.empty()) rest(walls.rows, motion);
 }
 
 void leave_unbalanced_forces(const Problem& problem, double acceleration, const WallRows& walls,

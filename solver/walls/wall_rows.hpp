@@ -69,6 +69,11 @@ void hold_at_walls(const Problem& problem, const std::vector<TwoPhaseSums>& sums
                    std::vector<TwoPhaseMotion>& motion);
 void hold_at_walls(const WallRows& walls, std::vector<SinglePhaseMotion>& motion);
 
+/// The same for walls at rest, wherever they move.
+void rest_at_walls(const Problem& problem, const std::vector<TwoPhaseSums>& sums, const WallRows& walls,
+                   std::vector<TwoPhaseMotion>& motion);
+void rest_at_walls(const WallRows& walls, std::vector<SinglePhaseMotion>& motion);
+
 /// Replace forces on the nodes by what the walls leave of them: the part that accelerates. Damping that takes
 /// a part of a force then takes none of a wall's reaction. `acceleration` is that of the base [m/s2].
 void leave_unbalanced_forces(const Problem& problem, double acceleration, const WallRows& walls,

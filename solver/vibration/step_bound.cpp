@@ -1,0 +1,42 @@
+#include "solver/vibration/step_bound.hpp"
+
+#include "solver/vibration/vibration_limit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+double measure_scale(const Problem& problem, const State& state)
+{
+    // Random motion of bodies at any angle, with all interpolations and both schemes, grows from 0.98 to 1.07
+    // of the limit on.
+    constexpr double margin = 0.9;
+    Problem whole = problem;
+    whole.step_fraction = 1.0;
+    whole.strain = StrainForm::small; // the motion does not limit the waves
+    const double closed = stable_time_step(whole, state.particles).dt;
+    return std::min(1.0, margin * vibration_limit(problem, state, closed / margin).dt / closed);
+}
+
+} // namespace
+
+void measure_bound(const Problem& problem, State& state)
+{
+    state.step_scale = measure_scale(problem, state);
+}
+
+TimeStep bounded_time_step(const Problem& problem, const State& state)
+{
+    const double halved = std::ldexp(1.0, -static_cast<int>(state.step_halvings));
+    return stable_time_step(problem, state.particles, halved * state.step_scale);
+}
+
+TimeStep measure_time_step(const Problem& problem, const State& state)
+{
+    return stable_time_step(problem, state.particles, measure_scale(problem, state));
+}
+
+} // namespace quicksand

@@ -1,0 +1,126 @@
+// The limit of the step by the nodes' vibration, against closed forms and other drawings of the same body.
+#include "solver/vibration/step_bound.hpp"
+#include "solver/vibration/vibration_limit.hpp"
+#include "tests/fixtures/restless_patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+constexpr double long_step = 1.0; // beyond every limit [s]
+
+/// Bars of 1 x 40 cells of 0.1 m along y without weight, which cannot move sideways.
+Problem bar()
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.1, 1, 42};
+    problem.materials = {stiff_sand()};
+    problem.gravity = 0.0;
+    problem.boundaries = rectangle(0.0, 0.0, 0.1, 4.0, FixedWall{}, RollerWall{}, FreeFace{});
+    return problem;
+}
+
+double limit_of(const Problem& problem)
+{
+    const State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 4.0; });
+    return vibration_limit(problem, state, long_step).dt;
+}
+
+// A row of equal cells with lumped masses: omega = 2 c/h, dt = 2/omega = h/c. The free end cell lets some
+// per cent more through, and the iteration comes from below.
+TEST(VibrationLimit, OfADryBarIsOneCellPerStep)
+{
+    const double c = wave_speeds(stiff_sand(), std::nullopt, 0.43).skeleton;
+    EXPECT_NEAR(limit_of(bar()), 0.1 / c, 0.03 * 0.1 / c);
+}
+
+TEST(VibrationLimit, OfAnUndrainedBarIsThatOfItsFastWave)
+{
+    Problem problem = bar();
+    problem.water = water_to(4.0);
+    problem.water->flow = WaterFlow::undrained;
+    const double c = wave_speeds(stiff_sand(), problem.water, 0.43).undrained;
+    EXPECT_NEAR(limit_of(problem), 0.1 / c, 0.03 * 0.1 / c);
+}
+
+TEST(VibrationLimit, OfExplicitTwoPhaseStepsIsThatOfTheFastWaveWithoutDrag)
+{
+    Problem problem = bar();
+    problem.water = water_to(4.0);
+    problem.materials[0].hydraulic_conductivity = 1.0; // drag of no weight
+    const double c = wave_speeds(stiff_sand(), problem.water, 0.43).fast;
+    EXPECT_NEAR(limit_of(problem), 0.1 / c, 0.03 * 0.1 / c);
+}
+
+// Water of a modulus far below the skeleton's leaves the waves of the skeleton, which carries the water where
+// the drag is strong.
+TEST(VibrationLimit, OfSemiImplicitStepsWithSoftWaterIsThatOfTheLoadedSkeleton)
+{
+    Problem problem = bar();
+    problem.scheme = TimeScheme::semi_implicit;
+    problem.water = water_to(4.0);
+    problem.water->bulk_modulus = 1e3;
+    problem.materials[0].hydraulic_conductivity = 1e-9;
+    const Material& sand = problem.materials[0];
+    const double density = (1.0 - sand.porosity) * sand.grain_density + sand.porosity * 1000.0;
+    const double c = std::sqrt(constrained_modulus(std::get<LinearElastic>(sand.law)) / density);
+    EXPECT_NEAR(limit_of(problem), 0.1 / c, 0.03 * 0.1 / c);
+}
+
+TEST(VibrationLimit, ScalesWithLengthAndFallsWithTheRootOfTheModulus)
+{
+    Problem problem = patch(1e-4, false);
+    const double limit = vibration_limit(problem, restless(problem), long_step).dt;
+    std::get<LinearElastic>(problem.materials[0].law).shear_modulus *= 100.0;
+    EXPECT_NEAR(vibration_limit(problem, restless(problem), long_step).dt, 0.1 * limit, 1e-9 * limit);
+}
+
+TEST(VibrationLimit, IsNotAboveTheStepThatIsAskedFor)
+{
+    const Problem problem = patch(1e-4, false);
+    EXPECT_EQ(vibration_limit(problem, restless(problem), 1e-9).dt, 1e-9);
+}
+
+TEST(VibrationLimit, IsTheSameWithSoilAtRestAndMoving)
+{
+    const Problem problem = patch(1e-4, true);
+    const State moving = restless(problem);
+    State still = moving;
+    for (Scalars* part : {&still.particles.velocity_solid.x, &still.particles.velocity_solid.y,
+                          &still.particles.velocity_fluid.x, &still.particles.velocity_fluid.y})
+        std::fill(part->begin(), part->end(), 0.0);
+    EXPECT_EQ(vibration_limit(problem, moving, long_step).dt, vibration_limit(problem, still, long_step).dt);
+}
+
+TEST(StepBound, LeavesTheClosedFormsStepWhereItIsShortEnough)
+{
+    const Problem problem = patch(1e-4, true);
+    State state = restless(problem);
+    measure_bound(problem, state);
+    EXPECT_EQ(state.step_scale, 1.0);
+    EXPECT_EQ(bounded_time_step(problem, state).dt, stable_time_step(problem, state.particles).dt);
+    EXPECT_EQ(bounded_time_step(problem, state).limiter, TimeStepLimiter::wave);
+}
+
+// Shearing and bending of cells of nearly incompressible soil change no cell's volume: implicit water does
+// not see them, and the wave of the volume that limits the closed form is not theirs.
+TEST(StepBound, ShortensTheStepOfNearlyIncompressibleSoil)
+{
+    Problem problem = patch(1e-4, true);
+    problem.scheme = TimeScheme::semi_implicit;
+    std::get<LinearElastic>(problem.materials[0].law).poisson_ratio = 0.49;
+    State state = restless(problem);
+    measure_bound(problem, state);
+    EXPECT_LT(state.step_scale, 0.9);
+    EXPECT_EQ(bounded_time_step(problem, state).limiter, TimeStepLimiter::vibration);
+    EXPECT_DOUBLE_EQ(bounded_time_step(problem, state).dt,
+                     state.step_scale * stable_time_step(problem, state.particles).dt);
+}
+
+} // namespace
+} // namespace quicksand
