@@ -55,6 +55,16 @@ void ProgressLine::after_step(const StepReport& report)
          tenth);
 }
 
+void ProgressLine::went_back(const FailureRecord& record, const State& state)
+{
+    clear();
+    journal_.say(fmt::format("The run went bad in step {}, t = {} s, at ({}, {}) m ({}): {}\n"
+                             "  It goes on from t = {} s with half the step.",
+                             record.step, short_number(record.time), short_number(record.position.x()),
+                             short_number(record.position.y()), record.phase, record.what,
+                             short_number(state.time)));
+}
+
 void ProgressLine::show_relaxation(std::int64_t steps, double out_of_balance, double tolerance)
 {
     const Clock::time_point now = Clock::now();

@@ -19,6 +19,7 @@ public:
     double next_time() const override { return std::numeric_limits<double>::infinity(); }
     void observe(const Problem&, const State&, const StepReport&) override {}
     void after_step(const StepReport& report) override;
+    void went_back(const FailureRecord& record, const State& state) override;
 
     /// Of the settling before the shaking.
     void show_relaxation(std::int64_t steps, double out_of_balance, double tolerance);

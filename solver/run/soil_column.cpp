@@ -308,6 +308,8 @@ void widen(const SoilColumn& column, const State& narrow, State& wide)
     wide.time = narrow.time;
     wide.step = narrow.step;
     wide.last_step = narrow.last_step;
+    wide.step_scale = narrow.step_scale;
+    wide.step_halvings = narrow.step_halvings;
     wide.balance_terms = narrow.balance_terms;
     if (wide.balance_terms)
         for_each_number(*wide.balance_terms, [&](const char*, double& value) { value *= column.columns; });
@@ -340,6 +342,11 @@ void ColumnObserver::observe(const Problem&, const State& state, const StepRepor
 void ColumnObserver::after_step(const StepReport& report)
 {
     for (Observer* observer : observers_) observer->after_step(report_of_body(report));
+}
+
+void ColumnObserver::went_back(const FailureRecord& record, const State& state)
+{
+    for (Observer* observer : observers_) observer->went_back(record, state);
 }
 
 void ColumnObserver::finish()

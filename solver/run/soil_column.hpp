@@ -57,6 +57,7 @@ public:
     double next_time() const override;
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
     void after_step(const StepReport& report) override;
+    void went_back(const FailureRecord& record, const State& state) override;
     void finish() override;
 
 private:

@@ -1,0 +1,107 @@
+// Runs that become unstable go back and take shorter steps.
+#include "solver/measure/balances.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/run/watchdog.hpp"
+#include "tests/fixtures/restless_patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <string>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+/// Counts how often the run went back.
+class Counter : public Observer {
+public:
+    double next_time() const override { return std::numeric_limits<double>::infinity(); }
+    void observe(const Problem&, const State&, const StepReport&) override {}
+    void after_step(const StepReport& report) override { last_step = report.step; }
+    void went_back(const FailureRecord& record, const State& state) override
+    {
+        ++times;
+        failed_step = record.step;
+        kept_step = state.step;
+    }
+
+    int times = 0;
+    std::int64_t failed_step = 0, kept_step = 0, last_step = 0;
+};
+
+/// A restless patch of small strain, whose motion never leaves the grid, with its balances open.
+struct Patch {
+    Problem problem = patch(1e-4, true);
+    State state;
+
+    explicit Patch(double step_fraction)
+    {
+        problem.strain = StrainForm::small;
+        problem.step_fraction = step_fraction;
+        state = restless(problem);
+        open_balances(problem, state);
+    }
+};
+
+TEST(Watchdog, HalvesAStepThatIsTooLong)
+{
+    Patch patch(2.2); // grows from 1.6 on
+    const double energy = monitor(patch.problem, patch.state, {}).kinetic_energy;
+    const double dt = stable_time_step(patch.problem, patch.state.particles).dt;
+    Counter counter;
+    EXPECT_TRUE(run(patch.problem, 300.0 * dt, {&counter}, patch.state));
+    EXPECT_EQ(patch.state.step_halvings, 1);
+    EXPECT_EQ(counter.times, 1);
+    EXPECT_GE(counter.failed_step, counter.kept_step);
+    EXPECT_LT(monitor(patch.problem, patch.state, {}).kinetic_energy, energy);
+}
+
+TEST(Watchdog, LeavesAStableRunAlone)
+{
+    Patch patch(1.0);
+    const double dt = stable_time_step(patch.problem, patch.state.particles).dt;
+    Counter counter;
+    EXPECT_TRUE(run(patch.problem, 300.0 * dt, {&counter}, patch.state));
+    EXPECT_EQ(patch.state.step_halvings, 0);
+    EXPECT_EQ(counter.times, 0);
+}
+
+TEST(Watchdog, GivesUpAfterThreeHalvingsInARow)
+{
+    Patch patch(1.0);
+    patch.state.particles.velocity_solid.x[7] = std::numeric_limits<double>::quiet_NaN();
+    Counter counter;
+    try {
+        run(patch.problem, 1e-3, {&counter}, patch.state);
+        FAIL() << "no error";
+    } catch (const NumericalError& error) {
+        EXPECT_NE(error.record.what.find("half the step, taken 3 times from the last restart point, has not "
+                                         "helped"),
+                  std::string::npos)
+            << error.record.what;
+    }
+    EXPECT_EQ(counter.times, 3);
+}
+
+TEST(Watchdog, TellsThatStepsMakeEnergy)
+{
+    Patch patch(1.0);
+    const Watchdog watchdog(patch.problem, patch.state);
+    patch.state.step = 1;
+    for (double& v : patch.state.particles.velocity_solid.x) v *= 100.0;
+    patch.state.balance_terms->skeleton_work =
+        monitor(patch.problem, patch.state, {}).kinetic_energy; // work on the soil, and nothing did it
+    try {
+        watchdog.check(patch.problem, 1e-6, patch.state);
+        FAIL() << "no error";
+    } catch (const NumericalError& error) {
+        EXPECT_EQ(error.record.phase, "watchdog");
+        EXPECT_EQ(error.record.what.find("the steps have made energy, "), 0U) << error.record.what;
+        EXPECT_EQ(std::string(error.record.causes).find("the time step is too long"), 0U);
+    }
+}
+
+} // namespace
+} // namespace quicksand
