@@ -46,7 +46,7 @@ void add_scene_commands(CLI::App& program, Commands& commands);
 /// Results: probe, picture, figures.
 void add_results_commands(CLI::App& program, Commands& commands);
 
-/// The program itself: demo, verify, bench.
+/// The program itself: demo, verify, bench, stress.
 void add_measuring_commands(CLI::App& program, Commands& commands);
 
 /// Commands about the program itself: keys, manual, version.

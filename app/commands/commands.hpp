@@ -18,6 +18,7 @@ ExitCode draw_pictures(const PictureChoice& choice);
 ExitCode draw_scene_figures(const FiguresChoice& choice);
 ExitCode run_demo(const DemoChoice& choice);
 ExitCode verify_problems(const VerifyChoice& choice);
+ExitCode stress_solver(const StressChoice& choice);
 ExitCode print_version();
 
 /// Name and version of the program.

@@ -79,6 +79,43 @@ void add_bench(CLI::App& program, Commands& commands)
     commands.push_back({parser, [subject, choice] { return subjects.at(*subject)(*choice); }});
 }
 
+void add_stress(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<StressChoice>(
+        program, commands, "stress",
+        "Run a designed set of scenes and random ones, to find where the program loses its stability",
+        stress_solver);
+    parser->add_option("ROWS", choice->rows,
+                       "What the rows to run begin with, as \"steps\" or \"corners/explicit-fixed\"; "
+                       "all when not given");
+    parser->add_option("--random", choice->random_scenes, "Random scenes")
+        ->check(number_in({.lower = 0.0, .upper = 9999.0}))
+        ->type_name("N")
+        ->capture_default_str();
+    parser->add_option("--seed", choice->seed, "Of the random scenes: the same one gives the same scenes")
+        ->check(number_in({.lower = 0.0, .upper = 1e15}))
+        ->type_name("N")
+        ->capture_default_str();
+    parser->add_flag("--long", choice->long_ones,
+                     "Also rows that take minutes: a bar that swings for 10^6 steps");
+    parser->add_option("--limit", choice->limit, "Wall time in s after which a row is ended")
+        ->check(number_in(positive_number))
+        ->type_name("T")
+        ->capture_default_str();
+    parser->add_option("--row", choice->row, "Run this row alone in this process, to look at it closely")
+        ->type_name("ROW");
+    parser
+        ->add_option("--threads", choice->threads,
+                     "Rows at the same time; all of the machine's when not given")
+        ->check(number_in(thread_number))
+        ->type_name("N");
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Folder of the page, the tables, the figures and the scenes")
+        ->type_name("DIR")
+        ->capture_default_str();
+}
+
 } // namespace
 
 void add_measuring_commands(CLI::App& program, Commands& commands)
@@ -86,6 +123,7 @@ void add_measuring_commands(CLI::App& program, Commands& commands)
     add_demo(program, commands);
     add_verify(program, commands);
     add_bench(program, commands);
+    add_stress(program, commands);
 }
 
 } // namespace quicksand

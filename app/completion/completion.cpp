@@ -3,6 +3,7 @@
 #include "app/completion/key_completion.hpp"
 #include "app/manual/option_value.hpp"
 #include "app/run/example_folder.hpp"
+#include "app/stress/scenes/designed_set.hpp"
 #include "io/element/element_keys.hpp"
 
 #include <algorithm>
@@ -103,6 +104,7 @@ Completion complete_value(CLI::App& command, CLI::Option& option, const LineRead
                    ? Completion{key_candidates(element_key_table(), key_file(line, "test.toml"), word)}
                    : Completion{key_candidates(scene_key_table(), key_file(line, "scene.toml"), word)};
     }
+    if (is_one_of({"ROWS", "ROW"})) return {candidates_of(stress_groups())};
     if (value.name == "KIND") return {candidates_of(example_names())};
     if (is_one_of({"PROBLEM", "WORDS"})) return {candidates_of(verification_names()), FileCandidates::scenes};
     if (is_one_of({"SCENE", "TEST", "SOURCE"})) return {{}, FileCandidates::scenes};

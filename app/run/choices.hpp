@@ -3,6 +3,7 @@
 
 #include "solver/base/conventions.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -108,6 +109,17 @@ struct BenchChoice {
     std::optional<double> until; // end of the runs of scenes in place of theirs [s]
     int threads = 0;             // 0: as the benchmark is usually taken [-]
     double largest = 3e6;        // of `scale` [particles]
+};
+
+struct StressChoice {
+    std::vector<std::string> rows; // what the names of the rows to run begin with; empty: all
+    std::string row;               // run this one alone in this process; empty: as above
+    int random_scenes = 500;
+    std::uint64_t seed = 1; // of the random scenes
+    bool long_ones = false; // also rows that take minutes
+    double limit = 120.0;   // wall time of one row [s]
+    std::filesystem::path directory = "results/stress";
+    int threads = 0; // rows at the same time, 0: as many as the machine has threads [-]
 };
 
 } // namespace quicksand

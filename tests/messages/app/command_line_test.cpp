@@ -19,7 +19,7 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
     const Outcome outcome = run_program("");
     EXPECT_EQ(outcome.code, 0);
     for (const char* command : {"run", "check", "stability", "new", "element", "keys", "probe", "picture",
-                                "figures", "demo", "verify", "bench", "manual", "version"}) {
+                                "figures", "demo", "verify", "bench", "stress", "manual", "version"}) {
         expect_mention(outcome, command);
     }
     expect_mention(outcome, "Exit codes");
@@ -28,7 +28,7 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
 TEST(CommandLine, EveryCommandHasHelp)
 {
     for (const char* command : {"run", "check", "stability", "new", "element", "keys", "probe", "picture",
-                                "figures", "demo", "verify", "bench", "manual", "version"}) {
+                                "figures", "demo", "verify", "bench", "stress", "manual", "version"}) {
         EXPECT_EQ(run_program(std::string(command) + " --help").code, 0) << command;
     }
 }
@@ -55,7 +55,7 @@ TEST(CommandLine, AnUnknownCommandListsTheCommands)
     const Outcome outcome = run_program("frobnicate");
     EXPECT_EQ(outcome.code, 2);
     expect_mention(outcome, "expected: run, check, stability, new, element, probe, picture, figures, demo, "
-                            "verify, bench, keys, manual, version");
+                            "verify, bench, stress, keys, manual, version");
 }
 
 TEST(CommandLine, AnUnknownPageOfTheManualListsThePages)

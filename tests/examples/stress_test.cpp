@@ -1,0 +1,50 @@
+// quicksand stress: a row that runs, one that cannot, and rows that nobody has.
+#include "tests/examples/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quicksand {
+namespace {
+
+using namespace testing_program;
+
+TEST(Stress, ShortRowsGiveATableAPageAndAFigure)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("stress steps/dry-0.5 steps/dry-2 --random 0 -o " + folder.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("steps/dry-0.5"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("2 rows: 1 good 1 stopped"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("0 silent failures"), std::string::npos) << outcome.output;
+    EXPECT_TRUE(read_file(folder / "stress.png").starts_with("\x89PNG"));
+    EXPECT_TRUE(header_of(folder / "stress.csv").starts_with("group,row,end,energy_error"));
+    EXPECT_NE(read_file(folder / "stress.md").find("## steps"), std::string::npos);
+    // a row that ran well leaves its scene alone, another one its results as well
+    EXPECT_TRUE(std::filesystem::exists(folder / "steps/dry-0.5/scene.toml"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "steps/dry-0.5/results"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "steps/dry-2/results/history.csv"));
+    EXPECT_NE(read_file(folder / "steps/dry-2/messages.txt").find("the run failed"), std::string::npos);
+}
+
+TEST(Stress, ARandomSceneRunsAgainByHand)
+{
+    const WorkFolder folder;
+    const std::string row = "random/1-0005-explicit";
+    const Outcome first = run_program("stress --random 5 --row " + row + " -o " + folder.string());
+    const Outcome again =
+        run_program("run " + (folder / row).string() + " --threads 1 -o " + (folder / "again").string());
+    EXPECT_EQ(again.code, first.code) << first.output << again.output;
+    EXPECT_EQ(read_file(folder / "again/history.csv"), read_file(folder / (row + "/results/history.csv")));
+}
+
+TEST(Stress, ARowThatTakesTooLongIsEnded)
+{
+    const WorkFolder folder;
+    const Outcome outcome =
+        run_program("stress steps/explicit-0.5 --random 0 --limit 0.02 -o " + folder.string());
+    EXPECT_NE(outcome.output.find("ended after 0 s of wall time"), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("1 rows: 1 overtime"), std::string::npos) << outcome.output;
+}
+
+} // namespace
+} // namespace quicksand
