@@ -35,6 +35,19 @@ SectionDraft corner_section(double degrees)
     return section;
 }
 
+/// 10 m of base whose right part is the side: the two meet on one line.
+SectionDraft straight_section()
+{
+    constexpr double length = 10.0, height = 4.3, meeting = 6.3;
+    SectionDraft section;
+    section.add_region("soil", {{{0.0, 0.0}, "base"},
+                                {{meeting, 0.0}, "right"},
+                                {{length, 0.0}, "roller"},
+                                {{length, height}, "surface"},
+                                {{0.0, height}, "left"}});
+    return section;
+}
+
 /// The soil settles first, so that it is in equilibrium with whatever its boundaries are.
 SceneDraft scene_at_rest(const std::string& scheme)
 {
@@ -49,14 +62,20 @@ void add_pairs(const std::string& scheme, StressRows& rows)
     for (const std::string base : boundary_kinds) {
         if (base == "free") continue; // something must bear the soil
         for (const std::string side : boundary_kinds) {
-            for (const double degrees : {30.0, 60.0, 90.0, 120.0, 150.0}) {
-                SceneDraft scene = scene_at_rest(scheme);
-                set_boundary("base", base, scene);
-                set_boundary("right", side, scene);
-                rows.push_back(drawn_row("corners", fmt::format("{}-{}-{}-{:g}", scheme, base, side, degrees),
-                                         corner_section(degrees).text(), scene));
+            SceneDraft scene = scene_at_rest(scheme);
+            set_boundary("base", base, scene);
+            set_boundary("right", side, scene);
+            const auto add = [&](double degrees, const SectionDraft& section) {
+                const std::string name = fmt::format("{}-{}-{}-{:g}", scheme, base, side, degrees);
+                rows.push_back(drawn_row("corners", name, section.text(), scene));
                 rows.back().is_at_rest = true;
-            }
+                rows.back().measures_step = true;
+            };
+            for (const double degrees : {30.0, 60.0, 90.0, 120.0, 150.0})
+                add(degrees, corner_section(degrees));
+            if (side == base || side == "free") continue;
+            scene.set("boundaries.roller.soil", "roller");
+            add(180.0, straight_section());
         }
     }
 }

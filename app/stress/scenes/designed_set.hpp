@@ -24,7 +24,7 @@ StressRow drawn_row(const std::string& group, const std::string& name, const std
 void add_step_rows(StressRows& rows);
 /// Conductivity, water, porosity, Poisson's ratio, contrasts, particles in a cell, sand that has liquefied.
 void add_soil_rows(StressRows& rows);
-/// Every pair of boundaries at 30 to 150 degrees, at rest; slivers at walls and surfaces.
+/// Every pair of boundaries at 30 to 180 degrees, at rest; slivers at walls and surfaces.
 void add_corner_rows(StressRows& rows);
 /// Large shear, turning, leaving the grid, parting and meeting again; with `long_ones` a bar of 10^6 steps.
 void add_motion_rows(bool long_ones, StressRows& rows);
