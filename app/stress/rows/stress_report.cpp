@@ -44,7 +44,7 @@ std::string remarks(const RowOutcome& outcome)
     const auto add = [&text](const std::string& words) { text += (text.empty() ? "" : "; ") + words; };
     if (is_silent(outcome)) add("SILENT FAILURE");
     if (!outcome.bad_file.empty()) add("no number in " + outcome.bad_file);
-    if (has_moved(outcome)) add("moved");
+    if (is_too_fast(outcome)) add("too fast");
     if (!outcome.reason.empty()) add(outcome.reason);
     return text;
 }
@@ -101,7 +101,7 @@ std::string describe_summary(const StressSummary& summary, std::size_t most)
         section_of("Silent failures: exit code 0, and energy or water lost or made", summary.silent, most);
     text += section_of("Files that hold no numbers", summary.unreadable, most);
     text += section_of("Failures at a step that the program chose", summary.failures, most);
-    text += section_of("Moved, and were to stay at rest", summary.moved, most);
+    text += section_of("Faster than what acts on them can make them", summary.too_fast, most);
     text += section_of(
         fmt::format("Largest stable step over the own one not within {} to {}", least_margin, most_margin),
         summary.poor_margins, most);

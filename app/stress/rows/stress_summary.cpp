@@ -11,9 +11,6 @@ namespace quicksand {
 
 namespace {
 
-/// Of soil some metres high that has settled until 1e-5 of its weight is unbalanced [m/s].
-constexpr double restless_velocity = 1e-4;
-
 bool ended_well(const RowOutcome& outcome)
 {
     return outcome.end == RowEnd::good || outcome.end == RowEnd::usable;
@@ -38,9 +35,9 @@ bool is_failure(const RowOutcome& outcome)
     return outcome.row.step_factor <= 1.0 && !ended_well(outcome) && outcome.end != RowEnd::refused;
 }
 
-bool has_moved(const RowOutcome& outcome)
+bool is_too_fast(const RowOutcome& outcome)
 {
-    return outcome.row.is_at_rest && outcome.velocity > restless_velocity;
+    return outcome.velocity > outcome.row.most_velocity;
 }
 
 bool has_poor_margin(const RowOutcome& outcome)
@@ -79,8 +76,10 @@ StressSummary summarize(const std::vector<RowOutcome>& outcomes)
             summary.failures.push_back(
                 line_of(outcome, fmt::format("{}: {}", name_of(outcome.end), outcome.reason)));
         if (!outcome.bad_file.empty()) summary.unreadable.push_back(line_of(outcome, outcome.bad_file));
-        if (has_moved(outcome))
-            summary.moved.push_back(line_of(outcome, short_number(outcome.velocity, 2) + " m/s"));
+        if (is_too_fast(outcome))
+            summary.too_fast.push_back(
+                line_of(outcome, fmt::format("{} m/s, at most {}", short_number(outcome.velocity, 2),
+                                             short_number(outcome.row.most_velocity))));
         if (has_poor_margin(outcome))
             summary.poor_margins.push_back(line_of(outcome, short_number(outcome.margin, 3)));
         if (outcome.disagreement > most_disagreement)

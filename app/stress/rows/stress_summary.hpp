@@ -22,8 +22,8 @@ bool is_silent(const RowOutcome& outcome);
 /// It stopped, crashed or went on for too long, or its balances are bad, at a step that the program chose.
 bool is_failure(const RowOutcome& outcome);
 
-/// It was to stay at rest and moved.
-bool has_moved(const RowOutcome& outcome);
+/// Faster than its boundaries can make it: at rest for most of the rows that have a limit.
+bool is_too_fast(const RowOutcome& outcome);
 
 bool has_poor_margin(const RowOutcome& outcome);
 
@@ -32,8 +32,8 @@ void compare_twins(std::vector<RowOutcome>& outcomes);
 
 struct StressSummary {
     std::size_t rows = 0;
-    std::vector<std::size_t> ends;                                                           // rows by RowEnd
-    std::vector<std::string> silent, failures, unreadable, moved, poor_margins, disagreeing; // "row: what"
+    std::vector<std::size_t> ends; // rows by RowEnd
+    std::vector<std::string> silent, failures, unreadable, too_fast, poor_margins, disagreeing; // "row: what"
 };
 
 StressSummary summarize(const std::vector<RowOutcome>& outcomes);

@@ -46,6 +46,7 @@ StressRows designed_rows(bool long_ones)
     add_step_rows(rows);
     add_soil_rows(rows);
     add_corner_rows(rows);
+    add_moving_rows(rows);
     add_motion_rows(long_ones, rows);
     return rows;
 }

@@ -26,6 +26,8 @@ void add_step_rows(StressRows& rows);
 void add_soil_rows(StressRows& rows);
 /// Every pair of boundaries at 30 to 180 degrees, at rest; slivers at walls and surfaces.
 void add_corner_rows(StressRows& rows);
+/// Sides that move into the soil and away from it, along and between grid lines; a base of which half moves.
+void add_moving_rows(StressRows& rows);
 /// Large shear, turning, leaving the grid, parting and meeting again; with `long_ones` a bar of 10^6 steps.
 void add_motion_rows(bool long_ones, StressRows& rows);
 

@@ -3,6 +3,7 @@
 
 #include "solver/base/conventions.hpp"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,7 @@ struct StressRow {
     Vector2 velocity = Vector2::Zero(); // of the soil at the start [m/s]
     double spin = 0.0;                  // about the middle of the soil at the start, anticlockwise [rad/s]
     bool measures_step = false;         // also finds the largest stable step
-    bool is_at_rest = false;            // nothing is to move
+    double most_velocity = INFINITY;    // faster, something is wrong whatever the balances say [m/s]
     std::string twin = {};              // row of the same group that is to come to the same displacements
 
     std::string id() const { return group + "/" + name; }

@@ -111,7 +111,7 @@ TEST(StressSummary, CountsWhatIsNotAsItShouldBe)
     outcomes[3].row.step_factor = 1.5; // nobody promises that this runs
     outcomes[0].margin = 1.2;
     outcomes[2].margin = 0.9;
-    outcomes[0].row.is_at_rest = true;
+    outcomes[0].row.most_velocity = 1e-4;
     outcomes[0].velocity = 1e-3;
     outcomes[5].row.twin = "well";
     outcomes[5].displacement = 0.9;
@@ -123,7 +123,7 @@ TEST(StressSummary, CountsWhatIsNotAsItShouldBe)
               std::vector<std::string>{"steps/silent: energy error 0.5 (0.5 at the end), water error nan"});
     EXPECT_EQ(summary.failures, std::vector<std::string>{"steps/stopped: stopped: "});
     EXPECT_EQ(summary.poor_margins, std::vector<std::string>{"steps/stopped: 0.9"});
-    EXPECT_EQ(summary.moved, std::vector<std::string>{"steps/well: 0.001 m/s"});
+    EXPECT_EQ(summary.too_fast, std::vector<std::string>{"steps/well: 0.001 m/s, at most 0.0001"});
     EXPECT_EQ(summary.disagreeing, std::vector<std::string>{"steps/twin: 10 % from well"});
 }
 
