@@ -20,6 +20,7 @@ struct RowOutcome {
     // largest amounts over the run; NaN where there is no history
     double energy_error = NAN;      // as the verdict counts it [-]
     double last_energy_error = NAN; // at the end, as it stands [-]
+    double loss = NAN;              // numerical loss of energy over what was put in [-]
     double water_error = NAN;       // [-]
     double momentum_error = NAN;    // over momenta and impulses [-]
     double checkerboard = NAN;      // of either pressure [-]

@@ -70,6 +70,7 @@ LinePlot outcome_plot(const std::vector<RowOutcome>& outcomes)
         plot.panels.push_back(std::move(panel));
     };
     add("energy error [-]", &RowOutcome::energy_error, AxisScale::logarithmic, {worst_energy_error});
+    add("numerical loss over the energy put in [-]", &RowOutcome::loss, AxisScale::logarithmic, {worst_loss});
     add("water error [-]", &RowOutcome::water_error, AxisScale::logarithmic, {worst_water_error});
     add("momentum error [-]", &RowOutcome::momentum_error, AxisScale::logarithmic, {});
     add("checkerboard [-]", &RowOutcome::checkerboard, AxisScale::logarithmic, {});

@@ -23,6 +23,7 @@ struct Measured {
 constexpr std::array measured = {
     Measured{"energy", "energy_error", &RowOutcome::energy_error},
     Measured{"at end", "last_energy_error", &RowOutcome::last_energy_error},
+    Measured{"loss", "numerical_loss", &RowOutcome::loss},
     Measured{"water", "water_error", &RowOutcome::water_error},
     Measured{"momentum", "momentum_error", &RowOutcome::momentum_error},
     Measured{"checker.", "checkerboard", &RowOutcome::checkerboard},

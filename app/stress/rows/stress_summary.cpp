@@ -27,7 +27,8 @@ bool is_silent(const RowOutcome& outcome)
 {
     if (!ended_well(outcome)) return false;
     const double energy = std::fmax(std::abs(outcome.energy_error), std::abs(outcome.last_energy_error));
-    return energy > worst_energy_error || outcome.water_error > worst_water_error;
+    return energy > worst_energy_error || outcome.water_error > worst_water_error ||
+           outcome.loss > worst_loss;
 }
 
 bool is_failure(const RowOutcome& outcome)
@@ -67,11 +68,11 @@ StressSummary summarize(const std::vector<RowOutcome>& outcomes)
     for (const RowOutcome& outcome : outcomes) {
         ++summary.ends[static_cast<std::size_t>(outcome.end)];
         if (is_silent(outcome))
-            summary.silent.push_back(
-                line_of(outcome, fmt::format("energy error {} ({} at the end), water error {}",
-                                             short_number(outcome.energy_error, 2),
-                                             short_number(outcome.last_energy_error, 2),
-                                             short_number(outcome.water_error, 2))));
+            summary.silent.push_back(line_of(
+                outcome,
+                fmt::format("energy error {} ({} at the end), loss {}, water error {}",
+                            short_number(outcome.energy_error, 2), short_number(outcome.last_energy_error, 2),
+                            short_number(outcome.loss, 2), short_number(outcome.water_error, 2))));
         if (is_failure(outcome))
             summary.failures.push_back(
                 line_of(outcome, fmt::format("{}: {}", name_of(outcome.end), outcome.reason)));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quicksand {
 
@@ -98,7 +99,8 @@ RandomSection draw_random_section(double cell_size, RandomNumbers& random)
 {
     RandomSection section;
     section.cell_size = cell_size;
-    section.width = cell_size * (random.whole(6, 14) + (random.chance(0.3) ? random.fraction() : 0.0));
+    const double cells_across = random.whole(6, 14) + (random.chance(0.3) ? random.fraction() : 0.0);
+    section.width = cell_size * cells_across;
     section.height = cell_size * (random.whole(4, 9) + (random.chance(0.5) ? random.fraction() : 0.0));
     const std::vector<double> stations = draw_stations(section.width, random);
     const Heights base = draw_base(stations, cell_size, random);
@@ -126,8 +128,10 @@ RandomSection draw_random_section(double cell_size, RandomNumbers& random)
     section.lowest = *std::min_element(base.begin(), base.end());
     section.highest = *std::max_element(surface.begin(), surface.end());
     const std::vector<Vector2>&first = corners.lines.front(), &last = corners.lines.back();
-    section.can_be_tied = first.front().x() == last.front().x() && first.back().x() == last.back().x() &&
-                          first.front().y() == first.back().y() && last.front().y() == last.back().y();
+    const bool whole = cells_across == std::round(cells_across); // sides that are tied lie on grid lines
+    section.can_be_tied = whole && first.front().x() == last.front().x() &&
+                          first.back().x() == last.back().x() && first.front().y() == first.back().y() &&
+                          last.front().y() == last.back().y();
     return section;
 }
 

@@ -49,10 +49,23 @@ TEST(RowOutcome, TellsTheLargestErrorsOfAHistory)
     EXPECT_DOUBLE_EQ(outcome.water_error, 0.002);
     EXPECT_DOUBLE_EQ(outcome.momentum_error, 0.25);
     EXPECT_DOUBLE_EQ(outcome.velocity, 2.0);
+    EXPECT_TRUE(std::isnan(outcome.loss));
     EXPECT_DOUBLE_EQ(outcome.displacement, 0.5);
     EXPECT_DOUBLE_EQ(outcome.seconds, 1.5);
     EXPECT_EQ(outcome.reason, "");
     EXPECT_EQ(outcome.bad_file, "");
+}
+
+TEST(RowOutcome, TheLossIsThatOverTheEnergyAtTheStartAndTheWorksFromOutside)
+{
+    const TemporaryFolder folder;
+    StressRow row;
+    const RowFiles files = files_of(folder.path(), row);
+    std::filesystem::create_directories(files.results());
+    std::ofstream(files.results() / "history.csv")
+        << "time_s,kinetic_energy_J,numerical_loss_J,gravity_work_J,base_work_J,boundary_work_J\n"
+           "0,1,0,0,0,0\n1,9,-30,2,0,-3\n";
+    EXPECT_DOUBLE_EQ(read_outcome(row, files, {}).loss, 5.0);
 }
 
 TEST(RowOutcome, ARunThatFailedTellsWhyAndWhere)
@@ -97,6 +110,9 @@ TEST(StressSummary, AGoodExitWithABadBalanceIsASilentFailure)
     EXPECT_TRUE(is_silent(outcome_of("a", RowEnd::usable, 0.11)));
     EXPECT_FALSE(is_silent(outcome_of("a", RowEnd::usable, 0.09)));
     EXPECT_FALSE(is_silent(outcome_of("a", RowEnd::bad, 0.11)));
+    RowOutcome churning = outcome_of("a", RowEnd::usable, 0.01);
+    churning.loss = 3.0;
+    EXPECT_TRUE(is_silent(churning));
     RowOutcome wet = outcome_of("a", RowEnd::good, 0.0);
     wet.water_error = 0.011;
     EXPECT_TRUE(is_silent(wet));
@@ -120,7 +136,8 @@ TEST(StressSummary, CountsWhatIsNotAsItShouldBe)
     EXPECT_EQ(summary.rows, 6u);
     EXPECT_EQ(summary.ends[static_cast<std::size_t>(RowEnd::good)], 3u);
     EXPECT_EQ(summary.silent,
-              std::vector<std::string>{"steps/silent: energy error 0.5 (0.5 at the end), water error nan"});
+              std::vector<std::string>{
+                  "steps/silent: energy error 0.5 (0.5 at the end), loss nan, water error nan"});
     EXPECT_EQ(summary.failures, std::vector<std::string>{"steps/stopped: stopped: "});
     EXPECT_EQ(summary.poor_margins, std::vector<std::string>{"steps/stopped: 0.9"});
     EXPECT_EQ(summary.too_fast, std::vector<std::string>{"steps/well: 0.001 m/s, at most 0.0001"});
@@ -134,12 +151,12 @@ TEST(StressReport, APageAndATableHaveEveryRow)
                                               outcome_of("silent", RowEnd::good, 0.5)};
     write_stress_csv(folder / "stress.csv", outcomes);
     const std::string table = text_of(folder / "stress.csv");
-    EXPECT_NE(
-        table.find("group,row,end,energy_error,last_energy_error,water_error,momentum_error,checkerboard,"
-                   "largest_velocity_m_s,step_margin,disagreement,seconds,remark\n"),
-        std::string::npos)
+    EXPECT_NE(table.find("group,row,end,energy_error,last_energy_error,numerical_loss,water_error,momentum_"
+                         "error,checkerboard,"
+                         "largest_velocity_m_s,step_margin,disagreement,seconds,remark\n"),
+              std::string::npos)
         << table;
-    EXPECT_NE(table.find("steps,silent,good,0.5,0.5,,,,,,,0,\"SILENT FAILURE\"\n"), std::string::npos)
+    EXPECT_NE(table.find("steps,silent,good,0.5,0.5,,,,,,,,0,\"SILENT FAILURE\"\n"), std::string::npos)
         << table;
     write_stress_page(folder / "stress.md", outcomes, {folder / "stress.png"});
     const std::string page = text_of(folder / "stress.md");
