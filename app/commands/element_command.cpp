@@ -41,8 +41,7 @@ fs::path default_folder(const fs::path& test_file)
 CyclicTest perform_named(const ElementOutcome& outcome, const ElementRun& run)
 {
     try {
-        return perform(make_ubcsand(outcome.specimen(run).soil), outcome.specimen(run).start,
-                       outcome.loading(run));
+        return perform(outcome.specimen(run).soil.law, outcome.specimen(run).start, outcome.loading(run));
     } catch (const NumericalError& error) {
         FailureRecord record = error.record;
         const std::string label = run_label(outcome, run);
@@ -68,7 +67,7 @@ ElementOutcome perform_test(const ElementTest& test)
         try {
             if (k < strengths) {
                 const ElementSpecimen& specimen = test.specimens[k];
-                outcome.strengths[k] = cyclic_strength(make_ubcsand(specimen.soil), specimen.start);
+                outcome.strengths[k] = cyclic_strength(specimen.soil.law, specimen.start);
             } else {
                 ElementRun& run = outcome.runs[k - strengths];
                 run.result = perform_named(outcome, run);

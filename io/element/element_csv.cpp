@@ -48,9 +48,11 @@ std::string digits(double number)
 
 std::vector<std::string> heading(const ElementOutcome& outcome)
 {
+    const DescribedLaw& soil = outcome.test.soil;
     return {"Quicksand element test [tests." + outcome.test.name +
                 "]: " + loading_name(outcome.test.loadings.front()),
-            "material " + outcome.test.material + ", UBCSAND, " + outcome.test.density};
+            "material " + outcome.test.material + ", " + soil.title +
+                (soil.density.empty() ? "" : ", " + soil.density)};
 }
 
 std::string file_name(const ElementOutcome& outcome, const ElementRun& run)

@@ -6,7 +6,7 @@
 #include "io/element/element_variation.hpp"
 #include "io/keys/scene_text.hpp"
 #include "io/keys/scene_value_reader.hpp"
-#include "io/laws/ubcsand_keys.hpp"
+#include "io/laws/soil_laws.hpp"
 #include "solver/base/failure.hpp"
 
 #include <algorithm>
@@ -61,15 +61,18 @@ void check_stresses(const SceneValues& values, const std::string& test,
                     const std::vector<ElementSpecimen>& specimens, Diagnostics& findings)
 {
     const std::string path = test + ".stresses";
-    double floor = 0.0;
-    for (const ElementSpecimen& specimen : specimens) floor = std::max(floor, specimen.soil.stress_floor);
+    StressFloor floor;
+    for (const ElementSpecimen& specimen : specimens) {
+        const StressFloor other = stress_floor_of(specimen.soil.law);
+        if (other.stress > floor.stress) floor = other;
+    }
     for (const double stress : values.find<std::vector<double>>(path).value_or(std::vector<double>())) {
-        if (stress >= floor) continue;
-        findings.add(
-            error_at(values.place(path), "range",
-                     path + " has " + quantity_text(stress, Dimension::pressure) +
-                         ", which is below the least stress of the model",
-                     "at least " + quantity_text(floor, Dimension::pressure) + ", the stress_floor"));
+        if (stress >= floor.stress) continue;
+        findings.add(error_at(values.place(path), "range",
+                              path + " has " + quantity_text(stress, Dimension::pressure) +
+                                  ", which is below the least stress of the model",
+                              "at least " + quantity_text(floor.stress, Dimension::pressure) + ", the " +
+                                  std::string(floor.key)));
         return;
     }
 }
@@ -79,14 +82,6 @@ LiquefactionCriterion criterion_of(const std::string& word)
     if (word == "strain_3_percent") return LiquefactionCriterion::strain_3_percent;
     if (word == "strain_3.75_percent") return LiquefactionCriterion::strain_375_percent;
     return LiquefactionCriterion::ru_95;
-}
-
-std::string density_text(const SceneValues& values, const NamedTable& material)
-{
-    const auto number = [&](const char* key) { return values.find<double>(material.path + "." + key); };
-    if (const auto n1_60 = number("n1_60")) return "(N1)60 = " + number_text(*n1_60);
-    if (const auto density = number("relative_density")) return "Dr = " + number_text(*density);
-    return values.text(material.path + ".preset");
 }
 
 /// The material that the test names, or the only one; null, and a finding, when there is none.
@@ -112,11 +107,17 @@ const NamedTable* find_material(const SceneValues& values, const std::string& te
 std::string consolidation_hint(const ElementSpecimen& specimen)
 {
     const Consolidation& start = specimen.start;
-    if (0.5 * (1.0 + start.k0) * start.vertical_stress < specimen.soil.stress_floor) {
-        return "raise vertical_stress, or lower stress_floor";
-    }
+    const StressFloor floor = stress_floor_of(specimen.soil.law);
+    if (0.5 * (1.0 + start.k0) * start.vertical_stress < floor.stress)
+        return "raise vertical_stress, or lower " + std::string(floor.key);
+    if (!bears_stress_as_drawn(specimen.soil.law)) return "lower vertical_stress, or take stiffer soil";
     return start.static_shear != 0.0 ? "reduce static_shear_ratio, or bring k0 nearer to 1"
                                      : "bring k0 nearer to 1";
+}
+
+DescribedLaw read_soil(SceneValues& values, const NamedTable& material, Diagnostics& findings)
+{
+    return read_element_law({values, material, Material(), findings});
 }
 
 /// Soil and initial stresses; that they can be is checked by consolidating.
@@ -127,13 +128,13 @@ ElementSpecimen read_specimen(SceneValues& values, const NamedTable& material, c
         return values.find<double>(test.path + "." + key).value_or(otherwise);
     };
     ElementSpecimen specimen;
-    specimen.soil = resolve_ubcsand(material, values, findings);
+    specimen.soil = read_soil(values, material, findings);
     specimen.start.vertical_stress = number("vertical_stress", specimen.start.vertical_stress);
     specimen.start.k0 = number("k0", 1.0);
     specimen.start.static_shear = number("static_shear_ratio", 0.0) * specimen.start.vertical_stress;
     if (findings.has_errors()) return specimen;
     try {
-        consolidate(make_ubcsand(specimen.soil), specimen.start);
+        consolidate(specimen.soil.law, specimen.start);
     } catch (const InputError& error) {
         findings.add(error_at(place, "consolidation", error.what(), "", consolidation_hint(specimen)));
     }
@@ -189,7 +190,7 @@ ElementTest read_test(const DocumentNode& document, SceneValues& values, const N
     const NamedTable* material = find_material(values, table.path, table.place, findings);
     if (material == nullptr || findings.has_errors()) return test;
     test.material = material->name;
-    test.density = density_text(values, *material);
+    test.soil = read_soil(values, *material, findings);
     test.varied = values.text(table.path + ".vary");
     test.specimens = read_specimens(document, values, *material, table, findings);
     test.loadings = read_loadings(values, table.path);
@@ -249,7 +250,7 @@ ElementReading read_element_file(const std::filesystem::path& file, const std::v
     ElementReading reading;
     reading.programme = {file, *text, values.text("title"), {}};
     for (const NamedTable& material : tables_named(values, "materials")) {
-        resolve_ubcsand(material, values, findings);
+        read_soil(values, material, findings);
     }
     if (findings.has_errors()) throw_findings(findings, *text);
     for (const NamedTable& table : tables_named(values, "tests")) {

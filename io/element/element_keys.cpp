@@ -1,6 +1,6 @@
 #include "io/element/element_keys.hpp"
 
-#include "io/laws/ubcsand_keys.hpp"
+#include "io/laws/soil_laws.hpp"
 
 namespace quicksand {
 
@@ -22,6 +22,13 @@ const Condition strain_controlled{"kind", {strain_cycles}};
 const Condition cyclic{"kind", {stress_cycles, strain_cycles}};
 const Condition compressed{"kind", {oedometer, isotropic}};
 
+std::vector<std::string_view> law_words()
+{
+    std::vector<std::string_view> words;
+    for (const SoilLaw& law : soil_laws()) words.push_back(law.word);
+    return words;
+}
+
 // One row, one key: the formatter would make it ten lines.
 // clang-format off
 
@@ -35,7 +42,7 @@ std::vector<SceneKey> head_keys()
          .doc = "Keys whose warnings you have read and accept, as [\"tests.strength.k0\"]."},
         {.pattern = "materials", .type = named_tables, .required = true, .doc = "The soils, with the keys of a scene."},
         {.pattern = "materials.*", .type = table, .doc = "One soil, under a name of your choice."},
-        {.pattern = "materials.*.model", .type = word, .required = true, .words = {"ubcsand"},
+        {.pattern = "materials.*.model", .type = word, .required = true, .words = law_words(),
          .doc = "Stress-strain law of the grain skeleton."},
     };
 }
@@ -106,13 +113,6 @@ std::vector<SceneKey> comparison_keys()
 
 // clang-format on
 
-std::vector<SceneKey> sand_keys()
-{
-    std::vector<SceneKey> keys = ubcsand_keys();
-    for (SceneKey& key : keys) key.when = {"model", {"ubcsand"}};
-    return keys;
-}
-
 } // namespace
 
 const KeyTable& element_key_table()
@@ -120,7 +120,7 @@ const KeyTable& element_key_table()
     static const KeyTable table = [] {
         KeyTable keys = {"test file", "test_version", "Keys of element tests", {}, {}};
         for (const auto& part :
-             {head_keys(), sand_keys(), specimen_keys(), loading_keys(), comparison_keys()}) {
+             {head_keys(), element_law_keys(), specimen_keys(), loading_keys(), comparison_keys()}) {
             keys.keys.insert(keys.keys.end(), part.begin(), part.end());
         }
         return keys;

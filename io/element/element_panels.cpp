@@ -132,15 +132,15 @@ PlotPanel labelled(PlotPanel panel, const char* heading, const char* x_label, co
     return panel;
 }
 
-/// The failure limit of each sand, up and for cyclic tests down: shear stress = sin phi_f (x + a) [kPa].
+/// The failure limit of each soil that has one, up and for cyclic tests down [kPa].
 void add_failure(const std::vector<const ElementRun*>& runs, const ElementOutcome& outcome, double end,
                  const char* name, bool downward, PlotPanel& panel)
 {
     std::vector<double> drawn;
     for (std::size_t k = 0; k < runs.size(); ++k) {
-        const UbcSand law = make_ubcsand(outcome.specimen(*runs[k]).soil);
-        if (std::find(drawn.begin(), drawn.end(), law.eta_f) != drawn.end()) continue;
-        const double slope = law.eta_f, at_zero = 1e-3 * law.eta_f * law.a;
+        const auto line = failure_line_of(outcome.specimen(*runs[k]).soil.law);
+        if (!line || std::find(drawn.begin(), drawn.end(), line->slope) != drawn.end()) continue;
+        const double slope = line->slope, at_zero = 1e-3 * line->at_zero;
         const Colour colour = drawn.empty() ? guide_grey : curve_colour(k, runs.size());
         panel.curves.push_back({drawn.empty() ? name : "",
                                 colour,
@@ -231,8 +231,11 @@ PlotPanel strength_panel(const ElementOutcome& outcome)
     double most = 30.0, largest = 0.0;
     for (std::size_t k = 0; k < count; ++k) {
         const std::string& label = outcome.test.specimens[k].label;
-        PlotCurve curve{
-            label.empty() ? "UBCSAND" : label, curve_colour(k, count), {}, {}, CurveStyle::line_with_points};
+        PlotCurve curve{label.empty() ? outcome.test.soil.title : label,
+                        curve_colour(k, count),
+                        {},
+                        {},
+                        CurveStyle::line_with_points};
         for (const ElementRun* run : runs_of(outcome, k)) {
             const auto cycles = cycles_to_liquefaction(outcome, *run);
             if (!cycles || *cycles <= 0.0) continue;
@@ -262,8 +265,8 @@ PlotPanel strength_panel(const ElementOutcome& outcome)
         }
     }
     panel.x_range = PlotRange{0.4, 1.3 * most};
+    if (largest == 0.0) largest = std::get<StressCycles>(outcome.test.loadings.back()).csr; // no liquefaction
     panel.y_range = PlotRange{0.0, 1.15 * largest};
-    if (largest == 0.0) panel.y_range.reset();
     return panel;
 }
 

@@ -1,8 +1,8 @@
 // What a file of element tests asks for, read and checked.
 #pragma once
 
+#include "io/laws/soil_law.hpp"
 #include "solver/element/element_loading.hpp"
-#include "solver/ubcsand/ubcsand_parameters.hpp"
 
 #include <filesystem>
 #include <optional>
@@ -27,7 +27,7 @@ struct StrengthData {
 struct ElementSpecimen {
     std::string label;  // "n1_60 = 10", "" where nothing is varied
     double value = 0.0; // of the key that is varied, in SI
-    UbcSandParameters soil;
+    DescribedLaw soil;
     Consolidation start;
 };
 
@@ -37,8 +37,8 @@ enum class LiquefactionCriterion { ru_95, strain_3_percent, strain_375_percent }
 struct ElementTest {
     std::string name;
     std::string material;
-    std::string density; // as given, "(N1)60 = 13.9"
-    std::string varied;  // the key, "" for none
+    DescribedLaw soil;  // the material as the file gives it, nothing varied
+    std::string varied; // the key, "" for none
     std::vector<ElementSpecimen> specimens;
     std::vector<ElementLoading> loadings;
     LiquefactionCriterion criterion = LiquefactionCriterion::ru_95;

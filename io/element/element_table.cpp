@@ -11,17 +11,13 @@ namespace {
 
 std::string soil_line(const ElementOutcome& outcome)
 {
-    const UbcSandParameters& soil = outcome.test.specimens.front().soil;
-    const bool varies = !outcome.test.varied.empty();
-    const std::string density = outcome.test.varied == "n1_60" || outcome.test.varied == "relative_density"
-                                    ? outcome.test.varied + " varied"
-                                    : outcome.test.density;
-    return fmt::format(
-        "Material   {}: UBCSAND, {}; {}K_G {:.0f}, K_B {:.0f}, K_Gp {:.0f}, R_f {:.3f}, φcv {:.3g}°, "
-        "φf {:.4g}°, h1 {:.3g}, h2 {:.3g}",
-        outcome.test.material, density, varies ? "first value: " : "", soil.elastic_shear_number,
-        soil.elastic_bulk_number, soil.plastic_shear_number, soil.failure_ratio,
-        soil.constant_volume_friction_deg, soil.peak_friction_deg, soil.virgin_factor, soil.secondary_factor);
+    const ElementTest& test = outcome.test;
+    const DescribedLaw& soil = test.soil;
+    std::string title = soil.title;
+    if (!soil.density.empty())
+        title += ", " + (test.varied == soil.density_key ? test.varied + " varied" : soil.density);
+    return fmt::format("Material   {}: {}; {}{}", test.material, title,
+                       test.varied.empty() ? "" : "first value: ", test.specimens.front().soil.numbers);
 }
 
 std::string specimen_line(const ElementOutcome& outcome)

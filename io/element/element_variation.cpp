@@ -10,12 +10,14 @@ namespace quicksand {
 
 namespace {
 
-/// The numbers that may be varied: those of the material's or the test's table.
-std::vector<std::string> numbers_of(std::string_view table_pattern)
+/// The numbers that may be varied: those of the test's table, or those of the material's which its law has.
+std::vector<std::string> numbers_of(std::string_view table_pattern, const std::string& law = "")
 {
     std::vector<std::string> names;
     for (const SceneKey* key : keys_of_table(element_key_table(), table_pattern)) {
-        if (key->type == ValueType::number) names.emplace_back(last_part(key->pattern));
+        const std::vector<std::string_view>& laws = key->when.words;
+        const bool known = law.empty() || std::find(laws.begin(), laws.end(), law) != laws.end();
+        if (key->type == ValueType::number && known) names.emplace_back(last_part(key->pattern));
     }
     return names;
 }
@@ -48,7 +50,8 @@ std::optional<Variation> find_variation(const DocumentNode& document, const Scen
                               "vary = \"k0\" and values = [0.4, 0.5, 1.0], for example"));
         return std::nullopt;
     }
-    std::vector<std::string> of_material = numbers_of("materials.*"), of_test = numbers_of("tests.*");
+    std::vector<std::string> of_material = numbers_of("materials.*", values.text(material.path + ".model")),
+                             of_test = numbers_of("tests.*");
     const bool is_material = contains(of_material, key);
     if (!is_material && !contains(of_test, key)) {
         of_material.insert(of_material.end(), of_test.begin(), of_test.end());

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <string>
 #include <utility>
@@ -75,7 +76,13 @@ std::vector<SoilLaw> particular_laws()
 {
     return {
         {.form = MohrCoulomb(), .check = check_mohr_coulomb},
-        {.form = UbcSand(), .keys = ubcsand_scene_keys(), .read = read_ubcsand, .describe = describe_ubcsand},
+        {.form = UbcSand(),
+         .keys = ubcsand_scene_keys(),
+         .read = read_ubcsand,
+         .describe = describe_ubcsand,
+         .element_keys = ubcsand_keys(),
+         .read_for_element = read_ubcsand_for_element,
+         .example = example_of_ubcsand},
     };
 }
 
@@ -88,6 +95,7 @@ std::vector<SoilLaw> list_laws()
             if (particular.form.index() == form.index()) law = particular;
         law.word = name_of(form);
         if (law.keys.empty()) law.keys = rows_of(form);
+        if (law.element_keys.empty()) law.element_keys = law.keys;
         laws.push_back(std::move(law));
     }
     return laws;
@@ -104,19 +112,12 @@ SkeletonLaw read_keys(const SoilLaw& law, const LawSource& source)
     return result;
 }
 
-} // namespace
-
-std::span<const SoilLaw> soil_laws()
-{
-    static const std::vector<SoilLaw> laws = list_laws();
-    return laws;
-}
-
-std::vector<SceneKey> soil_law_keys()
+/// The rows of all laws, of which `rows` is a member.
+std::vector<SceneKey> keys_of_laws(std::vector<SceneKey> SoilLaw::*rows)
 {
     std::vector<SceneKey> keys;
     for (const SoilLaw& law : soil_laws()) {
-        for (SceneKey key : law.keys) {
+        for (SceneKey key : law.*rows) {
             const auto known = std::find_if(keys.begin(), keys.end(), [&](const SceneKey& other) {
                 return other.pattern == key.pattern;
             });
@@ -131,6 +132,38 @@ std::vector<SceneKey> soil_law_keys()
         }
     }
     return keys;
+}
+
+/// "shear_modulus = 10 MPa, poisson_ratio = 0.3", without what has no value.
+std::string numbers_of(const SkeletonLaw& law)
+{
+    const std::vector<LawKeyText> keys = keys_of(law);
+    std::vector<std::string> numbers;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const double value = value_of(law, k);
+        if (std::isfinite(value))
+            numbers.push_back(
+                fmt::format("{} = {}", keys[k].name, quantity_text(value, dimension_of(keys[k].unit))));
+    }
+    return fmt::format("{}", fmt::join(numbers, ", "));
+}
+
+} // namespace
+
+std::span<const SoilLaw> soil_laws()
+{
+    static const std::vector<SoilLaw> laws = list_laws();
+    return laws;
+}
+
+std::vector<SceneKey> soil_law_keys()
+{
+    return keys_of_laws(&SoilLaw::keys);
+}
+
+std::vector<SceneKey> element_law_keys()
+{
+    return keys_of_laws(&SoilLaw::element_keys);
 }
 
 const SoilLaw& soil_law(std::string_view word)
@@ -156,6 +189,31 @@ SkeletonLaw read_soil_law(const LawSource& source)
     if (!bears_stress_as_drawn(law.form) && source.values.has_table("relaxation")) refuse_settling(source);
     if (law.check != nullptr) law.check(source);
     return law.read != nullptr ? law.read(source) : read_keys(law, source);
+}
+
+DescribedLaw read_element_law(const LawSource& source)
+{
+    const SoilLaw& law = soil_law(source.values.text(source.table.path + ".model"));
+    if (law.check != nullptr) law.check(source);
+    if (law.read_for_element != nullptr) return law.read_for_element(source);
+    const SkeletonLaw read = read_keys(law, source);
+    return {read, std::string(law.word), "", "", numbers_of(read)};
+}
+
+SkeletonLaw example_of(const SoilLaw& law)
+{
+    if (law.example != nullptr) return law.example();
+    SkeletonLaw example = law.form;
+    const std::vector<LawKeyText> keys = keys_of(law.form);
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+        const Interval& usual = keys[k].usual;
+        const bool required = !keys[k].standard && keys[k].absent.empty();
+        const double middle =
+            usual.lower > 0.0 ? std::sqrt(usual.lower * usual.upper) : 0.5 * (usual.lower + usual.upper);
+        if (required) set_value(example, k, middle);
+        if (keys[k].standard) set_value(example, k, *keys[k].standard);
+    }
+    return example;
 }
 
 } // namespace quicksand

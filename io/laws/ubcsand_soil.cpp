@@ -110,6 +110,32 @@ SkeletonLaw read_ubcsand(const LawSource& source)
     return source.findings.has_errors() ? UbcSand() : make_ubcsand(parameters);
 }
 
+DescribedLaw read_ubcsand_for_element(const LawSource& source)
+{
+    const NamedTable& table = source.table;
+    const UbcSandParameters m = resolve_ubcsand(table, source.values, source.findings);
+    const auto number = [&](const char* key) { return source.values.find<double>(table.path + "." + key); };
+    DescribedLaw described{.title = "UBCSAND"};
+    if (const auto n1_60 = number("n1_60")) {
+        described.density = "(N1)60 = " + number_text(*n1_60), described.density_key = "n1_60";
+    } else if (const auto density = number("relative_density")) {
+        described.density = "Dr = " + number_text(*density), described.density_key = "relative_density";
+    } else {
+        described.density = source.values.text(table.path + ".preset"), described.density_key = "preset";
+    }
+    described.numbers = fmt::format(
+        "K_G {:.0f}, K_B {:.0f}, K_Gp {:.0f}, R_f {:.3f}, φcv {:.3g}°, φf {:.4g}°, h1 {:.3g}, h2 {:.3g}",
+        m.elastic_shear_number, m.elastic_bulk_number, m.plastic_shear_number, m.failure_ratio,
+        m.constant_volume_friction_deg, m.peak_friction_deg, m.virgin_factor, m.secondary_factor);
+    described.law = source.findings.has_errors() ? UbcSand() : make_ubcsand(m);
+    return described;
+}
+
+SkeletonLaw example_of_ubcsand()
+{
+    return make_ubcsand(with(UbcSandRunSettings(), nevada_sand_55()));
+}
+
 std::string describe_ubcsand(const Material& material, double k0)
 {
     const auto& law = std::get<UbcSand>(material.law);

@@ -10,6 +10,12 @@ namespace quicksand {
 /// beyond the failure limit.
 SkeletonLaw read_ubcsand(const LawSource& source);
 
+/// The law of element tests, with substeps as fine as they need.
+DescribedLaw read_ubcsand_for_element(const LawSource& source);
+
+/// Nevada sand with the substeps of runs.
+SkeletonLaw example_of_ubcsand();
+
 /// Moduli, the stresses it bears and its cyclic strength.
 std::string describe_ubcsand(const Material& material, double k0);
 

@@ -12,7 +12,7 @@ namespace quicksand {
 
 namespace {
 
-// The law is integrated to first order: with this step the mean stress at the peaks is right to 0.2 %.
+// UBCSAND is integrated to first order: with this step the mean stress at the peaks is right to 0.2 %.
 constexpr double stress_step = 0.004;  // elastic stress of a step over tau_a [-]
 constexpr double least_csr = 0.01;     // from which strength is searched [-]
 constexpr double largest_csr = 2.0;    // up to which [-]
@@ -58,13 +58,13 @@ void note_events(const Leg& leg, const ElementPoint& point, CyclicTest& test)
 void step_stress(const Leg& leg, double tau_step, Specimen& specimen)
 {
     const Specimen before = specimen;
-    double step = leg.direction() * tau_step / shear_modulus(specimen.law, specimen.state);
+    double step = leg.direction() * tau_step / shear_modulus(specimen);
     for (int attempt = 0; attempt < 60; ++attempt) {
         specimen = before;
         strain(0.0, 0.0, step, specimen);
-        const double beyond = leg.direction() * (specimen.state.tau_xy - leg.to);
+        const double beyond = leg.direction() * (specimen.tau() - leg.to);
         if (beyond <= leg_tolerance * tau_step) return;
-        step *= (leg.to - before.state.tau_xy) / (specimen.state.tau_xy - before.state.tau_xy);
+        step *= (leg.to - before.tau()) / (specimen.tau() - before.tau());
     }
 }
 
@@ -82,7 +82,7 @@ bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Speci
     bool ends = false, stops = false;
     while (!ends && !stops) {
         step_stress(leg, tau_step, specimen);
-        const ElementPoint point = record(specimen, cycle_of(leg, specimen.state.tau_xy));
+        const ElementPoint point = record(specimen, cycle_of(leg, specimen.tau()));
         note_events(leg, point, test);
         ends = leg.direction() * (leg.to - point.tau) <= leg_tolerance * tau_step;
         stops = std::abs(point.gamma) > loading.largest_gamma ||
@@ -96,7 +96,7 @@ bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Speci
 /// the same tests.
 class StrengthSearch {
 public:
-    StrengthSearch(const UbcSand& law, const Consolidation& start, double most_cycles)
+    StrengthSearch(const SkeletonLaw& law, const Consolidation& start, double most_cycles)
         : law_(law), start_(start), most_cycles_(most_cycles)
     {
     }
@@ -137,7 +137,7 @@ private:
     /// Middle of the range of CSR that reaches ru > 0.95 at N cycles, a whole number of halves.
     double middle(double cycles) { return std::sqrt(least(cycles) * least(cycles - 0.5)); }
 
-    const UbcSand& law_;
+    const SkeletonLaw& law_;
     const Consolidation& start_;
     double most_cycles_;
     std::map<double, double> known_; // cycles by CSR
@@ -145,7 +145,7 @@ private:
 
 } // namespace
 
-CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StressCycles& loading)
+CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StressCycles& loading)
 {
     if (!(loading.csr > 0.0)) throw InputError("element test: csr must be positive");
     Specimen specimen = consolidate(law, start);
@@ -160,7 +160,7 @@ CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, cons
     return test;
 }
 
-CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StrainCycles& loading)
+CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StrainCycles& loading)
 {
     if (!(loading.gamma > 0.0)) throw InputError("element test: gamma must be positive");
     Specimen specimen = consolidate(law, start);
@@ -220,13 +220,14 @@ std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, 
     return std::nullopt;
 }
 
-std::optional<double> csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles)
+std::optional<double> csr_to_ru_95(const SkeletonLaw& law, const Consolidation& start, double cycles)
 {
     return StrengthSearch(law, start, cycles + 0.5).csr_at(cycles);
 }
 
-std::optional<CyclicStrength> cyclic_strength(const UbcSand& law, const Consolidation& start)
+std::optional<CyclicStrength> cyclic_strength(const SkeletonLaw& law, const Consolidation& start)
 {
+    if (memory_of(law).empty()) return std::nullopt;
     StrengthSearch search(law, start, 30.0);
     const auto csr_10 = search.csr_at(10.0), csr_15 = search.csr_at(15.0), csr_30 = search.csr_at(30.0);
     if (!csr_10 || !csr_15 || !csr_30) return std::nullopt;

@@ -1,5 +1,5 @@
 // Cyclic undrained simple shear in the element laboratory, and the cyclic strength that follows from it.
-// Signs and frame as in element_test.hpp.
+// Signs and frame as in specimen.hpp.
 #pragma once
 
 #include "solver/element/element_laboratory.hpp"
@@ -32,8 +32,8 @@ struct CyclicTest {
     std::optional<double> cycles_to_375_percent; // N to |gamma| > 3.75 % [-]
 };
 
-CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StressCycles& loading);
-CyclicTest shear_cyclically(const UbcSand& law, const Consolidation& start, const StrainCycles& loading);
+CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StressCycles& loading);
+CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StrainCycles& loading);
 
 /// A whole cycle from the peak of one to that of the next, for modulus and damping.
 struct CycleSummary {
@@ -59,7 +59,7 @@ std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, 
 /// CSR that reaches ru > 0.95 in N cycles, to 0.2 %. Cycles are counted in halves, so that a range of CSR has
 /// the same count: its middle is taken, and log-log interpolation between the halves. None where it would be
 /// below 0.01 or above 2.
-std::optional<double> csr_to_ru_95(const UbcSand& law, const Consolidation& start, double cycles);
+std::optional<double> csr_to_ru_95(const SkeletonLaw& law, const Consolidation& start, double cycles);
 
 /// The cyclic strength curve in two numbers.
 struct CyclicStrength {
@@ -67,7 +67,8 @@ struct CyclicStrength {
     double slope;  // b of CSR ~ N^-b, from 10 to 30 cycles [-]
 };
 
-/// None where one of its CSR would be below 0.01 or above 2, as under a static shear that is never reversed.
-std::optional<CyclicStrength> cyclic_strength(const UbcSand& law, const Consolidation& start);
+/// None where one of its CSR would be below 0.01 or above 2, as under a static shear that is never reversed,
+/// and of a law without memory, for which a cycle is like the one before.
+std::optional<CyclicStrength> cyclic_strength(const SkeletonLaw& law, const Consolidation& start);
 
 } // namespace quicksand

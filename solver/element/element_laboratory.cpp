@@ -14,7 +14,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Points of monotonic tests are 1 % of the strain apart, at least 1e-6. Between them the strain is divided
-/// finely: the law is integrated to first order, and first loading is then right to 1e-4.
+/// finely: a law may be integrated to first order, and first loading is then right to 1e-4.
 template <class Apply>
 void strain_monotonically(double largest, double strain, Apply&& apply)
 {
@@ -24,9 +24,9 @@ void strain_monotonically(double largest, double strain, Apply&& apply)
 }
 
 /// Apply the strain for which `stress` of the new state has its value: the secant method within the closest
-/// strains that are known to give too little and too much. `apply(unknown, specimen)` strains. The law
-/// divides a strain into a whole number of substeps, so that the stress jumps by some 1e-5 where that number
-/// changes: a value within a jump is held as near as can be.
+/// strains that are known to give too little and too much. `apply(unknown, specimen)` strains. A law
+/// may divide a strain into a whole number of substeps, so that the stress jumps by some 1e-5 where that
+/// number changes: a value within a jump is held as near as can be.
 template <class Apply, class Stress>
 void hold(double value, double stiffness, Apply&& apply, Stress&& stress, Specimen& specimen)
 {
@@ -37,7 +37,7 @@ void hold(double value, double stiffness, Apply&& apply, Stress&& stress, Specim
     for (int iteration = 0; iteration < 200; ++iteration) {
         specimen = before;
         apply(unknown, specimen);
-        error = stress(specimen.state) - value;
+        error = stress(specimen) - value;
         if (std::abs(error) < tolerance) return;
         (error < 0.0 ? too_small : too_large) = unknown;
         const double middle = 0.5 * (too_small + too_large);
@@ -56,46 +56,29 @@ void hold(double value, double stiffness, Apply&& apply, Stress&& stress, Specim
     }
     if (std::abs(error) < jump) return;
     std::ostringstream what;
-    what << "the held stress is " << stress(specimen.state) << " Pa instead of " << value << " Pa";
+    what << "the held stress is " << stress(specimen) << " Pa instead of " << value << " Pa";
     throw NumericalError({"element test", what.str(), "the specimen has lost its stiffness"});
 }
 
-double sigma_x(const UbcSandState& state)
+double sigma_x(const Specimen& specimen)
 {
-    return state.sigma_x;
+    return specimen.sigma_x();
 }
 
-double sigma_y(const UbcSandState& state)
+double sigma_y(const Specimen& specimen)
 {
-    return state.sigma_y;
+    return specimen.sigma_y();
 }
 
-double mean_stress(const UbcSandState& state)
+double mean_stress(const Specimen& specimen)
 {
-    return 0.5 * (state.sigma_x + state.sigma_y);
-}
-
-/// Below its floor the law knows no stress.
-void require_above_floor(const UbcSand& law, double mean_stress)
-{
-    if (mean_stress >= law.s_min) return;
-    std::ostringstream what;
-    what << "a mean stress of " << mean_stress << " Pa is below the least of the model, " << law.s_min
-         << " Pa (stress_floor)";
-    throw InputError(what.str());
-}
-
-void check(const Consolidation& start)
-{
-    if (!(start.vertical_stress > 0.0) || !(start.k0 > 0.0)) {
-        throw InputError("element test: vertical_stress and k0 must be positive");
-    }
+    return 0.5 * (specimen.sigma_x() + specimen.sigma_y());
 }
 
 /// Strain by `apply(step, specimen)` in steps of 1 % of the stress from target to target.
 template <class Apply, class Stress>
-ElementPath load_through(const UbcSand& law, const Consolidation& start, const std::vector<double>& targets,
-                         Apply&& apply, Stress&& stress)
+ElementPath load_through(const SkeletonLaw& law, const Consolidation& start,
+                         const std::vector<double>& targets, Apply&& apply, Stress&& stress)
 {
     Specimen specimen = consolidate(law, start);
     ElementPath path = {record(specimen, 0.0)};
@@ -103,9 +86,9 @@ ElementPath load_through(const UbcSand& law, const Consolidation& start, const s
         if (!(target > 0.0)) throw InputError("element test: a stress to compress to must be positive");
         require_above_floor(law, target);
         for (double next = 0.0; next != target;) {
-            const double now = stress(specimen.state);
+            const double now = stress(specimen);
             next = now < target ? std::min(target, 1.01 * now) : std::max(target, now / 1.01);
-            hold(next, constrained_modulus(law, specimen.state), apply, stress, specimen);
+            hold(next, constrained_modulus(specimen), apply, stress, specimen);
             path.push_back(record(specimen, 0.0));
             path.back().ru = 0.0;
         }
@@ -113,48 +96,7 @@ ElementPath load_through(const UbcSand& law, const Consolidation& start, const s
     return path;
 }
 
-double mean_consolidation_stress(const Consolidation& start)
-{
-    return 0.5 * (1.0 + start.k0) * start.vertical_stress;
-}
-
-/// At the stresses of the start, whether it bears them or not.
-Specimen place_specimen(const UbcSand& law, const Consolidation& start)
-{
-    const double horizontal = start.k0 * start.vertical_stress;
-    Specimen specimen;
-    specimen.law = law;
-    specimen.initial_vertical_stress = start.vertical_stress;
-    specimen.state.sigma_x = horizontal;
-    specimen.state.sigma_y = start.vertical_stress;
-    specimen.state.sigma_z = horizontal;
-    specimen.state.tau_xy = start.static_shear;
-    begin_shaking(law, specimen.state);
-    return specimen;
-}
-
 } // namespace
-
-bool can_consolidate(const UbcSand& law, const Consolidation& start)
-{
-    return start.vertical_stress > 0.0 && start.k0 > 0.0 && mean_consolidation_stress(start) >= law.s_min &&
-           place_specimen(law, start).state.eta_max <= law.eta_f;
-}
-
-Specimen consolidate(const UbcSand& law, const Consolidation& start)
-{
-    check(start);
-    require_above_floor(law, mean_consolidation_stress(start));
-    const Specimen specimen = place_specimen(law, start);
-    if (specimen.state.eta_max > law.eta_f) {
-        std::ostringstream what;
-        what.precision(3);
-        what << "the specimen fails in consolidation: its stress ratio t/s = " << specimen.state.eta_max
-             << " is above the failure limit sin phi_f = " << law.eta_f;
-        throw InputError(what.str());
-    }
-    return specimen;
-}
 
 double ElementPoint::deviator_stress() const
 {
@@ -162,29 +104,20 @@ double ElementPoint::deviator_stress() const
     return std::sqrt(1.5 * (x * x + y * y + z * z + 2.0 * tau * tau));
 }
 
-void strain(double strain_x, double strain_y, double shear, Specimen& specimen)
-{
-    update(specimen.law, {strain_x, strain_y, shear, 0.0}, specimen.state);
-    specimen.strain_x += strain_x;
-    specimen.strain_y += strain_y;
-    specimen.gamma += shear;
-}
-
 ElementPoint record(const Specimen& specimen, double cycle)
 {
-    const UbcSandState& state = specimen.state;
     return {cycle,
             specimen.gamma,
             specimen.strain_x,
             specimen.strain_y,
-            state.tau_xy,
-            state.sigma_x,
-            state.sigma_y,
-            state.sigma_z,
-            1.0 - state.sigma_y / specimen.initial_vertical_stress};
+            specimen.tau(),
+            specimen.sigma_x(),
+            specimen.sigma_y(),
+            specimen.sigma_z(),
+            1.0 - specimen.sigma_y() / specimen.initial_vertical_stress};
 }
 
-ElementPath shear_monotonically(const UbcSand& law, const Consolidation& start, Drainage drainage,
+ElementPath shear_monotonically(const SkeletonLaw& law, const Consolidation& start, Drainage drainage,
                                 double largest_gamma)
 {
     Specimen specimen = consolidate(law, start);
@@ -193,39 +126,39 @@ ElementPath shear_monotonically(const UbcSand& law, const Consolidation& start, 
         strain_monotonically(largest_gamma, specimen.gamma, [&](double step) {
             if (drainage == Drainage::undrained) return strain(0.0, 0.0, step, specimen);
             const auto apply = [&](double vertical, Specimen& s) { strain(0.0, vertical, step, s); };
-            hold(start.vertical_stress, constrained_modulus(law, specimen.state), apply, sigma_y, specimen);
+            hold(start.vertical_stress, constrained_modulus(specimen), apply, sigma_y, specimen);
         });
         path.push_back(record(specimen, 0.0));
     }
     return path;
 }
 
-ElementPath compress_biaxially(const UbcSand& law, const Consolidation& start, Drainage drainage,
+ElementPath compress_biaxially(const SkeletonLaw& law, const Consolidation& start, Drainage drainage,
                                double largest_strain)
 {
     Specimen specimen = consolidate(law, start);
     ElementPath path = {record(specimen, 0.0)};
-    const double cell_pressure = specimen.state.sigma_x;
+    const double cell_pressure = specimen.sigma_x();
     while (specimen.strain_y < largest_strain - 1e-12) {
         strain_monotonically(largest_strain, specimen.strain_y, [&](double step) {
             if (drainage == Drainage::undrained) return strain(-step, step, 0.0, specimen);
             const auto apply = [&](double lateral, Specimen& s) { strain(lateral, step, 0.0, s); };
-            hold(cell_pressure, constrained_modulus(law, specimen.state), apply, sigma_x, specimen);
+            hold(cell_pressure, constrained_modulus(specimen), apply, sigma_x, specimen);
         });
         path.push_back(record(specimen, 0.0));
-        path.back().ru = (cell_pressure - specimen.state.sigma_x) / start.vertical_stress;
+        path.back().ru = (cell_pressure - specimen.sigma_x()) / start.vertical_stress;
     }
     return path;
 }
 
-ElementPath compress_in_oedometer(const UbcSand& law, const Consolidation& start,
+ElementPath compress_in_oedometer(const SkeletonLaw& law, const Consolidation& start,
                                   const std::vector<double>& vertical_stresses)
 {
     return load_through(
         law, start, vertical_stresses, [](double step, Specimen& s) { strain(0.0, step, 0.0, s); }, sigma_y);
 }
 
-ElementPath compress_isotropically(const UbcSand& law, const Consolidation& start,
+ElementPath compress_isotropically(const SkeletonLaw& law, const Consolidation& start,
                                    const std::vector<double>& mean_stresses)
 {
     return load_through(

@@ -1,22 +1,12 @@
-// The element laboratory: one point of UBCSAND in the apparatus of a soil laboratory. The tests drive the
-// same `update` as a run does.
-//
-// Units/signs  Laboratory signs: stress and strain compression positive, tau and gamma of the same sense.
-// Frame        y is vertical; simple shear keeps eps_x = 0 and the plane strain eps_z = 0.
+// The element laboratory: one point of any soil law in the apparatus of a soil laboratory. The tests drive
+// the same stress update as a run does. Signs and frame as in specimen.hpp.
 #pragma once
 
-#include "solver/ubcsand/ubcsand.hpp"
+#include "solver/element/specimen.hpp"
 
 #include <vector>
 
 namespace quicksand {
-
-/// How a specimen is consolidated before its test.
-struct Consolidation {
-    double vertical_stress = 100e3; // sigma'_v0 [Pa]
-    double k0 = 0.5;                // sigma'_h0 / sigma'_v0, horizontal in both directions [-]
-    double static_shear = 0.0;      // tau_st on the horizontal plane [Pa]
-};
 
 /// A state on the path of a test.
 struct ElementPoint {
@@ -35,42 +25,25 @@ using ElementPath = std::vector<ElementPoint>;
 
 enum class Drainage { drained, undrained };
 
-/// The point in the apparatus with its strains.
-struct Specimen {
-    UbcSand law;
-    UbcSandState state;
-    double gamma = 0.0, strain_x = 0.0, strain_y = 0.0; // [-]
-    double initial_vertical_stress = 0.0;               // sigma'_v0 [Pa]
-};
-
-/// A consolidated specimen, its memory as at the start of shaking. Throws InputError when its stresses are
-/// beyond the failure limit.
-Specimen consolidate(const UbcSand& law, const Consolidation& start);
-
-/// Whether consolidate() has a specimen for these stresses.
-bool can_consolidate(const UbcSand& law, const Consolidation& start);
-
-void strain(double strain_x, double strain_y, double shear, Specimen& specimen);
-
 /// The specimen's state; ru is that of a vertical total stress which stays.
 ElementPoint record(const Specimen& specimen, double cycle);
 
 /// Simple shear to a shear strain. Undrained: at constant volume, ru = 1 - sigma'_v/sigma'_v0. Drained: at
 /// constant vertical stress.
-ElementPath shear_monotonically(const UbcSand& law, const Consolidation& start, Drainage drainage,
+ElementPath shear_monotonically(const SkeletonLaw& law, const Consolidation& start, Drainage drainage,
                                 double largest_gamma);
 
 /// Plane-strain compression along y to a vertical strain at constant cell pressure sigma_x, which is total
 /// when undrained.
-ElementPath compress_biaxially(const UbcSand& law, const Consolidation& start, Drainage drainage,
+ElementPath compress_biaxially(const SkeletonLaw& law, const Consolidation& start, Drainage drainage,
                                double largest_strain);
 
 /// One-dimensional compression from one vertical stress to the next; loading and unloading.
-ElementPath compress_in_oedometer(const UbcSand& law, const Consolidation& start,
+ElementPath compress_in_oedometer(const SkeletonLaw& law, const Consolidation& start,
                                   const std::vector<double>& vertical_stresses);
 
 /// Equal strains in x and y from one mean stress to the next.
-ElementPath compress_isotropically(const UbcSand& law, const Consolidation& start,
+ElementPath compress_isotropically(const SkeletonLaw& law, const Consolidation& start,
                                    const std::vector<double>& mean_stresses);
 
 } // namespace quicksand

@@ -5,7 +5,7 @@ namespace quicksand {
 namespace {
 
 struct Performer {
-    const UbcSand& law;
+    const SkeletonLaw& law;
     const Consolidation& start;
 
     CyclicTest operator()(const StressCycles& loading) const { return shear_cyclically(law, start, loading); }
@@ -30,7 +30,7 @@ struct Performer {
 
 } // namespace
 
-CyclicTest perform(const UbcSand& law, const Consolidation& start, const ElementLoading& loading)
+CyclicTest perform(const SkeletonLaw& law, const Consolidation& start, const ElementLoading& loading)
 {
     return std::visit(Performer{law, start}, loading);
 }

@@ -1,5 +1,5 @@
 // What is done to a consolidated specimen, in one type, and the function that does it.
-// Signs and frame as in element_test.hpp.
+// Signs and frame as in specimen.hpp.
 #pragma once
 
 #include "solver/element/cyclic_laboratory.hpp"
@@ -32,6 +32,6 @@ using ElementLoading = std::variant<StressCycles, StrainCycles, MonotonicShear, 
 
 /// The path, and where the loading is cyclic its events. Throws InputError when the specimen cannot be
 /// consolidated so, NumericalError when a stress cannot be held.
-CyclicTest perform(const UbcSand& law, const Consolidation& start, const ElementLoading& loading);
+CyclicTest perform(const SkeletonLaw& law, const Consolidation& start, const ElementLoading& loading);
 
 } // namespace quicksand

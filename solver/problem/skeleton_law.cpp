@@ -37,6 +37,17 @@ void set_value(SkeletonLaw& law, std::size_t key, double value)
         law);
 }
 
+double value_of(const SkeletonLaw& law, std::size_t key)
+{
+    return std::visit(
+        [&](const auto& any) {
+            const auto keys = keys_of(any);
+            ENSURE(key < keys.size());
+            return any.*keys[key].member / keys[key].factor;
+        },
+        law);
+}
+
 std::string_view name_of(const SkeletonLaw& law)
 {
     return std::visit([](const auto& any) { return name_of(any); }, law);
@@ -102,6 +113,26 @@ SkeletonLaw reduced(const SkeletonLaw& law, double factor)
 void hold_water(SkeletonLaw& law, double dry_fraction)
 {
     std::visit([&](auto& any) { hold_water(any, dry_fraction); }, law);
+}
+
+double shear_modulus_at(const SkeletonLaw& law, std::size_t p, const Particles& particles)
+{
+    return std::visit([&](const auto& any) { return shear_modulus_at(any, p, particles); }, law);
+}
+
+StressFloor stress_floor_of(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) { return stress_floor_of(any); }, law);
+}
+
+std::string objection_to_stress(const SkeletonLaw& law, std::size_t p, const Particles& particles)
+{
+    return std::visit([&](const auto& any) { return objection_to_stress(any, p, particles); }, law);
+}
+
+std::optional<FailureLine> failure_line_of(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) { return failure_line_of(any); }, law);
 }
 
 } // namespace quicksand

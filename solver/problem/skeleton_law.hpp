@@ -10,6 +10,8 @@
 #include "solver/ubcsand/ubcsand_particles.hpp"
 
 #include <cstddef>
+#include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -20,6 +22,9 @@ using SkeletonLaw = std::variant<LinearElastic, MohrCoulomb, UbcSand, NeoHookean
 
 /// One of every law that users can choose.
 std::vector<SkeletonLaw> laws_of_scenes();
+
+/// The number of the law's key `key` in its unit.
+double value_of(const SkeletonLaw& law, std::size_t key);
 
 /// Put a number, in the unit of the law's key `key`, into the law.
 void set_value(SkeletonLaw& law, std::size_t key, double value);
@@ -38,5 +43,9 @@ bool bears_stress_as_drawn(const SkeletonLaw& law);
 bool has_strength(const SkeletonLaw& law);
 SkeletonLaw reduced(const SkeletonLaw& law, double factor);
 void hold_water(SkeletonLaw& law, double dry_fraction);
+double shear_modulus_at(const SkeletonLaw& law, std::size_t p, const Particles& particles);
+StressFloor stress_floor_of(const SkeletonLaw& law);
+std::string objection_to_stress(const SkeletonLaw& law, std::size_t p, const Particles& particles);
+std::optional<FailureLine> failure_line_of(const SkeletonLaw& law);
 
 } // namespace quicksand

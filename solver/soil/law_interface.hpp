@@ -14,7 +14,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace quicksand {
@@ -120,6 +122,44 @@ template <class Law>
 Law reduced(const Law& law, double)
 {
     return law;
+}
+
+/// G of unloading at the particle's present stress [Pa].
+template <class Law>
+double shear_modulus_at(const Law& law, std::size_t, const Particles&)
+{
+    return shear_modulus(law);
+}
+
+/// The least mean stress in the plane that a law knows, and the key that sets it.
+struct StressFloor {
+    double stress = 0.0; // compression positive [Pa]
+    std::string_view key = "";
+};
+template <class Law>
+StressFloor stress_floor_of(const Law&)
+{
+    return {};
+}
+
+/// What is wrong with the particle's stress that the law cannot start from it, as the end of a sentence: "its
+/// stress ratio is above the failure limit"; empty where nothing is.
+template <class Law>
+std::string objection_to_stress(const Law&, std::size_t, const Particles&)
+{
+    return "";
+}
+
+/// Failure in the plane, compression positive: the radius of Mohr's circle is at most at_zero + slope s, s
+/// its centre.
+struct FailureLine {
+    double slope = 0.0;   // [-]
+    double at_zero = 0.0; // [Pa]
+};
+template <class Law>
+std::optional<FailureLine> failure_line_of(const Law&)
+{
+    return std::nullopt;
 }
 
 /// Let the grains carry held water as their own mass, of which they are the fraction `dry_fraction` [-].

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 namespace quicksand {
 
@@ -73,6 +74,31 @@ void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::si
             if (excess[k] > 0.0) return_particle(surface, first + k, stress);
         }
     }
+}
+
+std::string objection_to_stress(const MohrCoulomb& law, std::size_t p, const Particles& particles)
+{
+    const SymmetricTensors& stress = particles.stress;
+    const double centre = 0.5 * (stress.xx[p] + stress.yy[p]);
+    const double radius = std::hypot(0.5 * (stress.xx[p] - stress.yy[p]), stress.xy[p]);
+    const double tension = std::max(centre + radius, stress.zz[p]);
+    const double compression = -std::min(centre - radius, stress.zz[p]);
+    if (MohrCoulombSurface(law).excess(tension, -compression) <= 1e-9 * std::abs(compression)) return "";
+    const double sine = std::sin(law.friction_angle), cosine = std::cos(law.friction_angle);
+    const double borne = (2.0 * law.cohesion * cosine - (1.0 + sine) * tension) / (1.0 - sine);
+    std::ostringstream what;
+    if (tension > std::min(law.tension_strength, surface_tip(law))) {
+        what << "its tension of " << tension << " Pa is more than the soil bears";
+    } else {
+        what << "its largest principal stress is " << compression << " Pa, and beside the least of "
+             << -tension << " Pa the soil bears " << borne << " Pa";
+    }
+    return what.str();
+}
+
+std::optional<FailureLine> failure_line_of(const MohrCoulomb& law)
+{
+    return FailureLine{std::sin(law.friction_angle), law.cohesion * std::cos(law.friction_angle)};
 }
 
 } // namespace quicksand

@@ -11,9 +11,12 @@
 
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
+#include "solver/soil/law_interface.hpp"
 #include "solver/soil/mohr_coulomb_parameters.hpp"
 
 #include <cstddef>
+#include <optional>
+#include <string>
 
 namespace quicksand {
 
@@ -24,5 +27,11 @@ ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t first, std::s
 /// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
 void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles);
+
+/// Principal stresses beyond the surface: the largest is more than the least one bears, or tension is.
+std::string objection_to_stress(const MohrCoulomb& law, std::size_t p, const Particles& particles);
+
+/// t = s sin phi + c cos phi, where the out-of-plane stress is the middle one.
+std::optional<FailureLine> failure_line_of(const MohrCoulomb& law);
 
 } // namespace quicksand

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 
 namespace quicksand {
 
@@ -69,6 +70,18 @@ UbcSandArrays arrays_of(Particles& particles)
             particles.mass_solid.data()};
 }
 
+/// One particle, as one point of the laboratory.
+void update_alone(const UbcSand& law, double dt, std::size_t p, const UbcSandArrays& points)
+{
+    UbcSandState state = points.state(p);
+    const double volume = points.volume[p], mass = points.mass_solid[p];
+    state.least_contraction = volume > law.largest_specific_volume * mass ? 0.0 : -1.0;
+    state.most_contraction = volume < law.smallest_specific_volume * mass ? 0.0 : 1.0;
+    update(law, {-dt * points.L_xx[p], -dt * points.L_yy[p], -dt * (points.L_xy[p] + points.L_yx[p]), 0.0},
+           state);
+    points.set(p, state);
+}
+
 /// Shrink the deviator in the plane to the failure limit and raise the mean stress to the floor; true when
 /// that changed the stress.
 bool limit_stress(const UbcSand& law, UbcSandState& state)
@@ -107,6 +120,29 @@ double shear_modulus(const UbcSand& law)
     return shear_modulus(law, at_one_atmosphere());
 }
 
+double shear_modulus_at(const UbcSand& law, std::size_t p, const Particles& particles)
+{
+    UbcSandState state;
+    state.sigma_x = -particles.stress.xx[p];
+    state.sigma_y = -particles.stress.yy[p];
+    return shear_modulus(law, state);
+}
+
+std::string objection_to_stress(const UbcSand& law, std::size_t p, const Particles& particles)
+{
+    const SymmetricTensors& stress = particles.stress;
+    UbcSandState state;
+    state.sigma_x = -stress.xx[p], state.sigma_y = -stress.yy[p], state.sigma_z = -stress.zz[p];
+    state.tau_xy = -stress.xy[p];
+    begin_shaking(law, state);
+    if (state.eta_max <= law.eta_f) return "";
+    std::ostringstream what;
+    what.precision(3);
+    what << "its stress ratio t/s = " << state.eta_max
+         << " is above the failure limit sin phi_f = " << law.eta_f;
+    return what.str();
+}
+
 ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
                                const Particles& particles)
 {
@@ -117,6 +153,7 @@ ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles)
 {
     ENSURE(particles.memory.size() >= memory.size());
+    if (last == first + 1) return update_alone(law, dt, first, arrays_of(particles)); // lanes would be empty
     update(law, dt, first, last, arrays_of(particles));
 }
 

@@ -7,12 +7,17 @@
 #include "solver/ubcsand/ubcsand.hpp"
 
 #include <cstddef>
+#include <optional>
+#include <string>
 
 namespace quicksand {
 
 /// M and G of unloading at a mean stress of one atmosphere [Pa].
 double constrained_modulus(const UbcSand& law);
 double shear_modulus(const UbcSand& law);
+
+/// G of unloading at the particle's present stress [Pa].
+double shear_modulus_at(const UbcSand& law, std::size_t p, const Particles& particles);
 
 /// Of the particles [first, last) at their present stress.
 ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
@@ -37,6 +42,17 @@ std::size_t count_at_failure(const UbcSand& law, std::size_t first, std::size_t 
 /// Bounds of the volume count the grains alone, which are the fraction `dry_fraction` of the particles' mass
 /// [-].
 void hold_water(UbcSand& law, double dry_fraction);
+
+/// The floor of the mean stress; a stress ratio above the failure limit; that limit.
+inline StressFloor stress_floor_of(const UbcSand& law)
+{
+    return {law.s_min, "stress_floor"};
+}
+std::string objection_to_stress(const UbcSand& law, std::size_t p, const Particles& particles);
+inline std::optional<FailureLine> failure_line_of(const UbcSand& law)
+{
+    return FailureLine{law.eta_f, law.eta_f * law.a};
+}
 
 /// The largest t within the failure limit at a mean stress s: (s + a) sin phi_f [Pa].
 inline double failure_shear(const UbcSand& law, double s)

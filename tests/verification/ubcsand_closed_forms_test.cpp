@@ -61,9 +61,8 @@ void shear_at_constant_mean_stress(double gamma, double s, Specimen& specimen)
     for (int iteration = 0; iteration < 40; ++iteration) {
         specimen = before;
         strain(0.5 * volumetric, 0.5 * volumetric, gamma, specimen);
-        const double error = s - 0.5 * (specimen.state.sigma_x + specimen.state.sigma_y);
-        volumetric += error / (constrained_modulus(specimen.law, specimen.state) -
-                               shear_modulus(specimen.law, specimen.state));
+        const double error = s - 0.5 * (specimen.sigma_x() + specimen.sigma_y());
+        volumetric += error / (constrained_modulus(specimen) - shear_modulus(specimen));
     }
 }
 
@@ -75,9 +74,9 @@ TEST(UbcSandFirstLoading, FollowsTheClosedFormAtConstantMeanStress)
     double worst_shear = 0.0, worst_volume = 0.0;
     for (double eta = 0.0; eta < 0.54;) {
         shear_at_constant_mean_stress(2e-6, 100e3, specimen);
-        eta = specimen.state.tau_xy / 100e3;
+        eta = specimen.tau() / 100e3;
         if (eta < 0.05) continue;
-        const double plastic = specimen.gamma - specimen.state.tau_xy / law.G_atm;
+        const double plastic = specimen.gamma - specimen.tau() / law.G_atm;
         const double shear_exact = 100e3 / law.Gp_atm * eta / (1.0 - law.R * eta);
         const double volume_exact = 100e3 / law.Gp_atm * contraction_integral(law, eta);
         const double volume = specimen.strain_x + specimen.strain_y;

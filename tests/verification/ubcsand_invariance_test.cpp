@@ -33,10 +33,19 @@ double distance(const UbcSandState& a, const UbcSandState& b)
            std::abs(a.sigma_z - b.sigma_z) + std::abs(a.tau_xy - b.tau_xy);
 }
 
+/// At 100 kPa and K0 = 0.5.
+UbcSandState consolidated(const UbcSand& law)
+{
+    UbcSandState state;
+    state.sigma_x = state.sigma_z = 50e3, state.sigma_y = 100e3;
+    begin_shaking(law, state);
+    return state;
+}
+
 TEST(UbcSandFrame, AnyAxesGiveTheSameStress)
 {
     const UbcSand law = make_ubcsand(nevada_sand_55());
-    UbcSandState fixed = consolidate(law, {}).state;
+    UbcSandState fixed = consolidated(law);
     UbcSandState rotated = turned(fixed, 0.7);
     std::mt19937 random(1);
     std::normal_distribution<double> normal;
@@ -56,7 +65,7 @@ TEST(UbcSandFrame, AnyAxesGiveTheSameStress)
 TEST(UbcSandFrame, ABodyThatTurnsWhileItStrainsKeepsItsStressInItsOwnAxes)
 {
     const UbcSand law = make_ubcsand(nevada_sand_55());
-    UbcSandState fixed = consolidate(law, {}).state, turning = fixed;
+    UbcSandState fixed = consolidated(law), turning = fixed;
     const double per_step = 0.01; // the angle
     double angle = 0.0, worst = 0.0;
     for (int step = 0; step < 2000; ++step) {
@@ -106,8 +115,8 @@ double difference(const UbcSandParameters& a, const UbcSandParameters& b, double
         const double sense = (k / steps_of_a_leg + 1) / 2 % 2 == 0 ? step : -step;
         strain(0.0, 0.0, sense, one);
         strain(0.0, 0.0, sense, other);
-        worst = std::max({worst, std::abs(one.state.tau_xy - other.state.tau_xy) / 100e3,
-                          std::abs(one.state.sigma_y - other.state.sigma_y) / 100e3});
+        worst = std::max({worst, std::abs(one.tau() - other.tau()) / 100e3,
+                          std::abs(one.sigma_y() - other.sigma_y()) / 100e3});
     }
     return worst;
 }
@@ -138,7 +147,11 @@ UbcSandState sheared(double k0, double gamma, int substeps, Integration integrat
     parameters.largest_ratio_step = parameters.largest_stress_step = 1e9; // a substep of each step
     Specimen specimen = consolidate(make_ubcsand(parameters), {100e3, k0, 0.0});
     for (int k = 0; k < substeps; ++k) strain(0.0, 0.0, gamma / substeps, specimen);
-    return specimen.state;
+    UbcSandState state;
+    state.sigma_x = specimen.sigma_x(), state.sigma_y = specimen.sigma_y(),
+    state.sigma_z = specimen.sigma_z();
+    state.tau_xy = specimen.tau();
+    return state;
 }
 
 double order_of(Integration integration, double k0, double gamma)

@@ -60,7 +60,7 @@ Outcome shear_along(const std::vector<double>& path)
         strain(0.0, 0.0, path[k] - path[k - 1], specimen);
         outcome.ru = std::max(outcome.ru, record(specimen, 0.0).ru);
     }
-    outcome.half_cycles = specimen.state.half_cycles;
+    outcome.half_cycles = specimen.point.memory[column_of(memory_of(law), "half_cycles")][0];
     return outcome;
 }
 
@@ -107,7 +107,7 @@ double dilation_of_liquefied_sand(double ripple)
         strain(0.0, 0.0, gamma - before, specimen);
         before = gamma;
     }
-    return 0.5 * (specimen.state.sigma_x + specimen.state.sigma_y);
+    return 0.5 * (specimen.sigma_x() + specimen.sigma_y());
 }
 
 TEST(UbcSandNoise, RipplesDoNotKeepLiquefiedSandFromDilating)

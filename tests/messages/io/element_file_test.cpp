@@ -263,6 +263,39 @@ test.toml:14:16: error[consolidation]: the specimen fails in consolidation: its 
       |                ^~~~
 hint: reduce static_shear_ratio, or bring k0 nearer to 1
 )_"},
+SceneMistake{"MohrCoulombBeyondItsStrength",
+    "model = \"ubcsand\"\nn1_60 = 13.9",
+    "model = \"mohr_coulomb\"\nshear_modulus = \"10 MPa\"\npoisson_ratio = 0.3\nfriction_angle = \"10 deg\"",
+R"_(
+test.toml:10:1: error[consolidation]: the specimen fails in consolidation: its largest principal stress is 100000 Pa, and beside the least of 50000 Pa the soil bears 71013.8 Pa
+   10 | [tests.strength]
+      | ^~~~~~~~~~~~~~~~
+hint: bring k0 nearer to 1
+)_"},
+SceneMistake{"RubberThatIsTooSoft",
+    "model = \"ubcsand\"\nn1_60 = 13.9",
+    "model = \"neo_hookean\"\nshear_modulus = \"1 Pa\"\npoisson_ratio = 0.3",
+R"_(
+test.toml:6:17: warning[plausibility]: materials.sand.shear_modulus = 1 Pa is unusually small
+    6 | shear_modulus = "1 Pa"
+      |                 ^~~~~~
+expected: usually 1e5 to 1e10 Pa
+hint: did you mean "1 MPa"?
+to accept it: accept = ["materials.sand.shear_modulus"] at the top of the test file
+test.toml:9:1: error[consolidation]: the specimen is too soft for these stresses: no strain leads to them
+    9 | [tests.strength]
+      | ^~~~~~~~~~~~~~~~
+hint: lower vertical_stress, or take stiffer soil
+)_"},
+SceneMistake{"KeyOfAnotherLaw",
+    "n1_60 = 13.9",
+    "n1_60 = 13.9\nshear_modulus = \"10 MPa\"",
+R"_(
+test.toml:7:1: error[unused-key]: materials.sand.shear_modulus is not used with model = "ubcsand"
+    7 | shear_modulus = "10 MPa"
+      | ^~~~~~~~~~~~~
+hint: remove it, or set model = "linear_elastic"
+)_"},
 SceneMistake{"ASecondDensity",
     "cycles = 30",
     "vary = \"relative_density\"\nvalues = [0.5]",
@@ -333,7 +366,8 @@ TEST(ElementMessages, AKeyThatCannotBeVariedIsNamedWithThoseThatCan)
         "test.toml:13:8: error[unknown-key]: \"n1_06\" is no number of the material or the "
         "test\n"))
         << message;
-    EXPECT_NE(message.find("expected: one of n1_60, relative_density, "), std::string::npos) << message;
+    EXPECT_NE(message.find("expected: one of cohesion, n1_60, relative_density, "), std::string::npos)
+        << message;
     EXPECT_NE(message.find("hint: did you mean \"n1_60\"?"), std::string::npos) << message;
 }
 

@@ -1,8 +1,10 @@
 #include "io/element/element_keys.hpp"
+#include "io/laws/soil_laws.hpp"
 #include "tests/fixtures/element_example.hpp"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 namespace quicksand {
@@ -10,6 +12,11 @@ namespace {
 
 using fixtures::ElementFolder;
 using fixtures::sound_tests;
+
+const UbcSand& sand_of(const ElementSpecimen& specimen)
+{
+    return std::get<UbcSand>(specimen.soil.law);
+}
 
 ElementTest first_test(const std::string& keys)
 {
@@ -46,7 +53,7 @@ TEST(ElementFile, ReadsStressCycles)
     ASSERT_EQ(test.specimens.size(), 1u);
     EXPECT_EQ(test.specimens[0].start.vertical_stress, 100e3);
     EXPECT_EQ(test.specimens[0].start.k0, 0.5);
-    EXPECT_DOUBLE_EQ(test.specimens[0].soil.peak_friction_deg, 34.39);
+    EXPECT_DOUBLE_EQ(sand_of(test.specimens[0]).eta_f, make_ubcsand(ubcsand_from_blow_count(13.9)).eta_f);
     ASSERT_EQ(test.loadings.size(), 3u);
     const auto& loading = std::get<StressCycles>(test.loadings[1]);
     EXPECT_EQ(loading.csr, 0.2);
@@ -94,8 +101,7 @@ TEST(ElementFile, VariesANumberOfTheMaterial)
     EXPECT_EQ(test.specimens[0].label, "n1_60 = 5");
     EXPECT_EQ(test.specimens[1].label, "n1_60 = 10.5");
     EXPECT_EQ(test.specimens[1].value, 10.5);
-    EXPECT_EQ(test.specimens[1].soil.plastic_shear_number,
-              ubcsand_from_blow_count(10.5).plastic_shear_number);
+    EXPECT_EQ(sand_of(test.specimens[1]).Gp_atm, make_ubcsand(ubcsand_from_blow_count(10.5)).Gp_atm);
 }
 
 TEST(ElementFile, VariesANumberOfTheTestThatTheFileLeavesAtItsDefault)
@@ -127,7 +133,85 @@ TEST(ElementFile, OverridesReplaceKeys)
     const ElementReading reading =
         folder.read(sound_tests, {"materials.sand.n1_60=20", "tests.strength.csr=[0.25]"});
     EXPECT_EQ(reading.programme.tests[0].loadings.size(), 1u);
-    EXPECT_DOUBLE_EQ(reading.programme.tests[0].specimens[0].soil.peak_friction_deg, 36.0);
+    EXPECT_DOUBLE_EQ(sand_of(reading.programme.tests[0].specimens[0]).eta_f,
+                     make_ubcsand(ubcsand_from_blow_count(20.0)).eta_f);
+}
+
+/// A material of the law as a user writes it, of the law's usual numbers.
+std::string material_of(const SoilLaw& law)
+{
+    std::string text = "[materials.soil]\nmodel = \"" + std::string(law.word) + "\"\n";
+    const SkeletonLaw example = example_of(law);
+    const std::vector<LawKeyText> keys = keys_of(example);
+    for (std::size_t k = 0; k < keys.size(); ++k)
+        if (!keys[k].standard && keys[k].absent.empty())
+            text += std::string(keys[k].name) + " = " + std::to_string(value_of(example, k)) +
+                    (keys[k].unit == "deg" ? "e0\n" : "\n");
+    return keys.empty() ? text + "n1_60 = 13.9\n" : text; // a law with a reader of its own
+}
+
+TEST(ElementFile, EveryLawOfScenesGoesThroughEveryTest)
+{
+    const std::string tests = R"(
+[tests.stress]
+kind = "cyclic_shear_stress_controlled"
+csr = [0.1]
+cycles = 2
+[tests.strain]
+kind = "cyclic_shear_strain_controlled"
+shear_strains = [1e-4]
+cycles = 2
+[tests.shear]
+kind = "monotonic_shear"
+largest_shear_strain = 0.002
+[tests.drained_shear]
+kind = "monotonic_shear"
+drainage = "drained"
+largest_shear_strain = 0.002
+[tests.biaxial]
+kind = "biaxial_compression"
+largest_vertical_strain = 0.002
+[tests.drained_biaxial]
+kind = "biaxial_compression"
+drainage = "drained"
+largest_vertical_strain = 0.002
+[tests.oedometer]
+kind = "oedometer"
+stresses = ["150 kPa", "100 kPa"]
+[tests.isotropic]
+kind = "isotropic_compression"
+stresses = ["150 kPa", "100 kPa"]
+)";
+    const ElementFolder folder;
+    for (const SoilLaw& law : soil_laws()) {
+        const ElementReading reading = folder.read("test_version = 1\n" + material_of(law) + tests);
+        ASSERT_EQ(reading.programme.tests.size(), 8u);
+        for (const ElementTest& test : reading.programme.tests) {
+            const ElementSpecimen& specimen = test.specimens.at(0);
+            EXPECT_EQ(specimen.soil.law.index(), law.form.index());
+            EXPECT_FALSE(specimen.soil.numbers.empty()) << law.word;
+            const ElementPath path = perform(specimen.soil.law, specimen.start, test.loadings.at(0)).path;
+            ASSERT_GT(path.size(), 10u) << law.word << " " << test.name;
+            for (const ElementPoint& point : path)
+                ASSERT_TRUE(std::isfinite(point.tau + point.sigma_x + point.sigma_y + point.sigma_z))
+                    << law.word << " " << test.name;
+        }
+    }
+}
+
+TEST(ElementFile, ALawIsToldWithItsNumbers)
+{
+    const ElementFolder folder;
+    const ElementReading reading = folder.read(
+        "test_version = 1\n[materials.clay]\nmodel = \"mohr_coulomb\"\nshear_modulus = \"5 MPa\"\n"
+        "poisson_ratio = 0.3\nfriction_angle = \"25 deg\"\ncohesion = \"8 kPa\"\n"
+        "[tests.a]\nkind = \"monotonic_shear\"\n");
+    const DescribedLaw& soil = reading.programme.tests.at(0).soil;
+    EXPECT_EQ(soil.title, "mohr_coulomb");
+    EXPECT_EQ(soil.density, "");
+    EXPECT_EQ(soil.numbers,
+              "shear_modulus = 5e6 Pa, poisson_ratio = 0.3, cohesion = 8000 Pa, friction_angle = 25 deg, "
+              "dilation_angle = 0 deg");
 }
 
 TEST(ElementFile, AnAcceptedWarningIsSilent)

@@ -41,8 +41,7 @@ ElementOutcome perform_all(const ElementTest& test)
     for (std::size_t k = 0; k < test.specimens.size(); ++k) {
         for (std::size_t j = 0; j < test.loadings.size(); ++j) {
             const ElementSpecimen& specimen = test.specimens[k];
-            outcome.runs.push_back(
-                {k, j, perform(make_ubcsand(specimen.soil), specimen.start, test.loadings[j])});
+            outcome.runs.push_back({k, j, perform(specimen.soil.law, specimen.start, test.loadings[j])});
         }
         outcome.strengths.emplace_back(CyclicStrength{0.1 + 0.05 * static_cast<double>(k), 0.3});
     }
@@ -73,6 +72,22 @@ std::string joined(const std::vector<std::string>& lines)
     std::string text;
     for (const std::string& line : lines) text += line + "\n";
     return text;
+}
+
+TEST(ElementResults, ASeriesThatNeverLiquefiesIsDrawn)
+{
+    const TemporaryFolder folder;
+    const ElementReading reading =
+        read("test_version = 1\n[materials.rock]\nmodel = \"linear_elastic\"\n"
+             "shear_modulus = 1e8\npoisson_ratio = 0.2\n[tests.a]\n"
+             "kind = \"cyclic_shear_stress_controlled\"\ncsr = [0.1, 0.2]\ncycles = 2\n");
+    ElementOutcome outcome = perform_all(reading.programme.tests[0]);
+    outcome.strengths = {std::nullopt};
+    ElementResults results(folder / "out", reading.programme);
+    draw_element_pictures(outcome, "", results);
+    EXPECT_TRUE(std::filesystem::exists(folder / "out" / "a" / "csr_n.png"));
+    EXPECT_EQ(describe_conditions(outcome)[0],
+              "Material   rock: linear_elastic; shear_modulus = 1e8 Pa, poisson_ratio = 0.2");
 }
 
 TEST(ElementResults, TheTableOfCyclesHoldsEveryRun)

@@ -17,10 +17,10 @@ UbcSand nevada()
 TEST(ElementTest, ConsolidationHasItsStresses)
 {
     const Specimen specimen = consolidate(nevada(), {200e3, 0.6, 15e3});
-    EXPECT_EQ(specimen.state.sigma_y, 200e3);
-    EXPECT_EQ(specimen.state.sigma_x, 120e3);
-    EXPECT_EQ(specimen.state.sigma_z, 120e3);
-    EXPECT_EQ(specimen.state.tau_xy, 15e3);
+    EXPECT_EQ(specimen.sigma_y(), 200e3);
+    EXPECT_EQ(specimen.sigma_x(), 120e3);
+    EXPECT_EQ(specimen.sigma_z(), 120e3);
+    EXPECT_EQ(specimen.tau(), 15e3);
     EXPECT_EQ(record(specimen, 0.0).ru, 0.0);
 }
 
