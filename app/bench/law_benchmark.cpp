@@ -1,13 +1,13 @@
 #include "app/bench/law_benchmark.hpp"
 
-#include "solver/ubcsand/ubcsand_particles.hpp"
+#include "io/laws/soil_laws.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <vector>
+#include <variant>
 
 namespace quicksand {
 
@@ -22,15 +22,23 @@ using Shear = double (*)(int k);
 
 double ripple(int k)
 {
-    return k % 2 == 0 ? -2e-7 : 2e-7; // below the reversal tolerance: elastic
+    return k % 2 == 0 ? -2e-7 : 2e-7; // below the reversal tolerance of UBCSAND: elastic
 }
 
 double loading(int)
 {
-    return 1e-6; // plastic, one substep
+    return 1e-6; // where the soil yields, in one substep
 }
 
-Particles sand_at_100_kpa(const UbcSand& law)
+void shear_all(const SkeletonLaw& law, double shear, Particles& particles)
+{
+    std::fill(particles.velocity_gradient_solid.xy.begin(), particles.velocity_gradient_solid.xy.end(),
+              -shear);
+    std::visit([&](const auto& any) { update_stress(any, 1.0, 0, particle_count, particles); }, law);
+}
+
+/// At 100 kPa, K0 = 0.5 and after a shear strain that brings soil with a strength to it.
+Particles soil_at_100_kpa(const SkeletonLaw& law)
 {
     Particles particles;
     resize(particles, particle_count, std::nullopt);
@@ -39,72 +47,43 @@ Particles sand_at_100_kpa(const UbcSand& law)
         const double vertical = 100e3 * (1.0 + 1e-3 * static_cast<double>(p % 7));
         particles.stress.yy[p] = -vertical;
         particles.stress.xx[p] = particles.stress.zz[p] = -0.5 * vertical;
+        particles.half_edge_1.x[p] = particles.half_edge_2.y[p] = 0.5;
+        particles.volume[p] = particles.mass_solid[p] = 1.0;
     }
+    reset_reference(particles);
     start_memory(law, 0, particle_count, particles);
+    for (int k = 0; k < 200; ++k) shear_all(law, 1e-5, particles);
     return particles;
 }
 
 /// Wall time of a particle and step, the median of the runs [ns].
-template <class Run>
-double median_nanoseconds(Run&& run)
+double cost_of(const SkeletonLaw& law, Shear shear)
 {
+    const Particles start = soil_at_100_kpa(law);
     std::array<double, runs> costs{};
     for (double& cost : costs) {
-        const auto start = std::chrono::steady_clock::now();
-        run();
+        Particles particles = start;
+        const auto begin = std::chrono::steady_clock::now();
+        for (int k = 0; k < steps_of_a_run; ++k) shear_all(law, shear(k), particles);
         const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         cost = 1e9 * seconds / (static_cast<double>(particle_count) * steps_of_a_run);
     }
     std::nth_element(costs.begin(), costs.begin() + runs / 2, costs.end());
     return costs[runs / 2];
 }
 
-double cost_in_vectors(const UbcSand& law, Shear shear)
-{
-    const Particles start = sand_at_100_kpa(law);
-    return median_nanoseconds([&] {
-        Particles particles = start;
-        for (int k = 0; k < steps_of_a_run; ++k) {
-            std::fill(particles.velocity_gradient_solid.xy.begin(),
-                      particles.velocity_gradient_solid.xy.end(), -shear(k));
-            update_stress(law, 1.0, 0, particle_count, particles);
-        }
-    });
-}
-
-double cost_one_by_one(const UbcSand& law, Shear shear)
-{
-    const Particles start = sand_at_100_kpa(law);
-    std::vector<UbcSandState> states(particle_count);
-    return median_nanoseconds([&] {
-        for (std::size_t p = 0; p < particle_count; ++p) {
-            states[p] = UbcSandState();
-            states[p].sigma_x = states[p].sigma_z = -start.stress.xx[p];
-            states[p].sigma_y = -start.stress.yy[p];
-            begin_shaking(law, states[p]);
-        }
-        for (int k = 0; k < steps_of_a_run; ++k) {
-            for (UbcSandState& state : states) update(law, {0.0, 0.0, shear(k), 0.0}, state);
-        }
-    });
-}
-
 } // namespace
 
 std::string describe_law_cost()
 {
-    const UbcSand law = make_ubcsand(with(UbcSandRunSettings(), nevada_sand_55()));
-    std::string text =
-        fmt::format("UBCSAND alone, {} particles in one substep each: median of {} runs\n{:<16}"
-                    "{:>20}{:>20}{:>12}\n",
-                    particle_count, runs, "step", "one by one, ns", "in vectors, ns", "ratio");
-    const auto row = [&](const char* name, Shear shear) {
-        const double single = cost_one_by_one(law, shear), vectors = cost_in_vectors(law, shear);
-        text += fmt::format("{:<16}{:>20.1f}{:>20.1f}{:>12.2f}\n", name, single, vectors, single / vectors);
-    };
-    row("elastic", ripple);
-    row("plastic", loading);
+    std::string text = fmt::format("Soil laws alone, {} particles: median of {} runs\n{:<20}{:>16}{:>16}\n",
+                                   particle_count, runs, "law", "elastic, ns", "loading, ns");
+    for (const SoilLaw& law : soil_laws()) {
+        const SkeletonLaw example = example_of(law);
+        text += fmt::format("{:<20}{:>16.1f}{:>16.1f}\n", law.word, cost_of(example, ripple),
+                            cost_of(example, loading));
+    }
     return text;
 }
 

@@ -1,11 +1,12 @@
-// What UBCSAND costs a particle, one by one and in vectors.
+// What a particle's stress costs by each soil law.
 #pragma once
 
 #include <string>
 
 namespace quicksand {
 
-/// A table of nanoseconds a particle and step for elastic and for plastic steps, on one thread.
+/// A table of nanoseconds a particle and step, a row for each law of scenes, for elastic steps and for
+/// loading, on one thread.
 std::string describe_law_cost();
 
 } // namespace quicksand
