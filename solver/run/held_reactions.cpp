@@ -1,6 +1,6 @@
 // The forces that held a curve at rest until it lets go, as forces on its pieces: F_k = L_k sum_i w_ki y_i
-// with multipliers y of the nodes, such that sum_k w_ki F_k = R_i, by conjugate gradients. The matrix is that
-// of a mass along the curve; a few iterations reach rounding.
+// with multipliers y of the nodes, such that sum_k w_ki F_k = R_i in the least squares, by conjugate
+// gradients. The matrix is symmetric, that of a mass along the curve.
 #include "solver/run/held_reactions.hpp"
 
 #include "solver/boundaries/viscous_boundary.hpp"
@@ -71,37 +71,33 @@ double dot(const Scalars& a, const Scalars& b)
     return sum;
 }
 
-/// Forces of the pieces whose sums at the released nodes are `wanted`, as near as the pieces reach.
+/// Forces of the pieces whose sums at the released nodes are nearest to `wanted` in the least squares: where
+/// the curve cuts cells the pieces cannot carry all of it.
 Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vector<std::uint8_t>& released,
-                         Scalars wanted)
+                         const Scalars& wanted)
 {
-    constexpr int most_iterations = 500;
-    constexpr double tolerance = 1e-30; // of the squared residual
-    constexpr double lost = 1e4;        // growth of the squared residual after which nothing better comes
-    const Scalars reach = sums_at_nodes(pieces, released, forces_of(pieces, Scalars(wanted.size(), 1.0)));
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-        if (!(reach[i] > 0.0)) wanted[i] = 0.0;
-    Scalars solution(wanted.size(), 0.0), residual = wanted, direction = wanted, best = solution;
-    double square = dot(residual, residual), least = square;
+    constexpr int most_iterations = 2000;
+    constexpr double tolerance = 1e-30; // of the squared gradient
+    const auto sums_of = [&](const Scalars& multiplier) {
+        return sums_at_nodes(pieces, released, forces_of(pieces, multiplier));
+    };
+    Scalars solution(wanted.size(), 0.0), residual = wanted, gradient = sums_of(wanted), direction = gradient;
+    double square = dot(gradient, gradient);
     const double enough = tolerance * square;
-    for (int k = 0; k < most_iterations && square > enough && square < lost * least; ++k) {
-        const Scalars image = sums_at_nodes(pieces, released, forces_of(pieces, direction));
-        const double curvature = dot(direction, image);
-        if (!(curvature > 0.0)) break; // nothing of what is left can be reached
-        const double step = square / curvature;
+    for (int k = 0; k < most_iterations && square > enough; ++k) {
+        const Scalars image = sums_of(direction);
+        const double step = square / dot(image, image);
         for (std::size_t i = 0; i < solution.size(); ++i) {
             solution[i] += step * direction[i];
             residual[i] -= step * image[i];
         }
-        const double next = dot(residual, residual);
+        gradient = sums_of(residual);
+        const double next = dot(gradient, gradient);
         for (std::size_t i = 0; i < solution.size(); ++i)
-            direction[i] = residual[i] + next / square * direction[i];
+            direction[i] = gradient[i] + next / square * direction[i];
         square = next;
-        if (square >= least) continue;
-        least = square;
-        best = solution;
     }
-    return forces_of(pieces, best);
+    return forces_of(pieces, solution);
 }
 
 /// The nodes of the state at rest, with all forces, the pressure of the water included, and the rows of the
