@@ -54,13 +54,13 @@ void note_events(const Leg& leg, const ElementPoint& point, CyclicTest& test)
 }
 
 /// One step of a stress-controlled leg: the elastic stress of its strain is `tau_step`, so that the steps are
-/// fine where the specimen is soft; the last step ends the leg.
-void step_stress(const Leg& leg, double tau_step, Specimen& specimen)
+/// fine where the specimen is soft; the last step ends the leg. `before` is room for the specimen.
+void step_stress(const Leg& leg, double tau_step, Specimen& before, Specimen& specimen)
 {
-    const Specimen before = specimen;
+    before = specimen;
     double step = leg.direction() * tau_step / shear_modulus(specimen);
     for (int attempt = 0; attempt < 60; ++attempt) {
-        specimen = before;
+        if (attempt > 0) specimen = before;
         strain(0.0, 0.0, step, specimen);
         const double beyond = leg.direction() * (specimen.tau() - leg.to);
         if (beyond <= leg_tolerance * tau_step) return;
@@ -79,9 +79,10 @@ bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Speci
             CyclicTest& test)
 {
     const double tau_step = stress_step * amplitude;
+    Specimen before = specimen; // its arrays are made once
     bool ends = false, stops = false;
     while (!ends && !stops) {
-        step_stress(leg, tau_step, specimen);
+        step_stress(leg, tau_step, before, specimen);
         const ElementPoint point = record(specimen, cycle_of(leg, specimen.tau()));
         note_events(leg, point, test);
         ends = leg.direction() * (leg.to - point.tau) <= leg_tolerance * tau_step;
