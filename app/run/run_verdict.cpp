@@ -12,9 +12,11 @@ namespace quicksand {
 
 namespace {
 
-/// "energy error" of energy_error.
+/// "energy error" of energy_error; a unit is left out, since ratios are judged.
 std::string in_words(std::string_view name)
 {
+    constexpr std::string_view unit = "_J";
+    if (name.ends_with(unit)) name.remove_suffix(unit.size());
     std::string words(name);
     std::replace(words.begin(), words.end(), '_', ' ');
     return words;
@@ -47,15 +49,48 @@ std::vector<double> turnover(const PictureTable& table)
     return sum;
 }
 
+/// Energy put in by each row: what there was at the start, and the largest work from outside so far [J].
+std::vector<double> energy_put_in(const PictureTable& table)
+{
+    std::vector<double> sum;
+    const auto add = [&](const char* name, auto&& next) {
+        const std::vector<double>* values = table.find(name);
+        if (values == nullptr || values->empty()) return;
+        sum.resize(values->size(), 0.0);
+        double so_far = std::max(0.0, values->front());
+        for (std::size_t row = 0; row < values->size(); ++row)
+            sum[row] += so_far = next(so_far, (*values)[row]);
+    };
+    for (const char* name : {"kinetic_energy_J", "storage_energy_water_J"})
+        add(name, [](double at_start, double) { return at_start; });
+    for (const char* name : {"gravity_work_J", "base_work_J", "boundary_work_J"})
+        add(name, [](double most, double work) { return std::max(most, std::abs(work)); });
+    return sum;
+}
+
+/// The loss of each row over the energy put in; 0 where there is none.
+std::vector<double> loss_ratios(const PictureTable& table, const std::vector<double>& losses)
+{
+    const std::vector<double> given = energy_put_in(table);
+    std::vector<double> ratios(losses.size(), 0.0);
+    for (std::size_t row = 0; row < std::min(given.size(), losses.size()); ++row)
+        if (given[row] > 0.0) ratios[row] = losses[row] / given[row];
+    return ratios;
+}
+
 std::vector<Finding> judge_rows(const PictureTable& table, const std::vector<double>& times)
 {
     std::vector<Finding> findings;
     for (const Criterion& criterion : verdict_criteria()) {
         const std::vector<double>* values = table.find(criterion.quantity);
         if (values == nullptr) continue;
-        const bool of_energy = criterion.quantity == "energy_error";
-        findings.push_back(
-            judge(criterion, times, *values, of_energy ? turnover(table) : std::vector<double>()));
+        if (criterion.quantity == "energy_error") {
+            findings.push_back(judge(criterion, times, *values, turnover(table)));
+        } else if (criterion.quantity == "numerical_loss_J") {
+            findings.push_back(judge(criterion, times, loss_ratios(table, *values), energy_put_in(table)));
+        } else {
+            findings.push_back(judge(criterion, times, *values));
+        }
     }
     return findings;
 }

@@ -1,8 +1,9 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
-// memory_columns, last_step, step_scale, step_halvings, particles, reactions. The last 16 bytes are the FNV-1a
-// hash of all before them, which HDF5 does not look at: the file is checked before HDF5 opens it, since it
-// copes badly with damaged tables. HDF5 keeps no times of its objects, so that equal states make equal files.
+// memory_columns, last_step, step_scale, step_halvings, particles, reactions. The last 16 bytes are the
+// FNV-1a hash of all before them, which HDF5 does not look at: the file is checked before HDF5 opens it,
+// since it copes badly with damaged tables. HDF5 keeps no times of its objects, so that equal states make
+// equal files.
 #include "io/results/checkpoint.hpp"
 
 #include "io/files/atomic_file.hpp"

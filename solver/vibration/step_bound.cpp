@@ -18,7 +18,8 @@ double measure_scale(const Problem& problem, const State& state)
     whole.step_fraction = 1.0;
     whole.strain = StrainForm::small; // the motion does not limit the waves
     const double closed = stable_time_step(whole, state.particles).dt;
-    return std::min(1.0, margin * vibration_limit(problem, state, closed / margin).dt / closed);
+    const double scale = margin * vibration_limit(problem, state, closed / margin).dt / closed;
+    return std::clamp(scale, least_step_scale, 1.0);
 }
 
 } // namespace

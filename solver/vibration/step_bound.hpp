@@ -16,8 +16,12 @@ namespace quicksand {
 /// Steps from one measurement to the next: it costs as much as some twenty steps.
 inline constexpr std::int64_t steps_between_bounds = 2048;
 
+/// Below it vibrations do not shorten the step: they are those of nodes that almost no water reaches, where a
+/// water table passes close to a grid line, and whose motion hardly counts. There the watchdog decides [-].
+inline constexpr double least_step_scale = 0.25;
+
 /// Set the state's step_scale: 0.9 of the limit of the nodes' vibration over the step of the closed forms, at
-/// most 1. Throws NumericalError.
+/// most 1 and at least least_step_scale. Throws NumericalError.
 void measure_bound(const Problem& problem, State& state);
 
 /// The step from the state, with the bound that was last measured.

@@ -73,20 +73,6 @@ double momentum_error(const PictureTable& table)
     return scale > 0.0 ? error / scale : 0.0;
 }
 
-/// The largest kinetic energy that the scheme lost between particles and nodes, over the energy at the start
-/// and the largest work from outside. Sound runs lose less than they are given; an unstable one makes energy
-/// in the soil and loses it there, so that the balance closes all the same.
-double loss_ratio(const PictureTable& table)
-{
-    const std::vector<double>* kinetic = table.find("kinetic_energy_J");
-    const double loss = largest_in(table, "numerical_loss_J");
-    if (kinetic == nullptr || kinetic->empty() || std::isnan(loss)) return NAN;
-    double given = kinetic->front();
-    for (const char* name : {"gravity_work_J", "base_work_J", "boundary_work_J"})
-        given += std::fmax(largest_in(table, name), 0.0);
-    return given > 0.0 ? loss / given : 0.0;
-}
-
 void read_history(const RowFiles& files, RowOutcome& outcome)
 {
     const fs::path history = files.results() / "history.csv";
@@ -95,6 +81,7 @@ void read_history(const RowFiles& files, RowOutcome& outcome)
         const std::string_view quantity = finding.criterion->quantity;
         if (quantity == "energy_error") outcome.energy_error = finding.worst;
         if (quantity == "water_error") outcome.water_error = finding.worst;
+        if (quantity == "numerical_loss_J") outcome.loss = finding.worst;
         if (quantity.ends_with("checkerboard"))
             outcome.checkerboard = std::fmax(outcome.checkerboard, finding.worst);
     }
@@ -104,7 +91,6 @@ void read_history(const RowFiles& files, RowOutcome& outcome)
     const std::vector<double>* displacement = table.find("max_displacement_m");
     if (displacement != nullptr && !displacement->empty()) outcome.displacement = displacement->back();
     outcome.momentum_error = momentum_error(table);
-    outcome.loss = loss_ratio(table);
     outcome.velocity = largest_in(table, "max_velocity_m_s");
 }
 

@@ -1,0 +1,42 @@
+// The verdict on histories as files.
+#include "app/run/run_verdict.hpp"
+#include "tests/fixtures/temporary_folder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace quicksand {
+namespace {
+
+using fixtures::TemporaryFolder;
+
+std::vector<Finding> verdict_on(const std::string& history)
+{
+    const TemporaryFolder folder;
+    const ResultsFolder results{folder.path()};
+    std::ofstream(results.history()) << history;
+    return judge_history(results);
+}
+
+// A run that blows up makes energy in the soil and loses it between particles and grid: its balance closes.
+TEST(RunVerdict, IsBadWhereMuchMoreIsLostThanWasPutIn)
+{
+    const std::string head = "time_s,kinetic_energy_J,numerical_loss_J,base_work_J,energy_error\n";
+    const std::vector<Finding> findings = verdict_on(head + "0,0,0,0,0\n1,1,2,10,0\n2,1,360,4,0\n");
+    EXPECT_EQ(worst_grade(findings), Grade::bad);
+    EXPECT_NE(explain_bad_verdict(findings).find(
+                  "numerical loss 36 at t = 2 s: more is lost between particles and grid than was put in"),
+              std::string::npos)
+        << explain_bad_verdict(findings);
+    EXPECT_EQ(worst_grade(verdict_on(head + "0,0,0,0,0\n1,1,2,10,0\n2,1,8,4,0\n")), Grade::good);
+}
+
+TEST(RunVerdict, CountsTheEnergyAtTheStart)
+{
+    const std::string head = "time_s,kinetic_energy_J,numerical_loss_J,storage_energy_water_J\n";
+    EXPECT_EQ(worst_grade(verdict_on(head + "0,1,0,9,0\n1,0,10,0,0\n")), Grade::good);
+}
+
+} // namespace
+} // namespace quicksand
