@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace quicksand {
@@ -82,9 +83,13 @@ void bound_volumes(const NamedTable& table, double grain_density, SceneValues& v
     parameters.smallest_specific_volume = volume(densest);
 }
 
-/// A scene may have a K0 that its soil bears by cohesion at lower stresses, and not at the test's.
-std::string describe_strength(const UbcSand& law, double k0)
+/// A scene may have a K0 that its soil bears by cohesion at lower stresses, and not at the test's. The
+/// specimen has no porosity of its own, and its volume stays: the bounds of the scene's volumes are not for
+/// it.
+std::string describe_strength(UbcSand law, double k0)
 {
+    law.largest_specific_volume = std::numeric_limits<double>::infinity();
+    law.smallest_specific_volume = 0.0;
     const Consolidation start{atmospheric_pressure, k0, 0.0};
     if (!can_consolidate(law, start))
         return "its cyclic strength is not told: it fails as it is consolidated";

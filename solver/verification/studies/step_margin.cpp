@@ -2,6 +2,7 @@
 
 #include "solver/base/failure.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/vibration/step_bound.hpp"
 
 #include <cmath>
 #include <cstdint>
@@ -54,7 +55,7 @@ double distance(const Particles& a, const Particles& b)
 bool grows(Problem problem, const State& start, double share)
 {
     problem.step_fraction *= share;
-    const double dt = stable_time_step(problem, start.particles).dt;
+    const double dt = measure_time_step(problem, start).dt;
     State calm = start, stirred = start;
     stir(cell_part * problem.grid.cell_size / dt, stirred.particles);
     const double size = distance(stirred.particles, calm.particles);
@@ -63,6 +64,7 @@ bool grows(Problem problem, const State& start, double share)
             const double end = k * portion_steps * dt;
             run(problem, end, {}, calm);
             run(problem, end, {}, stirred);
+            if (calm.step_halvings + stirred.step_halvings > 0) return true; // by the watchdog
             if (!(distance(stirred.particles, calm.particles) < growth * size)) return true;
         }
     } catch (const NumericalError&) {
