@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
-#include <cstdlib>
 #include <vector>
 
 namespace quicksand {
@@ -90,10 +88,6 @@ LargestEigenvalue find_largest_eigenvalue(NodalEquations& equations, double tole
         solver.computeFromTridiagonal(Eigen::VectorXd::Map(basis.diagonal.data(), size), beside);
         values.push_back(solver.eigenvalues()[size - 1]);
         if (values.size() > 3) goes_on &= values.back() > (1.0 + tolerance) * values[values.size() - 4];
-    }
-    if (std::getenv("QS_TRACE")) {
-        for (double v : values) std::fprintf(stderr, "%.4f ", 1e3 / std::sqrt(v));
-        std::fprintf(stderr, "\n");
     }
     largest.value = values.back();
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(force.size()));

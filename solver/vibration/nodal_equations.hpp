@@ -12,6 +12,12 @@
 // and the stiffness Q of the water. The step is stable if dt^2 K - A has no positive eigenvalue: for any v
 // the factors z are the roots of a quadratic with real coefficients, whose product is at most 1, and none of
 // them passes -1 before. Walls are inside: all v are motions that they allow.
+//
+// Particles give the nodes back only F v of their motion, their velocity and affine velocity gathered and
+// scattered again. Nodes then answer a force as with
+//   S = A^-1 + A^-1 4 R (1 - F) A^-1
+// in the place of A^-1: exact without drag and water for motions that particles carry (F = 1) and for those
+// that they lose (F = 0, at nodes that a particle just touches), a little more than true between them.
 #pragma once
 
 #include "solver/particles/particles.hpp"

@@ -21,8 +21,10 @@ public:
     void respond(const Scalars& force, Scalars& velocity) override;
 
 private:
+    /// Velocities of the nodes that follow from the forces and momenta of the sums.
     void solve_velocities();
     /// Momenta of the motion that the particles do not give back to the nodes, R (1 - F) v, as the only load.
+    /// Leave as the only load the momenta of the motion that the particles do not give back, R (1 - F) v.
     void keep_lost_momenta();
 
     Problem problem_, small_; // small_: its form of small motion

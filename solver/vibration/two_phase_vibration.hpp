@@ -22,8 +22,10 @@ public:
 
 private:
     bool is_semi_implicit() const { return problem_.scheme == TimeScheme::semi_implicit; }
+    /// Velocities of the nodes that follow from the forces and momenta of the sums.
     void solve_velocities();
     /// Momenta of the motion that the particles do not give back to the nodes, R (1 - F) v, as the only load.
+    /// Leave as the only load the momenta of the motion that the particles do not give back, R (1 - F) v.
     void keep_lost_momenta();
 
     Problem problem_, small_; // small_: its form of small motion
