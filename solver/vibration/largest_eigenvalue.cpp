@@ -1,5 +1,7 @@
 #include "solver/vibration/largest_eigenvalue.hpp"
 
+#include "solver/base/mixed_bits.hpp"
+
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -18,13 +20,10 @@ Column as_column(const Scalars& values)
     return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
-/// 1 or -1, by the last step of splitmix64 (Steele, Lea and Flood 2014).
+/// 1 or -1.
 double random_sign(std::uint64_t index)
 {
-    std::uint64_t z = (index + 1) * 0x9e3779b97f4a7c15U;
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return ((z ^ (z >> 31U)) & 1U) != 0 ? 1.0 : -1.0;
+    return (mixed_bits(index * golden_increment) & 1U) != 0 ? 1.0 : -1.0;
 }
 
 /// The basis of Lanczos' method: v_j with v_i . S^-1 v_j = delta_ij, z_j = S^-1 v_j, and the coefficients.

@@ -1,6 +1,8 @@
 // Random numbers that are the same on every machine and with every library.
 #pragma once
 
+#include "solver/base/mixed_bits.hpp"
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -13,7 +15,9 @@ namespace quicksand {
 class RandomNumbers {
 public:
     /// The sequence of this number among those of a seed.
-    RandomNumbers(std::uint64_t seed, std::uint64_t number) : engine_(mixed(mixed(seed) + number)) {}
+    RandomNumbers(std::uint64_t seed, std::uint64_t number) : engine_(mixed_bits(mixed_bits(seed) + number))
+    {
+    }
 
     /// Uniform in [0, 1).
     double fraction() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
@@ -40,15 +44,6 @@ public:
     }
 
 private:
-    /// Neighbouring numbers give unlike ones (splitmix64).
-    static std::uint64_t mixed(std::uint64_t x)
-    {
-        x += 0x9e3779b97f4a7c15u;
-        x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-        x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-        return x ^ (x >> 31);
-    }
-
     std::mt19937_64 engine_;
 };
 

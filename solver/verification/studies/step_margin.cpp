@@ -1,6 +1,7 @@
 #include "solver/verification/studies/step_margin.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/base/mixed_bits.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/vibration/step_bound.hpp"
 
@@ -17,13 +18,11 @@ constexpr double growth = 30.0;    // of the motion's size
 constexpr double cell_part = 1e-6; // that the motion covers in a step [-]
 constexpr int portions = 10, portion_steps = 50;
 
-/// In [-1, 1], the same on every machine (splitmix64).
+/// In [-1, 1], the same on every machine.
 double noise(std::uint64_t number)
 {
-    std::uint64_t x = number * 0x9e3779b97f4a7c15u + 0x632be59bd9b4e019u;
-    x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-    return 2.0 * static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53 - 1.0;
+    constexpr std::uint64_t start = 0x632be59bd9b4e019U - golden_increment;
+    return 2.0 * static_cast<double>(mixed_bits(start + number * golden_increment) >> 11) * 0x1p-53 - 1.0;
 }
 
 void stir(double speed, Particles& particles)
