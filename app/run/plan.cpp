@@ -244,6 +244,8 @@ std::string describe_left_out(const Scene& scene, const StagedRun& run)
               "the update of domains, volumes and weights: small strain, on the drawn shape");
     leave_out(scene.scheme == TimeScheme::semi_implicit,
               "steps limited by sound in water: the pore pressure is implicit");
+    leave_out(scene.scheme == TimeScheme::implicit,
+              "steps limited by waves: the pore pressure and the inertia of the grains are implicit");
     leave_out(!scene.relaxation, "settling: the run starts from the K0 state as it is");
     leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is at rest");
     leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),

@@ -40,7 +40,7 @@ std::vector<double> turnover(const PictureTable& table)
     std::vector<double> sum;
     for (const char* name :
          {"kinetic_energy_J", "skeleton_work_J", "gravity_work_J", "base_work_J", "boundary_work_J",
-          "numerical_loss_J", "drag_dissipation_J", "storage_energy_water_J"}) {
+          "numerical_loss_J", "inertia_work_J", "drag_dissipation_J", "storage_energy_water_J"}) {
         const std::vector<double>* values = table.find(name);
         if (values == nullptr) continue;
         sum.resize(values->size(), 0.0);

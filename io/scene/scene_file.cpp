@@ -36,9 +36,10 @@ constexpr std::array<std::pair<std::string_view, Interpolation>, 5> interpolatio
     {"cpgimp", Interpolation::cpgimp},
     {"linear", Interpolation::linear},
 }};
-constexpr std::array<std::pair<std::string_view, TimeScheme>, 2> scheme_words = {{
+constexpr std::array<std::pair<std::string_view, TimeScheme>, 3> scheme_words = {{
     {"explicit", TimeScheme::explicit_steps},
     {"semi_implicit", TimeScheme::semi_implicit},
+    {"implicit", TimeScheme::implicit},
 }};
 
 constexpr std::array<std::pair<std::string_view, StrainForm>, 2> strain_words = {{

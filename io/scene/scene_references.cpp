@@ -85,16 +85,17 @@ void check_tied_boundary(const SceneValues& values, const NamedTable& boundary,
     }
 }
 
-/// The semi-implicit scheme is that of two phases.
+/// The semi-implicit scheme is that of two phases; no implicit one knows water that moves with the grains.
 void check_scheme(const SceneValues& values, Diagnostics& findings)
 {
-    if (values.text("analysis.scheme") != "semi_implicit") return;
+    const std::string scheme = values.text("analysis.scheme");
+    if (scheme != "semi_implicit" && scheme != "implicit") return;
     const std::string flow = values.text("water.flow");
-    if (flow != "undrained" && flow != "drained") return;
-    findings.add(
-        error_at(values.place("analysis.scheme"), "combination",
-                 "scheme = \"semi_implicit\" has no pressure to solve for with water.flow = \"" + flow + "\"",
-                 "scheme = \"explicit\", or water.flow = \"coupled\""));
+    if (flow != "undrained" && (flow != "drained" || scheme == "implicit")) return;
+    findings.add(error_at(values.place("analysis.scheme"), "combination",
+                          "scheme = \"" + scheme + "\" has no pressure to solve for with water.flow = \"" +
+                              flow + "\"",
+                          "scheme = \"explicit\", or water.flow = \"coupled\""));
 }
 
 /// Laws of the porosity have nothing to follow where the porosity stays.

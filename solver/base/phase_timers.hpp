@@ -8,14 +8,14 @@
 
 namespace quicksand {
 
-enum class Phase { sort, scatter, momentum, gather, pore_pressure, motion, stress };
+enum class Phase { sort, scatter, momentum, inertia, gather, pore_pressure, motion, stress };
 
-inline constexpr std::size_t phase_count = 7;
+inline constexpr std::size_t phase_count = 8;
 
 constexpr const char* name_of(Phase phase)
 {
-    constexpr const char* names[phase_count] = {"sort",          "scatter", "momentum", "gather",
-                                                "pore_pressure", "motion",  "stress"};
+    constexpr const char* names[phase_count] = {"sort",   "scatter",       "momentum", "inertia",
+                                                "gather", "pore_pressure", "motion",   "stress"};
     return names[static_cast<std::size_t>(phase)];
 }
 

@@ -51,10 +51,11 @@ NodeImpulses two_phase_impulses(const Problem& problem, double dt, double accele
     const Vector2 base(acceleration, 0.0);
 
     const Vector2 drag(node.drag_force_x, node.drag_force_y);
+    const Vector2 inertia(node.inertia_force_x, node.inertia_force_y);
 
     const Vector2 force_fluid = porosity * pressure_force - node.mass_fluid * base - drag;
     const Vector2 force_solid = stress_force + (1.0 - porosity) * pressure_force - node.mass_solid * base -
-                                Vector2(0.0, buoyant_mass * problem.gravity) + drag;
+                                Vector2(0.0, buoyant_mass * problem.gravity) + drag + inertia;
     return {Vector2(node.momentum_solid_x, node.momentum_solid_y) + dt * force_solid,
             Vector2(node.momentum_fluid_x, node.momentum_fluid_y) + dt * force_fluid};
 }
@@ -241,8 +242,10 @@ void solve_single_phase_momentum(const Problem& problem, const NodeConditions& c
         const double force_x = damped(node.stress_force_x - node.mass * acceleration, node.momentum_x);
         const double force_y = damped(node.stress_force_y - node.weight * problem.gravity, node.momentum_y);
         const std::uint8_t held = conditions.of_node[i];
-        motion[i].x = held & solid_x_fixed ? 0.0 : (node.momentum_x + dt * force_x) / node.mass;
-        motion[i].y = held & solid_y_fixed ? 0.0 : (node.momentum_y + dt * force_y) / node.mass;
+        const double impulse_x = node.momentum_x + dt * (force_x + node.inertia_force_x),
+                     impulse_y = node.momentum_y + dt * (force_y + node.inertia_force_y);
+        motion[i].x = held & solid_x_fixed ? 0.0 : impulse_x / node.mass;
+        motion[i].y = held & solid_y_fixed ? 0.0 : impulse_y / node.mass;
         set_change(node, motion[i]);
     });
 }

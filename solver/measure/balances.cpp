@@ -19,7 +19,7 @@ enum NodeKind : std::uint8_t { stands_for_nobody, free_node, wall_node };
 /// The entries of one step, nodes summed up.
 struct StepEntries {
     double kinetic = 0.0, skeleton = 0.0, late_pressure = 0.0; // [J/m]
-    double drag = 0.0, gravity = 0.0, base = 0.0, boundary = 0.0, wall_loss = 0.0;
+    double inertia = 0.0, drag = 0.0, gravity = 0.0, base = 0.0, boundary = 0.0, wall_loss = 0.0;
     Vector2 impulse = Vector2::Zero(); // [N s/m]
 
     StepEntries& operator+=(const StepEntries& other)
@@ -27,6 +27,7 @@ struct StepEntries {
         kinetic += other.kinetic;
         skeleton += other.skeleton;
         late_pressure += other.late_pressure;
+        inertia += other.inertia;
         drag += other.drag;
         gravity += other.gravity;
         base += other.base;
@@ -81,18 +82,20 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     const Vector2 mean_flux = (1.0 - porosity) * solid.mean + porosity * fluid.mean;
     const Vector2 drag =
         dt * (node.drag * (fluid.end - solid.end) + Vector2(node.drag_force_x, node.drag_force_y));
+    const Vector2 inertia = dt * Vector2(node.inertia_force_x, node.inertia_force_y);
 
     entries.kinetic += solid.kinetic() + fluid.kinetic();
     entries.skeleton -= (stress - load).dot(solid.mean);
     entries.boundary += load.dot(solid.mean) + water.dot(mean_flux);
     entries.late_pressure -=
         0.5 * (pressure - risen - water).dot((1.0 - porosity) * solid.end + porosity * fluid.end);
+    entries.inertia -= inertia.dot(solid.mean);
     entries.drag += drag.dot(fluid.mean - solid.mean);
     entries.gravity += weight.dot(solid.mean) + risen.dot(mean_flux);
     entries.base += base_solid.dot(solid.mean) + base_fluid.dot(fluid.mean);
     entries.impulse += weight + risen + load + water + base_solid + base_fluid;
     if (kind != wall_node) return;
-    const Vector2 known_solid = stress + (1.0 - porosity) * pressure + base_solid + weight + drag;
+    const Vector2 known_solid = stress + (1.0 - porosity) * pressure + base_solid + weight + drag + inertia;
     const Vector2 known_fluid = porosity * pressure + base_fluid - drag;
     enter_reaction(solid.impulse - known_solid, solid, entries);
     enter_reaction(fluid.impulse - known_fluid, fluid, entries);
@@ -106,13 +109,15 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     const Vector2 stress = dt * Vector2(node.stress_force_x, node.stress_force_y);
     const Vector2 base(-dt * node.mass * acceleration, 0.0), weight(0.0, -dt * node.weight * problem.gravity);
     const Vector2 load(dt * (outer.load_x + outer.water_x), dt * (outer.load_y + outer.water_y));
+    const Vector2 inertia = dt * Vector2(node.inertia_force_x, node.inertia_force_y);
     entries.kinetic += body.kinetic();
     entries.skeleton -= (stress - load).dot(body.mean);
     entries.boundary += load.dot(body.mean);
+    entries.inertia -= inertia.dot(body.mean);
     entries.gravity += weight.dot(body.mean);
     entries.base += base.dot(body.mean);
     entries.impulse += weight + load + base;
-    if (kind == wall_node) enter_reaction(body.impulse - (stress + weight + base), body, entries);
+    if (kind == wall_node) enter_reaction(body.impulse - (stress + weight + base + inertia), body, entries);
 }
 
 /// Add a step's sums to the terms.
@@ -121,6 +126,7 @@ void enter_step(const StepEntries& step, BalanceTerms& terms)
     terms.kinetic_change += step.kinetic;
     terms.skeleton_work += step.skeleton;
     terms.late_pressure_work = step.late_pressure;
+    terms.inertia_work += step.inertia;
     terms.drag_dissipation += step.drag;
     terms.gravity_work += step.gravity;
     terms.base_work += step.base;
@@ -292,12 +298,12 @@ BalanceErrors balance(const Problem& problem, const State& state)
             result.water_error =
                 (content + terms.outflow - terms.opening_water_content) / terms.opening_water_content;
     }
-    const double error =
-        kinetic + result.numerical_loss + terms.skeleton_work + stored + terms.drag_dissipation - outside;
-    const double turnover = sums.kinetic_energy + terms.opening_kinetic_energy +
-                            std::abs(terms.skeleton_work) + storage + terms.opening_storage_energy +
-                            std::abs(terms.drag_dissipation) + std::abs(terms.gravity_work) +
-                            std::abs(terms.base_work) + std::abs(terms.boundary_work);
+    const double error = kinetic + result.numerical_loss + terms.skeleton_work + stored + terms.inertia_work +
+                         terms.drag_dissipation - outside;
+    const double turnover =
+        sums.kinetic_energy + terms.opening_kinetic_energy + std::abs(terms.skeleton_work) + storage +
+        terms.opening_storage_energy + std::abs(terms.inertia_work) + std::abs(terms.drag_dissipation) +
+        std::abs(terms.gravity_work) + std::abs(terms.base_work) + std::abs(terms.boundary_work);
     result.energy_error = turnover > 0.0 ? error / turnover : 0.0;
     result.momentum_error_x = sums.momentum_x - terms.opening_momentum_x - terms.impulse_x - terms.exchange_x;
     result.momentum_error_y = sums.momentum_y - terms.opening_momentum_y - terms.impulse_y - terms.exchange_y;

@@ -60,6 +60,8 @@ constexpr std::array table = {
         [](const MeasuredBody& body) { return water_content(body.problem, body.state.particles); }},
     BodyQuantity{"skeleton_work", "J", "work of the effective stress on the skeleton since t = 0, stored and dissipated", balanced_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->skeleton_work; }},
+    BodyQuantity{"inertia_work", "J", "work against the stiffness that resists accelerations since t = 0, with scheme = implicit", balanced_body,
+        [](const MeasuredBody& body) { return body.state.balance_terms->inertia_work; }},
     BodyQuantity{"gravity_work", "J", "work of the weight since t = 0, buoyant below water", balanced_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->gravity_work; }},
     BodyQuantity{"base_work", "J", "work of the base's acceleration since t = 0", balanced_body,

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 
 namespace quicksand {
@@ -40,6 +41,16 @@ double base_acceleration(const BaseMotion& motion, double time)
         Overload{[](const NoMotion&) { return 0.0; },
                  [&](const SineMotion& sine) { return sine_acceleration(sine, time); },
                  [&](const SampledMotion& record) { return sampled_acceleration(record, time); }},
+        motion);
+}
+
+double resolving_step(const BaseMotion& motion)
+{
+    constexpr double steps_per_period = 200.0;
+    return std::visit(
+        Overload{[](const NoMotion&) { return std::numeric_limits<double>::infinity(); },
+                 [](const SineMotion& sine) { return 1.0 / (steps_per_period * sine.frequency); },
+                 [](const SampledMotion& record) { return record.interval; }},
         motion);
 }
 

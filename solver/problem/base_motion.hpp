@@ -28,6 +28,10 @@ using BaseMotion = std::variant<NoMotion, SineMotion, SampledMotion>;
 /// Horizontal acceleration of the base at the time after shaking began [m/s2].
 double base_acceleration(const BaseMotion& motion, double time);
 
+/// Longest step that resolves the motion: 1/200 of the period of a sine, the interval of a record; infinite
+/// without motion [s].
+double resolving_step(const BaseMotion& motion);
+
 /// End of the shaking [s]; infinite for a sine wave without end.
 double duration(const BaseMotion& motion);
 

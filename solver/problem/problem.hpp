@@ -67,6 +67,7 @@ enum class StrainForm {
 enum class TimeScheme {
     explicit_steps, // every balance from the old state; sound of the water limits dt
     semi_implicit,  // the water's pressure and drag implicit together; waves of the skeleton limit dt
+    implicit,       // besides, the skeleton's stiffness resists accelerations; accuracy limits dt
 };
 
 /// Immutable inputs of a run. Without `water` the scene is dry.

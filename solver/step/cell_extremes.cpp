@@ -53,8 +53,32 @@ bool is_cut(const Problem& problem, const Particles& particles, std::size_t firs
                        [&](std::int32_t number) { return cut.is_piece(number); });
 }
 
+/// G / density of the mixture of a cell, from its P-wave modulus [m2/s2].
+double shear_speed_squared(const Problem& problem, const Material& material, double modulus, double porosity)
+{
+    const double shear_fraction = std::visit(
+        [](const auto& law) { return shear_modulus(law) / constrained_modulus(law); }, material.law);
+    const std::optional<Water>& water = water_of(problem, material);
+    const double density =
+        (1.0 - porosity) * material.grain_density + (water ? porosity * water->density : 0.0);
+    return shear_fraction * modulus / density;
+}
+
+/// A volume and its integral of G / density.
+struct ShearSum {
+    double volume = 0.0;        // [m3/m]
+    double speed_squared = 0.0; // [m3/m m2/s2]
+
+    ShearSum& operator+=(const ShearSum& other)
+    {
+        volume += other.volume;
+        speed_squared += other.speed_squared;
+        return *this;
+    }
+};
+
 void include_cell(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last,
-                  MaterialExtremes& extremes)
+                  MaterialExtremes& extremes, ShearSum& shear)
 {
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[first])];
     double mass = 0.0, volume = 0.0;
@@ -68,22 +92,26 @@ void include_cell(const Problem& problem, const Particles& particles, std::size_
     const ParticleModuli moduli = std::visit(
         [&](const auto& law) { return particle_moduli(law, first, last, particles); }, material.law);
     const double h = problem.grid.cell_size, empty = std::max(0.0, 1.0 - volume / (h * h));
+    shear.volume += volume;
+    shear.speed_squared += volume * shear_speed_squared(problem, material, moduli.mean, porosity);
     const double modulus = moduli.mean + empty * (moduli.stiffest - moduli.mean);
     extremes.stiffest_modulus = std::max(extremes.stiffest_modulus, modulus);
     if (is_cut(problem, particles, first, last, empty))
         extremes.stiffest_cut_modulus = std::max(extremes.stiffest_cut_modulus, modulus);
 }
 
-void include_chunk(const Problem& problem, const Particles& particles, std::size_t begin, std::size_t end,
-                   CellExtremes& extremes)
+ShearSum include_chunk(const Problem& problem, const Particles& particles, std::size_t begin, std::size_t end,
+                       CellExtremes& extremes)
 {
+    ShearSum shear;
     extremes.max_speed =
         std::max(extremes.max_speed, std::sqrt(largest_speed_squared(particles, begin, end)));
     for (std::size_t first = begin, last = begin; first < end; first = last) {
         last = end_of_cell(problem.grid, particles, first, end);
         include_cell(problem, particles, first, last,
-                     extremes.materials[static_cast<std::size_t>(particles.material[first])]);
+                     extremes.materials[static_cast<std::size_t>(particles.material[first])], shear);
     }
+    return shear;
 }
 
 void include(const MaterialExtremes& other, MaterialExtremes& extremes)
@@ -98,17 +126,19 @@ void include(const MaterialExtremes& other, MaterialExtremes& extremes)
 
 CellExtremes find_extremes(const Problem& problem, const Particles& particles)
 {
-    const CellExtremes none{0.0, std::vector<MaterialExtremes>(problem.materials.size())};
+    const CellExtremes none{0.0, 0.0, std::vector<MaterialExtremes>(problem.materials.size())};
     CellExtremes extremes = none;
     const auto count = static_cast<std::int64_t>(particles.size());
     constexpr auto length = static_cast<std::int64_t>(chunk);
+    std::vector<ShearSum> shears(static_cast<std::size_t>((count + length - 1) / length)); // by chunk
 #pragma omp parallel if (particles.size() > least_parallel_work)
     {
         CellExtremes own = none;
 #pragma omp for schedule(static) nowait
         for (std::int64_t first = 0; first < count; first += length) {
-            include_chunk(problem, particles, static_cast<std::size_t>(first),
-                          static_cast<std::size_t>(std::min(count, first + length)), own);
+            shears[static_cast<std::size_t>(first / length)] =
+                include_chunk(problem, particles, static_cast<std::size_t>(first),
+                              static_cast<std::size_t>(std::min(count, first + length)), own);
         }
 #pragma omp critical(extremes)
         {
@@ -117,6 +147,9 @@ CellExtremes find_extremes(const Problem& problem, const Particles& particles)
                 include(own.materials[m], extremes.materials[m]);
         }
     }
+    ShearSum shear;
+    for (const ShearSum& part : shears) shear += part;
+    if (shear.volume > 0.0) extremes.shear_speed = std::sqrt(shear.speed_squared / shear.volume);
     return extremes;
 }
 

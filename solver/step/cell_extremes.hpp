@@ -20,7 +20,8 @@ struct MaterialExtremes {
 };
 
 struct CellExtremes {
-    double max_speed = 0.0;                  // of the particles [m/s]
+    double max_speed = 0.0;   // of the particles [m/s]
+    double shear_speed = 0.0; // of shear waves: root of the mean of G / density by volume [m/s]
     std::vector<MaterialExtremes> materials; // as Problem::materials
 };
 

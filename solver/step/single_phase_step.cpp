@@ -2,6 +2,7 @@
 
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/surface_loads.hpp"
+#include "solver/inertia/nodal_inertia.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/null_space_damping.hpp"
@@ -16,6 +17,26 @@ namespace {
 bool is_undrained(const Problem& problem, const State& state)
 {
     return state.stage == Stage::shaking && water_flow(problem) == WaterFlow::undrained;
+}
+
+/// The velocities at the end of the step that the forces give.
+void solve_velocities(const Problem& problem, double velocity_dt, double acceleration, double damping,
+                      SinglePhaseWorkspace& work)
+{
+    solve_single_phase_momentum(problem, work.conditions, velocity_dt, acceleration, damping, work.sums,
+                                work.motion);
+    brake_by_dashpots(work.conditions, velocity_dt, work.dashpots, work.sums, work.motion);
+    hold_at_walls(work.walls, work.motion);
+}
+
+/// Add the force that resists accelerations to those on the nodes.
+void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
+                         SinglePhaseWorkspace& work)
+{
+    sum_moduli(problem, state.particles, work);
+    if (!resist_acceleration(problem, work.conditions, dt, velocity_dt, work.dashpots, work.walls,
+                             work.motion, work.sums, *work.inertia))
+        fail_to_resist(dt, work, state);
 }
 
 /// Whether pore pressures act on the body: they follow from its motion, or are constant. While the soil
@@ -82,10 +103,11 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         const double velocity_dt = velocity_interval(state, dt);
         assemble_walls(problem, velocity_dt, work.sums, work);
         if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
-        solve_single_phase_momentum(problem, work.conditions, velocity_dt, acceleration, damping, work.sums,
-                                    work.motion);
-        brake_by_dashpots(work.conditions, velocity_dt, work.dashpots, work.sums, work.motion);
-        hold_at_walls(work.walls, work.motion);
+        solve_velocities(problem, velocity_dt, acceleration, damping, work);
+        if (work.inertia) {
+            resist_acceleration(problem, dt, velocity_dt, state, work);
+            solve_velocities(problem, velocity_dt, acceleration, damping, work);
+        }
         if (state.balance_terms)
             enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, work.sums, work.outer,
                         work.motion, *state.balance_terms);

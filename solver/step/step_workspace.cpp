@@ -1,9 +1,11 @@
 #include "solver/step/step_workspace.hpp"
 
+#include "solver/base/failure.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/water/pore_pressure.hpp"
 
+#include <string>
 #include <utility>
 
 namespace quicksand {
@@ -55,6 +57,23 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     work.stencils.resize(work.lists.tiles.size());
     work.average = make_volumetric_average(problem);
     work.null_space_time = null_space_time(problem);
+    if (stage == Stage::shaking && problem.scheme == TimeScheme::implicit)
+        work.inertia = make_inertia_solve(problem.grid, work.conditions);
+}
+
+void sum_moduli(const Problem& problem, const Particles& particles, StepWorkspace& work)
+{
+    sum_cell_moduli(problem, particles, work.lists, work.stencils, work.inertia->rows, work.inertia->cells);
+}
+
+void fail_to_resist(double dt, const StepWorkspace& work, const State& state)
+{
+    FailureRecord record = failure_at(dt, state, fastest_particle(state.particles));
+    record.phase = "inertia";
+    record.what = "the accelerations of the grains are not found within " +
+                  std::to_string(work.inertia->iterations) + " iterations; the particle below is the fastest";
+    record.causes = causes_of_instability;
+    throw NumericalError(record);
 }
 
 void place_boundaries(const Problem& problem, double dt, const State& state, StepWorkspace& work)

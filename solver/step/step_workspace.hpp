@@ -6,6 +6,7 @@
 #include "solver/boundaries/boundary_conditions.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
 #include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/inertia/inertia_solve.hpp"
 #include "solver/interpolation/node_weights.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/motion/particle_to_grid.hpp"
@@ -19,6 +20,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace quicksand {
@@ -37,6 +39,7 @@ struct StepWorkspace {
     ParticlePlaces places;                   // of the particles that carry boundaries
     std::vector<Dashpot> dashpots;           // of viscous boundaries
     Vectors grid_velocity;                   // sum phi v_i of the grains [m/s]
+    std::optional<InertiaSolve> inertia;     // none: nodes have their masses alone
     std::vector<std::uint8_t> wall_kinds;    // of the nodes for the balances, without dashpots
     std::vector<std::uint8_t> balance_nodes; // with the dashpots of the step, see balances.hpp
     double null_space_time = 0.0;            // tau of the velocity filter, see grid_to_particle.hpp [s]
@@ -78,6 +81,12 @@ void assemble_walls(const Problem& problem, double velocity_dt, const std::vecto
     assemble_wall_rows(problem, work.conditions, velocity_dt, work.dashpots, sums, work.walls);
     for (const std::size_t node : work.walls.rows.nodes()) count_reaction(node, work.balance_nodes);
 }
+
+/// Sum up the moduli of the cells that resist accelerations, from the weights of the particles.
+void sum_moduli(const Problem& problem, const Particles& particles, StepWorkspace& work);
+
+/// The force that resists accelerations was not found.
+[[noreturn]] void fail_to_resist(double dt, const StepWorkspace& work, const State& state);
 
 /// Clear the sums of all nodes.
 template <class Sums>

@@ -54,7 +54,7 @@ std::unique_ptr<Stepper> make_stepper(const Problem& problem)
 {
     if (water_flow(problem) != WaterFlow::coupled)
         return std::make_unique<SinglePhaseStepper>(make_single_phase_workspace(problem));
-    if (problem.scheme == TimeScheme::semi_implicit)
+    if (problem.scheme != TimeScheme::explicit_steps)
         return std::make_unique<SemiImplicitStepper>(make_semi_implicit_workspace(problem));
     return std::make_unique<TwoPhaseStepper>(make_two_phase_workspace(problem));
 }

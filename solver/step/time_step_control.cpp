@@ -1,6 +1,7 @@
 #include "solver/step/time_step_control.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/step/accuracy_control.hpp"
 #include "solver/step/cell_extremes.hpp"
 
 #include <algorithm>
@@ -104,6 +105,31 @@ TimeStep semi_implicit_limit(const Problem& problem, const CellExtremes& extreme
         });
 }
 
+TimeStep limit_of_waves(const Problem& problem, const CellExtremes& extremes)
+{
+    if (water_flow(problem) == WaterFlow::coupled && problem.scheme == TimeScheme::semi_implicit)
+        return semi_implicit_limit(problem, extremes);
+    return wave_limit(problem, extremes, wave_safety,
+                      [&](const WaveSpeeds& speeds) { return fastest_speed(problem, speeds); });
+}
+
+TimeStep step_from(const Problem& problem, double time, double last_step, const Particles& particles,
+                   double scale)
+{
+    const CellExtremes extremes = find_extremes(problem, particles);
+    TimeStep limit = problem.scheme == TimeScheme::implicit
+                         ? accurate_time_step(problem, time, last_step / (scale * problem.step_fraction),
+                                              particles, extremes)
+                         : limit_of_waves(problem, extremes);
+    if (scale < 1.0) {
+        limit.dt *= scale;
+        limit.limiter = TimeStepLimiter::vibration;
+    }
+    TimeStep step = limit_motion(problem, extremes, limit);
+    step.dt *= problem.step_fraction;
+    return step;
+}
+
 } // namespace
 
 std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles)
@@ -119,23 +145,14 @@ std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& p
     return waves;
 }
 
-TimeStep stable_time_step(const Problem& problem, const Particles& particles, double wave_scale)
+TimeStep stable_time_step(const Problem& problem, const State& state, double scale)
 {
-    const CellExtremes extremes = find_extremes(problem, particles);
-    const bool implicit_pressure =
-        water_flow(problem) == WaterFlow::coupled && problem.scheme == TimeScheme::semi_implicit;
-    TimeStep wave = implicit_pressure
-                        ? semi_implicit_limit(problem, extremes)
-                        : wave_limit(problem, extremes, wave_safety, [&](const WaveSpeeds& speeds) {
-                              return fastest_speed(problem, speeds);
-                          });
-    if (wave_scale < 1.0) {
-        wave.dt *= wave_scale;
-        wave.limiter = TimeStepLimiter::vibration;
-    }
-    TimeStep step = limit_motion(problem, extremes, wave);
-    step.dt *= problem.step_fraction;
-    return step;
+    return step_from(problem, state.time, state.last_step, state.particles, scale);
+}
+
+TimeStep stable_time_step(const Problem& problem, const Particles& particles, double scale)
+{
+    return step_from(problem, 0.0, 0.0, particles, scale);
 }
 
 TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles)
@@ -153,6 +170,14 @@ const char* name_of(TimeStepLimiter limiter)
         return "wave";
     case TimeStepLimiter::vibration:
         return "vibration of the nodes";
+    case TimeStepLimiter::inertia:
+        return "inertia of shear waves";
+    case TimeStepLimiter::shaking:
+        return "period of the shaking";
+    case TimeStepLimiter::growth:
+        return "growth from step to step";
+    case TimeStepLimiter::pressure:
+        return "change of pore pressure";
     case TimeStepLimiter::motion:
         return "motion";
     case TimeStepLimiter::output:

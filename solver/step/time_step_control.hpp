@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
 #include "solver/problem/wave_speeds.hpp"
 
 #include <string>
@@ -13,7 +14,7 @@ namespace quicksand {
 /// porosity; as without particles where there are none of it.
 std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles);
 
-enum class TimeStepLimiter { wave, vibration, motion, output };
+enum class TimeStepLimiter { wave, vibration, inertia, shaking, growth, pressure, motion, output };
 
 struct TimeStep {
     double dt = 0.0;                                 // [s]
@@ -25,9 +26,13 @@ struct TimeStep {
 /// the semi-implicit scheme 0.72 of the least over the materials of
 ///   slow P wave   (4 M / h^2) dt^2 - (2 C / n^2) dt - 4 m = 0,  m = r_s + ((1-n)/n)^2 r_w
 ///   shear wave    (4 G / h^2) dt^2 = 4 r_s + 2 dt C - (2 dt C)^2 / (4 r_w + 2 dt C), and 0.85 of it
-/// (r_s = (1-n) rho_s, r_w = n rho_w, C the drag) stands in the place of the first. `wave_scale` is the part
-/// of the waves' limit that vibrations of the nodes leave, see State::step_scale [-].
-TimeStep stable_time_step(const Problem& problem, const Particles& particles, double wave_scale = 1.0);
+/// (r_s = (1-n) rho_s, r_w = n rho_w, C the drag) stands in the place of the first.
+/// In the implicit scheme accuracy limits the step, see accuracy_control.hpp. `scale` is the part of the
+/// limit that vibrations of the nodes and the watchdog leave, see State::step_scale [-].
+TimeStep stable_time_step(const Problem& problem, const State& state, double scale = 1.0);
+
+/// That of the first step from particles.
+TimeStep stable_time_step(const Problem& problem, const Particles& particles, double scale = 1.0);
 
 /// Largest stable step of the drained relaxation stage [s].
 TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles);

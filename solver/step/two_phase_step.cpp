@@ -4,6 +4,8 @@
 #include "solver/boundaries/boundary_compliance.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/surface_loads.hpp"
+#include "solver/inertia/coupled_motion.hpp"
+#include "solver/inertia/nodal_inertia.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/particle_motion.hpp"
@@ -28,6 +30,15 @@ void solve_velocities(const Problem& problem, double velocity_dt, const State& s
     brake_by_dashpots(problem, work.conditions, velocity_dt, work.dashpots, work.sums, work.motion);
     hold_at_walls(problem, work.sums, work.walls, work.motion);
     spread_tied_motion(work.conditions, work.motion);
+}
+
+/// Add the force that resists accelerations to those on the nodes.
+void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
+                         TwoPhaseWorkspace& work)
+{
+    if (!resist_acceleration(problem, work.conditions, dt, velocity_dt, work.dashpots, work.walls,
+                             work.motion, work.sums, *work.inertia))
+        fail_to_resist(dt, work, state);
 }
 
 void enter_works(const Problem& problem, double velocity_dt, const TwoPhaseWorkspace& work, State& state)
@@ -109,6 +120,46 @@ void set_up_pressure(const Problem& problem, double dt, double velocity_dt, cons
     if (work.walls.any) aggregate_pressures(work.walls.roots.aggregated, pressure);
 }
 
+void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work)
+{
+    PressureSolve& pressure = work.pressure;
+    set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
+    for_each_index(work.sums.size(), [&](std::size_t i) {
+        work.sums[i].pressure_force_x += pressure.force_x[i];
+        work.sums[i].pressure_force_y += pressure.force_y[i];
+        pressure.force_x[i] = pressure.force_y[i] = 0.0;
+    });
+}
+
+/// Velocities and pressures of a step in which the skeleton's stiffness and the water answer in turn.
+void answer_in_turn(const Problem& problem, double dt, double velocity_dt, State& state,
+                    SemiImplicitWorkspace& work)
+{
+    if (work.inertia)
+        timed(work.timers, Phase::inertia, [&] {
+            resist_acceleration(problem, dt, velocity_dt, state, work);
+            solve_velocities(problem, velocity_dt, state, work);
+        });
+    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
+    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
+}
+
+/// The same of a long step, in which they answer together.
+void answer_together(const Problem& problem, double dt, double velocity_dt, State& state,
+                     SemiImplicitWorkspace& work)
+{
+    PressureSolve& pressure = work.pressure;
+    timed(work.timers, Phase::pore_pressure,
+          [&] { set_up_pressure(problem, dt, velocity_dt, state.particles, work); });
+    timed(work.timers, Phase::inertia, [&] {
+        if (!move_coupled(problem, work.conditions, dt, velocity_dt, work.dashpots, work.walls, work.sums,
+                          work.motion, *work.inertia, pressure, work.coupled))
+            fail_to_resist(dt, work, state);
+        if (!pressure.cavity.cavities.empty()) pressure.cavity.water_increment = pressure.increment;
+        add_increment_forces(problem, work);
+    });
+}
+
 void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
 {
     timed(work.timers, Phase::motion, [&] {
@@ -143,7 +194,7 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
 
 SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem)
 {
-    SemiImplicitWorkspace work{make_two_phase_workspace(problem), {}, {}};
+    SemiImplicitWorkspace work{make_two_phase_workspace(problem), {}, {}, {}};
     work.pressure =
         make_pressure_solve(work.lists.tiles.size(), problem.grid.cell_count(), problem.grid.node_count());
     if (problem.water->cavitation_pressure) add_cavities(work.pressure);
@@ -186,12 +237,7 @@ void solve_pressure(const Problem& problem, double dt, double velocity_dt, const
     });
     if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
         fail_to_solve(pressure, work.controls, dt, state);
-    set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
-    for_each_index(work.sums.size(), [&](std::size_t i) {
-        work.sums[i].pressure_force_x += pressure.force_x[i];
-        work.sums[i].pressure_force_y += pressure.force_y[i];
-        pressure.force_x[i] = pressure.force_y[i] = 0.0;
-    });
+    add_increment_forces(problem, work);
 }
 
 void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
@@ -233,11 +279,15 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
         assemble_walls(problem, velocity_dt, work.sums, work);
         solve_velocities(problem, velocity_dt, state, work);
     });
-    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
-    timed(work.timers, Phase::momentum, [&] {
-        solve_velocities(problem, velocity_dt, state, work);
-        enter_works(problem, velocity_dt, work, state);
-    });
+    bool together = false;
+    if (work.inertia)
+        timed(work.timers, Phase::inertia, [&] {
+            sum_moduli(problem, particles, work);
+            together = is_long_step(problem, dt, work.sums, *work.inertia);
+        });
+    const auto answer = together ? answer_together : answer_in_turn;
+    answer(problem, dt, velocity_dt, state, work);
+    timed(work.timers, Phase::momentum, [&] { enter_works(problem, velocity_dt, work, state); });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
         const PressureSolve& pressure = work.pressure;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "solver/boundaries/nodes.hpp"
+#include "solver/inertia/coupled_solve.hpp"
 #include "solver/step/step_workspace.hpp"
 #include "solver/water/pore_pressure.hpp"
 #include "solver/water/pressure_solve.hpp"
@@ -25,6 +26,7 @@ struct TwoPhaseWorkspace : StepWorkspace {
 struct SemiImplicitWorkspace : TwoPhaseWorkspace {
     PressureSolve pressure;
     PressureSolveControls controls;
+    CoupledSolve coupled; // of long steps
 };
 
 TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem);
@@ -59,6 +61,9 @@ void solve_pressure(const Problem& problem, double dt, double velocity_dt, const
 /// The same step with the water's pressure implicit: between 3 and 4 the increments of the cells' pressure
 /// are solved for with drag and walls inside (pressure_solve.hpp), and the momentum balances again with their
 /// force; 5 takes these increments. Waves of the water no longer limit dt.
+///
+/// With work.inertia the skeleton's stiffness resists accelerations (nodal_inertia.hpp), before the pressure
+/// or, in long steps, together with it (coupled_solve.hpp). Waves of the skeleton do not limit dt either.
 ///
 /// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
 void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work);

@@ -66,6 +66,15 @@ public:
         });
     }
 
+    /// Call visit(row, node, coefficients) for all parts of all rows; a node may have several in a row.
+    template <class Visit>
+    void for_each_coefficient(Visit&& visit) const
+    {
+        for (std::size_t row = 0; row < size(); ++row)
+            for (std::size_t k = first_[row]; k < end_of(row); ++k)
+                visit(row, nodes_[entries_[k].place], entries_[k].coefficients);
+    }
+
     bool empty() const { return values_.empty(); }
     std::size_t size() const { return values_.size(); }
     const std::vector<std::size_t>& nodes() const { return nodes_; }

@@ -1,0 +1,28 @@
+// The motion of the nodes where inertia and pore pressure are implicit together, for long steps.
+#pragma once
+
+#include "solver/boundaries/nodes.hpp"
+#include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/inertia/coupled_solve.hpp"
+#include "solver/problem/problem.hpp"
+#include "solver/walls/wall_rows.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+/// Whether waves of the skeleton pass through a good part of the soil's height within a step: then its
+/// stiffness and the pressure must be solved for together. From the moduli of the cells and the nodes'
+/// masses.
+bool is_long_step(const Problem& problem, double dt, const std::vector<TwoPhaseSums>& sums,
+                  const InertiaSolve& inertia);
+
+/// Set `motion`, which holds the velocities that the known forces give, to those at the end of the step, the
+/// pressure's increments, and the sums' inertia forces. The pressure's equations are set up. Returns whether
+/// a solution was found.
+bool move_coupled(const Problem& problem, const NodeConditions& conditions, double dt, double velocity_dt,
+                  const std::vector<Dashpot>& dashpots, const WallRows& walls,
+                  std::vector<TwoPhaseSums>& sums, std::vector<TwoPhaseMotion>& motion, InertiaSolve& inertia,
+                  PressureSolve& pressure, CoupledSolve& solve);
+
+} // namespace quicksand

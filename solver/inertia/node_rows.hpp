@@ -1,0 +1,69 @@
+// The nodes of the grid in rows of whole lanes, and the part of each row that carries soil.
+#pragma once
+
+#include "solver/base/threads.hpp"
+#include "solver/particles/background_grid.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace quicksand {
+
+/// Rows of nodes, each lengthened to a multiple of four, with room for four nodes before and behind them all.
+/// A cell has the place of its lower left node.
+struct NodeRows {
+    static constexpr std::size_t lanes = 4;
+
+    std::size_t nodes_x = 0, nodes_y = 0;
+    std::size_t stride = 0; // from a node to the one above it
+
+    std::size_t place(std::size_t column, std::size_t row) const { return lanes + row * stride + column; }
+    std::size_t place(std::size_t node) const { return place(node % nodes_x, node / nodes_x); }
+    std::size_t size() const { return place(0, nodes_y) + lanes; }
+};
+
+inline NodeRows make_node_rows(const BackgroundGrid& grid)
+{
+    const auto nodes_x = static_cast<std::size_t>(grid.nodes_x());
+    return {nodes_x, static_cast<std::size_t>(grid.nodes_y()),
+            (nodes_x + NodeRows::lanes - 1) / NodeRows::lanes * NodeRows::lanes};
+}
+
+/// The places [first, last) of a row, multiples of four.
+struct NodeSpan {
+    std::size_t first = 0, last = 0;
+};
+
+/// The spans of the rows from the first to the last node for which is_active(node); rows without one have
+/// none. The grid's rim is never active.
+template <class IsActive>
+void find_spans(const NodeRows& rows, IsActive&& is_active, std::vector<NodeSpan>& spans)
+{
+    spans.clear();
+    for (std::size_t row = 0; row < rows.nodes_y; ++row) {
+        const std::size_t start = row * rows.nodes_x;
+        std::size_t first = 0, last = rows.nodes_x;
+        while (first < last && !is_active(start + first)) ++first;
+        while (last > first && !is_active(start + last - 1)) --last;
+        if (first == last) continue;
+        spans.push_back({rows.place(first / NodeRows::lanes * NodeRows::lanes, row),
+                         rows.place((last + NodeRows::lanes - 1) / NodeRows::lanes * NodeRows::lanes, row)});
+    }
+}
+
+/// Call work(k) for the numbers of the spans, on all threads.
+template <class Work>
+void for_each_span(const std::vector<NodeSpan>& spans, Work&& work)
+{
+    std::size_t nodes = 0;
+    for (const NodeSpan& span : spans) nodes += span.last - span.first;
+    const int threads = threads_for(nodes);
+    WorkQueues queues(threads, [&](int k, int n) {
+        return static_cast<std::uint32_t>(spans.size() * static_cast<std::size_t>(k) /
+                                          static_cast<std::size_t>(n));
+    });
+#pragma omp parallel num_threads(threads) if (threads > 1)
+    while (const auto k = queues.take(thread_number())) work(std::size_t{*k});
+}
+
+} // namespace quicksand

@@ -1,0 +1,36 @@
+// The elastic stiffness of the skeleton on the bilinear functions of the cells.
+//
+// On a square cell it does not depend on the size. For the nodes a, b of a cell, the integrals being over the
+// unit square,
+//   K_xx = M int N_a,x N_b,x + G int N_a,y N_b,y        K_xy = (M - 2G) int N_a,x N_b,y + G int N_a,y N_b,x
+// and K_yy, K_yx with x and y exchanged. The mean gradients of particles' domains are softer, so that K
+// bounds the stiffness that particles feel.
+#pragma once
+
+#include "solver/base/lanes.hpp"
+#include "solver/inertia/cell_moduli.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace quicksand {
+
+/// A node's row of K: blocks of 2 x 2 on the nodes of the 3 x 3 around it, four nodes side by side.
+class NodeStiffness {
+public:
+    /// Set up the rows of the nodes of the spans.
+    void assemble(const NodeRows& rows, const CellModuli& cells, const std::vector<NodeSpan>& spans);
+
+    /// force = factor K velocity on the nodes of a span; returns their sum of velocity . force. The velocity
+    /// is read one node beyond the span on all sides.
+    double multiply(const NodeSpan& span, double factor, const Vectors& velocity, Vectors& force) const;
+
+    /// The block of the node at a place and of that to the right by a - 1 and up by b - 1.
+    Eigen::Matrix2d block(std::size_t place, std::size_t a, std::size_t b) const;
+
+private:
+    std::size_t stride_ = 0;
+    std::vector<double> blocks_; // [N/m2]
+};
+
+} // namespace quicksand

@@ -1,0 +1,110 @@
+#include "solver/step/accuracy_control.hpp"
+
+#include "solver/base/overload.hpp"
+#include "solver/inertia/nodal_inertia.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <variant>
+
+namespace quicksand {
+
+namespace {
+
+// Of the dike under 20 g, steps twice as long take a quarter off the crest's settlement: sand in failure is
+// far softer than the elastic stiffness that resists its accelerations.
+constexpr double smoothed_cells = 1.0;     // over which accelerations are smoothed [-]
+constexpr double steps_per_period = 200.0; // of a sine
+constexpr double growth = 1.1;             // of the step when nothing moves the soil any more
+constexpr double pressure_change = 0.02;   // in a step, of the largest excess pressure
+constexpr double least_pressure = 0.005;   // that counts as the largest one, of the largest sigma'_v0
+
+/// Call visit(history) for the histories of all boundaries.
+template <class Visit>
+void for_each_history(const Problem& problem, Visit&& visit)
+{
+    for (const Boundary& boundary : problem.boundaries) {
+        const auto* free = std::get_if<FreeFace>(&boundary.soil);
+        if (free != nullptr && free->load) visit(free->load->history);
+        if (const auto* wall = std::get_if<MovingWall>(&boundary.soil)) visit(wall->motion.history);
+        if (const auto* water = std::get_if<PrescribedWater>(&boundary.water)) visit(water->history);
+    }
+}
+
+double resolving_step(const History& history)
+{
+    const double of_ramp = history.ramp_time > 0.0 ? history.ramp_time / steps_per_period
+                                                   : std::numeric_limits<double>::infinity();
+    if (const auto* sine = std::get_if<SineHistory>(&history.shape))
+        return std::min(of_ramp, 1.0 / (steps_per_period * sine->frequency));
+    double shortest = of_ramp;
+    if (const auto* table = std::get_if<SampledHistory>(&history.shape))
+        for (std::size_t k = 1; k < table->times.size(); ++k)
+            shortest = std::min(shortest, table->times[k] - table->times[k - 1]);
+    return shortest;
+}
+
+double end_of_motion(const History& history)
+{
+    return std::visit(
+        Overload{[&](const ConstantHistory&) { return history.ramp_time; },
+                 [](const SineHistory&) { return std::numeric_limits<double>::infinity(); },
+                 [](const SampledHistory& table) { return table.times.empty() ? 0.0 : table.times.back(); }},
+        history.shape);
+}
+
+/// Walls that move at constant velocity go on moving.
+bool moves_on(const Boundary& boundary)
+{
+    const auto* wall = std::get_if<MovingWall>(&boundary.soil);
+    return wall != nullptr && wall->motion.quantity == MotionQuantity::velocity;
+}
+
+/// The step in which pore pressures change as much as they may [s].
+double pressure_step(const Particles& particles)
+{
+    const Scalars& rate = particles.pore_pressure_rate;
+    if (rate.empty()) return std::numeric_limits<double>::infinity();
+    double fastest = 0.0, largest = 0.0, deepest = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        fastest = std::max(fastest, std::abs(rate[p]));
+        largest = std::max(largest, std::abs(excess_pore_pressure(particles, p)));
+        deepest = std::max(deepest, particles.initial_vertical_effective_stress[p]);
+    }
+    return pressure_change * std::max(largest, least_pressure * deepest) / fastest;
+}
+
+} // namespace
+
+double resolving_step(const Problem& problem)
+{
+    double step = resolving_step(problem.base_motion);
+    for_each_history(problem,
+                     [&](const History& history) { step = std::min(step, resolving_step(history)); });
+    return step;
+}
+
+double end_of_motion(const Problem& problem)
+{
+    double end = duration(problem.base_motion);
+    for_each_history(problem, [&](const History& history) { end = std::max(end, end_of_motion(history)); });
+    const bool on = std::any_of(problem.boundaries.begin(), problem.boundaries.end(), moves_on);
+    return on ? std::numeric_limits<double>::infinity() : end;
+}
+
+TimeStep accurate_time_step(const Problem& problem, double time, double last_step, const Particles& particles,
+                            const CellExtremes& extremes)
+{
+    const double reach = smoothed_cells * problem.grid.cell_size / std::sqrt(inertia_fraction);
+    const TimeStep smooth{reach / extremes.shear_speed, TimeStepLimiter::inertia, ""};
+    if (time < end_of_motion(problem)) {
+        const TimeStep shaken{resolving_step(problem), TimeStepLimiter::shaking, ""};
+        return smooth.dt < shaken.dt ? smooth : shaken;
+    }
+    const TimeStep grown{std::max(growth * last_step, smooth.dt), TimeStepLimiter::growth, ""};
+    const TimeStep drained{std::max(pressure_step(particles), smooth.dt), TimeStepLimiter::pressure, ""};
+    return grown.dt < drained.dt ? grown : drained;
+}
+
+} // namespace quicksand

@@ -1,0 +1,30 @@
+// The step of the implicit scheme, which accuracy limits and no wave.
+//
+// While something moves the soil (the base, loads, walls, water with a history) the step is at most
+//   h / (sqrt(beta) c_s)   accelerations are smoothed over sqrt(beta) c_s dt, which is then a cell; c_s the
+//   shear
+//                          wave speed of typical soil: root of the mean of G / density by volume
+//   1/200 of the period of a sine, the interval of a record
+// After that it grows by a factor from step to step, as long as pore pressures change by a small part of the
+// largest.
+#pragma once
+
+#include "solver/problem/problem.hpp"
+#include "solver/step/cell_extremes.hpp"
+#include "solver/step/time_step_control.hpp"
+
+namespace quicksand {
+
+/// Longest step that resolves what moves the soil; infinite where nothing varies with time [s].
+double resolving_step(const Problem& problem);
+
+/// Time from which nothing moves the soil any more: the end of shaking and of all histories; infinite for a
+/// sine without end [s].
+double end_of_motion(const Problem& problem);
+
+/// The step at a time after one of the length last_step (0: the first step) [s], before the parts that the
+/// scene and the watchdog leave of it.
+TimeStep accurate_time_step(const Problem& problem, double time, double last_step, const Particles& particles,
+                            const CellExtremes& extremes);
+
+} // namespace quicksand

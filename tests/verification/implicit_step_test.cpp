@@ -1,0 +1,177 @@
+// The implicit step: the equations of the other schemes with steps beyond the waves of the skeleton.
+#include "solver/base/threads.hpp"
+#include "solver/inertia/nodal_inertia.hpp"
+#include "solver/measure/balances.hpp"
+#include "solver/measure/monitors.hpp"
+#include "solver/run/simulation.hpp"
+#include "solver/step/single_phase_step.hpp"
+#include "solver/step/stepper.hpp"
+#include "solver/step/time_step_control.hpp"
+#include "solver/verification/solutions/terzaghi.hpp"
+#include "tests/fixtures/restless_patch.hpp"
+#include "tests/fixtures/same_bits.hpp"
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+using std::numbers::pi;
+
+/// A dry column of `cells` cells of 1 m on a fixed base between tied sides, in small strain.
+Problem dry_column(int cells)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 1.0, 2, cells + 2};
+    problem.materials = {stiff_sand()};
+    problem.gravity = 0.0;
+    problem.strain = StrainForm::small;
+    problem.scheme = TimeScheme::implicit;
+    problem.boundaries = rectangle(0.0, 0.0, 2.0, cells, FixedWall{}, TiedSide{}, FreeFace{});
+    problem.tied_sides = TiedSides{"left", "right", 0.0, 2.0};
+    return problem;
+}
+
+State first_shear_mode(const Problem& problem, int cells)
+{
+    State state = fill(problem, 2, [&](const Vector2& x) { return x.y() < cells; });
+    const double wave_number = 0.5 * pi / cells;
+    Particles& particles = state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        particles.velocity_solid.x[p] = std::sin(wave_number * particles.position.y[p]);
+        particles.affine_velocity_solid.xy[p] =
+            wave_number * std::cos(wave_number * particles.position.y[p]);
+    }
+    return state;
+}
+
+/// Period of the free vibration from the first two upward passages of the top through zero [s].
+double measured_period(const Problem& problem, State state, double dt)
+{
+    const std::unique_ptr<Stepper> stepper = make_stepper(problem);
+    double before = 0.0, first = -1.0;
+    for (int k = 0; k < 100000; ++k) {
+        stepper->advance(problem, dt, state);
+        const std::size_t top = state.particles.size() - 1;
+        const double moved = state.particles.position.x[top] - state.particles.reference_position.x[top];
+        if (k > 0 && before < 0.0 && moved >= 0.0) {
+            const double passage = state.time - dt * moved / (moved - before);
+            if (first >= 0.0) return passage - first;
+            first = passage;
+        }
+        before = moved;
+    }
+    return 0.0;
+}
+
+TEST(ImplicitStep, PeriodGrowsWithTheSquareOfTheStepAsForOneMode)
+{
+    constexpr int cells = 20;
+    const Problem problem = dry_column(cells);
+    const State state = first_shear_mode(problem, cells);
+    const double c_s = std::sqrt(100e6 / (0.57 * 2650.0));
+    const double frequency = 0.5 * pi * c_s / cells; // omega [1/s]
+    const double short_period = measured_period(problem, state, 0.01 / frequency);
+    for (const double step : {0.0314, 0.0628, 0.157, 0.314}) { // omega dt
+        const double period = measured_period(problem, state, step / frequency);
+        const double expected = (inertia_fraction - 1.0 / 12.0) * 0.5 * (step * step - 1e-4);
+        std::printf("omega dt %.4f: period longer by %.4f %%, formula %.4f %%\n", step,
+                    100.0 * (period / short_period - 1.0), 100.0 * expected);
+        EXPECT_NEAR(period / short_period - 1.0, expected, 0.2 * expected + 2e-5) << step;
+    }
+}
+
+/// A free block that moves and turns, without gravity.
+TEST(ImplicitStep, KeepsTheMomentumOfAFreeBody)
+{
+    for (const bool saturated : {false, true}) {
+        Problem problem = patch(1e-4, saturated);
+        problem.grid = {{-0.03, -0.03}, 0.0075, 20, 20};
+        problem.boundaries = {};
+        problem.scheme = TimeScheme::implicit;
+        State state = restless(problem);
+        state = fill(problem, 3, [](const Vector2& x) { return x.x() > 0.0 && x.x() < 0.05 && x.y() > 0.0 && x.y() < 0.04; });
+        for (std::size_t p = 0; p < state.particles.size(); ++p) {
+            const Vector2 x = state.particles.position[p];
+            const Vector2 v(0.02 - 1.0 * x.y() + 0.01 * std::sin(200.0 * x.x()), 0.01 + 1.0 * x.x());
+            state.particles.velocity_solid.set(p, v);
+            if (saturated) state.particles.velocity_fluid.set(p, v);
+        }
+        const Monitors before = monitor(problem, state, {});
+        const std::unique_ptr<Stepper> stepper = make_stepper(problem);
+        open_balances(problem, state);
+        for (int k = 0; k < 40; ++k) stepper->advance(problem, 5e-5, state);
+        const BalanceErrors errors = balance(problem, state);
+        const double scale = before.mass_solid * 0.02;
+        EXPECT_NEAR(errors.momentum_error_x / scale, 0.0, 1e-12) << saturated;
+        EXPECT_NEAR(errors.momentum_error_y / scale, 0.0, 1e-12) << saturated;
+        std::printf("momentum errors %.2e %.2e energy error %.2e inertia work %.2e\n", errors.momentum_error_x / scale,
+                    errors.momentum_error_y / scale, errors.energy_error, state.balance_terms->inertia_work);
+        EXPECT_LT(std::abs(errors.energy_error), saturated ? 0.1 : 1e-12);
+    }
+}
+
+TEST(ImplicitStep, RandomMotionDoesNotGrowAtAnyStep)
+{
+    for (const double conductivity : {1e-2, 1e-4, 1e-6}) {
+        for (const double dt : {2e-5, 5e-5, 2e-4, 1e-3}) {
+            Problem problem = patch(conductivity, true);
+            problem.scheme = TimeScheme::implicit;
+            State state = restless(problem);
+            const double before = monitor(problem, state, {}).kinetic_energy;
+            const std::unique_ptr<Stepper> stepper = make_stepper(problem);
+            for (int k = 0; k < 400; ++k) stepper->advance(problem, dt, state);
+            std::printf("k %.0e dt %.0e growth %.2e\n", conductivity, dt, monitor(problem, state, {}).kinetic_energy / before);
+            EXPECT_LT(monitor(problem, state, {}).kinetic_energy, 1.05 * before) << conductivity << ' ' << dt;
+        }
+    }
+}
+
+/// Consolidation of a column of 20 cells under a load that the water carries at first.
+TEST(ImplicitStep, ConsolidatesWithStepsThatGrowAMillionfold)
+{
+    constexpr int cells = 20;
+    constexpr double load = 1000.0; // [Pa]
+    Problem problem = dry_column(cells);
+    problem.grid.cell_size = 0.05;
+    problem.grid.cells_y = cells + 2;
+    problem.boundaries = rectangle(0.0, 0.0, 0.1, 1.0, FixedWall{}, TiedSide{}, FreeFace{SurfaceLoad{{0.0, -load}, 0.0, {}}});
+    problem.tied_sides = TiedSides{"left", "right", 0.0, 0.1};
+    problem.water = water_to(1.0);
+    State state = fill(problem, 2, [&](const Vector2& x) { return x.x() < 0.1 && x.y() < 1.0; });
+    std::int32_t number = 0;
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        state.particles.pore_pressure[p] = load;
+        const Vector2 x = state.particles.position[p];
+        if (x.y() < 0.975) continue;
+        number = state.particles.identifier[p];
+        problem.boundaries[2].pieces.push_back({number, {1.0, 1.0}, {-1.0, 1.0}, 0.025});
+    }
+    const double M = constrained_modulus(std::get<LinearElastic>(problem.materials[0].law));
+    const double c_v = 1e-4 * M / (1000.0 * standard_gravity);
+    std::int64_t steps = 0;
+    for (const double T : {0.1, 0.5, 1.0}) {
+        run(problem, T / c_v, {}, state);
+        double squares = 0.0;
+        for (std::size_t p = 0; p < state.particles.size(); ++p) {
+            const double depth = 1.0 - state.particles.reference_position.y[p];
+            const double apart = state.particles.pore_pressure[p] / load - terzaghi_pressure_ratio(depth, T);
+            squares += apart * apart;
+        }
+        const double error = std::sqrt(squares / static_cast<double>(state.particles.size()));
+        steps = state.step;
+        std::printf("T %.1f: %ld steps, last %.2e s, pressure error %.3f %%\n", T, static_cast<long>(steps), state.last_step, 100.0 * error);
+        EXPECT_LT(error, 0.015) << T;
+    }
+    EXPECT_LT(steps, 600);
+}
+
+} // namespace
+} // namespace quicksand
