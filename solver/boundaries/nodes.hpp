@@ -15,7 +15,7 @@ struct alignas(64) TwoPhaseSums {
     double stress_force_x, stress_force_y;     // - sum V sigma' grad phi [N/m]
     double pressure_force_x, pressure_force_y; // sum V p grad phi, of the whole mixture [N/m]
     double drag_force_x, drag_force_y;         // of the velocities before the step, on the grains [N/m]
-    double inertia_force_x, inertia_force_y;   // on the grains, see nodal_inertia.hpp [N/m]
+    double inertia_force_x, inertia_force_y;   // on the grains, see inertia_solve.hpp [N/m]
 
     bool active() const { return mass_solid > 0.0; }
 };
@@ -43,7 +43,7 @@ struct alignas(64) SinglePhaseSums {
     double weight;                           // mass the gravity acts on [kg/m]
     double momentum_x, momentum_y;           // [N s/m]
     double stress_force_x, stress_force_y;   // - sum V sigma' grad phi [N/m]
-    double inertia_force_x, inertia_force_y; // see nodal_inertia.hpp [N/m]
+    double inertia_force_x, inertia_force_y; // see inertia_solve.hpp [N/m]
 
     bool active() const { return mass > 0.0; }
 };

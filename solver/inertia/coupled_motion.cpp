@@ -2,7 +2,6 @@
 
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/node_response.hpp"
-#include "solver/inertia/nodal_inertia.hpp"
 #include "solver/inertia/node_masses.hpp"
 
 #include <algorithm>
@@ -55,8 +54,9 @@ bool is_long_step(const Problem& problem, double dt, const std::vector<TwoPhaseS
     for (const double M : inertia.cells.constrained) stiffness += h * h * M;
     std::size_t lowest = inertia.rows.nodes_y, highest = 0;
     for (std::size_t i = 0; i < sums.size(); ++i) {
-        if (!sums[i].active()) continue;
-        mass += sums[i].mass_solid + sums[i].mass_fluid;
+        const TwoPhaseSums& node = sums[i];
+        if (!node.active()) continue;
+        mass += node.mass_solid + node.mass_fluid;
         lowest = std::min(lowest, i / inertia.rows.nodes_x);
         highest = std::max(highest, i / inertia.rows.nodes_x);
     }
@@ -83,7 +83,7 @@ bool move_coupled(const Problem& problem, const NodeConditions& conditions, doub
         set_flux(problem, sums[nodes[k].node], node);
     }
     spread_tied_motion(conditions, motion);
-    multiply_change(-inertia_fraction * dt, inertia);
+    multiply_stiffness(-inertia_fraction * dt, inertia.change, inertia);
     for (const CoupledNode& node : nodes) {
         const std::size_t place = inertia.rows.place(node.node);
         sums[node.node].inertia_force_x = inertia.product.x[place];

@@ -11,9 +11,8 @@
 
 namespace quicksand {
 
-/// Whether waves of the skeleton pass through a good part of the soil's height within a step: then its
-/// stiffness and the pressure must be solved for together. From the moduli of the cells and the nodes'
-/// masses.
+/// Whether waves of the skeleton pass through a good part of the soil's height within a step, from the moduli
+/// of the cells and the nodes' masses: iterating from the masses is then slower than factorising.
 bool is_long_step(const Problem& problem, double dt, const std::vector<TwoPhaseSums>& sums,
                   const InertiaSolve& inertia);
 

@@ -1,89 +1,71 @@
-// The change of the nodes' velocities in a step whose grains have the inertia A + b K.
+// The change of the nodes' velocities in a step whose grains have the inertia of K besides their masses.
 //
-//   (A + b K) w = A w_0
+//   (R^-1 + b K) w = R^-1 w_0
 //
-// w_0 is the change that forces make of the masses alone, A the matrix of a node: mass of the grains, the
-// drag of its water, dashpots. K is the elastic stiffness of the skeleton (node_stiffness.hpp). It filters
-// accelerations, (1 - l^2 laplacian)^-1 with l = sqrt(b K / (A k^2)), and leaves forces, velocities and
-// strains alone. Held nodes do not move; nodes of rows (velocity_rows.hpp) have w in the rows' null space.
-// The water of a node takes part: where no row holds it, it follows the grains by the drag, and A is what is
-// left for the grains; at nodes of rows its velocity is an unknown of its own. Solver: conjugate gradients
-// with A^-1, which meets the conditions, as preconditioner.
+// w_0 is the change that forces make without K, R the response of the grains to forces on the nodes over the
+// step: masses, drag, dashpots, walls and the implicit pressure of the water, whatever the step has. K is the
+// elastic stiffness of the skeleton (node_stiffness.hpp), b = beta dt dt_v, dt_v the time over which forces
+// act. The nodes then have the mass M + b K. This is the operator-splitting method (Nakashima 1990) in
+// leapfrog form: with K_t, the stiffness by which the present stress changes, it is stable at any dt where
+// K_t <= 4 beta K. beta = 1/2 bears a mean stress that grows fourfold within a step, for the moduli of sand
+// grow with its root. The period of a motion of the frequency omega is (beta - 1/12) (omega dt)^2 / 2 too
+// long, and nothing is damped. Accelerations are smoothed over sqrt(b/m K)/k, while forces, velocities and
+// strains are not: rest, steady flow and constant velocities are exact; translations and small turns meet no
+// force, so that momentum is.
+//
+// Solver: conjugate gradients with R as preconditioner. R^-1 of the directions follows from the residuals, so
+// that R alone is applied.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
 #include "solver/inertia/cell_moduli.hpp"
 #include "solver/inertia/node_rows.hpp"
 #include "solver/inertia/node_stiffness.hpp"
-#include "solver/walls/velocity_rows.hpp"
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace quicksand {
-
-/// Symmetric tensors, by place.
-struct PlaceTensors {
-    Scalars xx, xy, yy;
-
-    void assign(std::size_t count)
-    {
-        for (Scalars* part : {&xx, &xy, &yy}) part->assign(count, 0.0);
-    }
-    Eigen::Matrix2d at(std::size_t i) const
-    {
-        return (Eigen::Matrix2d() << xx[i], xy[i], xy[i], yy[i]).finished();
-    }
-    void set(std::size_t i, const Eigen::Matrix2d& tensor)
-    {
-        xx[i] = tensor(0, 0), xy[i] = tensor(0, 1), yy[i] = tensor(1, 1);
-    }
-};
-
-/// A node of rows: grains and water in the order of NodeVelocities.
-struct RowNode {
-    std::size_t place = 0;
-    NodeInverse mass = NodeInverse::Zero();                        // A [kg/m]
-    NodeVelocities wanted = NodeVelocities::Zero();                // w_0 [m/s]
-    Vector2 change = Vector2::Zero(), direction = Vector2::Zero(); // of the water [m/s]
-    Vector2 residual = Vector2::Zero(), product = Vector2::Zero(); // of the water [N s/m]
-};
 
 /// Places of a tied node and its master.
 struct TiedPlaces {
     std::size_t tied = 0, master = 0;
 };
 
-/// The equations, and work arrays; fields are zero at places without soil.
+/// The equations, and work arrays; fields are by place, zero where there is no soil.
 struct InertiaSolve {
     NodeRows rows;
     std::vector<NodeSpan> spans; // with soil
     CellModuli cells;
     NodeStiffness stiffness;
-    PlaceTensors mass, response; // A and A^-1 of the grains; zero at nodes of rows [kg/m, m/kg]
-    Vectors wanted;              // w_0 of the grains [m/s]
     std::vector<TiedPlaces> tied;
-    const VelocityRows* held = nullptr; // none: no rows
-    std::vector<RowNode> row_nodes;     // in the order of held->nodes()
-    std::vector<NodeVelocities> at_rows;
-    Vectors change;                      // w of the grains: the solution [m/s]
-    Vectors residual, answer, direction; // of the conjugate gradients
-    Vectors product;                     // of the direction with the matrix
-    Scalars partial;                     // sums of the spans
-    std::int32_t iterations = 0;         // of the last solve [-]
+    Vectors change;              // w: the solution [m/s]
+    Vectors residual;            // forces that w leaves, times dt_v [N s/m]
+    Vectors answer;              // R residual [m/s]
+    Vectors direction;           // of the conjugate gradients [m/s]
+    Vectors impulse;             // R^-1 direction [N s/m]
+    Vectors product;             // of the direction with b K [N s/m]
+    Scalars partial;             // sums of the spans
+    std::int32_t iterations = 0; // of the last solve [-]
 };
 
+inline constexpr double inertia_fraction = 0.5; // beta [-]
+
 struct InertiaControls {
-    /// Residual over right-hand side, both in the norm of A^-1: accelerations that are left [-].
-    double tolerance = 1e-5;
+    /// Of the first residual in the norm of R: accelerations that are left [-].
+    double tolerance = 1e-4;
     std::int32_t max_iterations = 1000; // then the solve has failed
 };
+
+/// velocity = R impulse at the nodes with soil; tied nodes are zero in both.
+using NodeResponseOfStep = std::function<void(const Vectors& impulse, Vectors& velocity)>;
 
 InertiaSolve make_inertia_solve(const BackgroundGrid& grid, const NodeConditions& conditions);
 
 /// Set up the stiffness from the moduli of the cells, on the nodes with is_active(node); a cell with a node
-/// that is not has none.
+/// that is not has none. Fields become zero.
 template <class IsActive>
 void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
 {
@@ -98,12 +80,19 @@ void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
         }
     }
     solve.stiffness.assemble(solve.rows, solve.cells, solve.spans);
+    for (Vectors* field :
+         {&solve.change, &solve.residual, &solve.answer, &solve.direction, &solve.impulse, &solve.product}) {
+        field->x.assign(solve.rows.size(), 0.0);
+        field->y.assign(solve.rows.size(), 0.0);
+    }
 }
 
-/// Solve for `change`; `factor` is b [s2]. Returns whether it converged.
-bool solve_change(double factor, const InertiaControls& controls, InertiaSolve& solve);
+/// product = factor K field, with that of tied nodes at their masters; the field of tied nodes becomes that
+/// of their masters. Returns field . product.
+double multiply_stiffness(double factor, Vectors& field, InertiaSolve& solve);
 
-/// product = factor K change, with that of tied nodes at their masters.
-void multiply_change(double factor, InertiaSolve& solve);
+/// Improve `change`, of which `residual` is left; `factor` is b [s2]. Returns whether it converged.
+bool solve_change(double factor, const NodeResponseOfStep& respond, const InertiaControls& controls,
+                  InertiaSolve& solve);
 
 } // namespace quicksand

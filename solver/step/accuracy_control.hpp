@@ -5,8 +5,8 @@
 //   shear
 //                          wave speed of typical soil: root of the mean of G / density by volume
 //   1/200 of the period of a sine, the interval of a record
-// After that it grows by a factor from step to step, as long as pore pressures change by a small part of the
-// largest.
+// After that, and in scenes where nothing moves the soil, it starts at the limit of the waves and grows by a
+// factor from step to step, as long as pore pressures change by a small part of the largest.
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -22,9 +22,9 @@ double resolving_step(const Problem& problem);
 /// sine without end [s].
 double end_of_motion(const Problem& problem);
 
-/// The step at a time after one of the length last_step (0: the first step) [s], before the parts that the
-/// scene and the watchdog leave of it.
-TimeStep accurate_time_step(const Problem& problem, double time, double last_step, const Particles& particles,
-                            const CellExtremes& extremes);
+/// The step at a time where waves would limit it to wave_step, after one of the length last_step (0: the
+/// first step) [s]; before the parts that the scene and the watchdog leave of it.
+TimeStep accurate_time_step(const Problem& problem, double time, double last_step, double wave_step,
+                            const Particles& particles, const CellExtremes& extremes);
 
 } // namespace quicksand

@@ -2,12 +2,12 @@
 
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/surface_loads.hpp"
-#include "solver/inertia/nodal_inertia.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/null_space_damping.hpp"
 #include "solver/motion/particle_motion.hpp"
 #include "solver/motion/slivers.hpp"
+#include "solver/step/skeleton_inertia.hpp"
 
 namespace quicksand {
 
@@ -27,16 +27,6 @@ void solve_velocities(const Problem& problem, double velocity_dt, double acceler
                                 work.motion);
     brake_by_dashpots(work.conditions, velocity_dt, work.dashpots, work.sums, work.motion);
     hold_at_walls(work.walls, work.motion);
-}
-
-/// Add the force that resists accelerations to those on the nodes.
-void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
-                         SinglePhaseWorkspace& work)
-{
-    sum_moduli(problem, state.particles, work);
-    if (!resist_acceleration(problem, work.conditions, dt, velocity_dt, work.dashpots, work.walls,
-                             work.motion, work.sums, *work.inertia))
-        fail_to_resist(dt, work, state);
 }
 
 /// Whether pore pressures act on the body: they follow from its motion, or are constant. While the soil
@@ -105,6 +95,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
         solve_velocities(problem, velocity_dt, acceleration, damping, work);
         if (work.inertia) {
+            sum_moduli(problem, particles, work);
             resist_acceleration(problem, dt, velocity_dt, state, work);
             solve_velocities(problem, velocity_dt, acceleration, damping, work);
         }

@@ -57,8 +57,11 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     work.stencils.resize(work.lists.tiles.size());
     work.average = make_volumetric_average(problem);
     work.null_space_time = null_space_time(problem);
-    if (stage == Stage::shaking && problem.scheme == TimeScheme::implicit)
-        work.inertia = make_inertia_solve(problem.grid, work.conditions);
+    if (stage != Stage::shaking || problem.scheme != TimeScheme::implicit) return;
+    work.inertia = make_inertia_solve(problem.grid, work.conditions);
+    Problem weightless = problem;
+    weightless.gravity = 0.0;
+    work.weightless = std::make_shared<const Problem>(std::move(weightless));
 }
 
 void sum_moduli(const Problem& problem, const Particles& particles, StepWorkspace& work)

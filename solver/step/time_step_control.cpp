@@ -107,7 +107,7 @@ TimeStep semi_implicit_limit(const Problem& problem, const CellExtremes& extreme
 
 TimeStep limit_of_waves(const Problem& problem, const CellExtremes& extremes)
 {
-    if (water_flow(problem) == WaterFlow::coupled && problem.scheme == TimeScheme::semi_implicit)
+    if (water_flow(problem) == WaterFlow::coupled && problem.scheme != TimeScheme::explicit_steps)
         return semi_implicit_limit(problem, extremes);
     return wave_limit(problem, extremes, wave_safety,
                       [&](const WaveSpeeds& speeds) { return fastest_speed(problem, speeds); });
@@ -117,10 +117,11 @@ TimeStep step_from(const Problem& problem, double time, double last_step, const 
                    double scale)
 {
     const CellExtremes extremes = find_extremes(problem, particles);
-    TimeStep limit = problem.scheme == TimeScheme::implicit
-                         ? accurate_time_step(problem, time, last_step / (scale * problem.step_fraction),
-                                              particles, extremes)
-                         : limit_of_waves(problem, extremes);
+    TimeStep limit = limit_of_waves(problem, extremes);
+    if (problem.scheme == TimeScheme::implicit) {
+        const double whole = last_step / (scale * problem.step_fraction); // of which last_step is a part
+        limit = accurate_time_step(problem, time, whole, limit.dt, particles, extremes);
+    }
     if (scale < 1.0) {
         limit.dt *= scale;
         limit.limiter = TimeStepLimiter::vibration;

@@ -5,13 +5,13 @@
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/inertia/coupled_motion.hpp"
-#include "solver/inertia/nodal_inertia.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/particle_motion.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/motion/slivers.hpp"
+#include "solver/step/skeleton_inertia.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -30,15 +30,6 @@ void solve_velocities(const Problem& problem, double velocity_dt, const State& s
     brake_by_dashpots(problem, work.conditions, velocity_dt, work.dashpots, work.sums, work.motion);
     hold_at_walls(problem, work.sums, work.walls, work.motion);
     spread_tied_motion(work.conditions, work.motion);
-}
-
-/// Add the force that resists accelerations to those on the nodes.
-void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
-                         TwoPhaseWorkspace& work)
-{
-    if (!resist_acceleration(problem, work.conditions, dt, velocity_dt, work.dashpots, work.walls,
-                             work.motion, work.sums, *work.inertia))
-        fail_to_resist(dt, work, state);
 }
 
 void enter_works(const Problem& problem, double velocity_dt, const TwoPhaseWorkspace& work, State& state)
@@ -120,31 +111,42 @@ void set_up_pressure(const Problem& problem, double dt, double velocity_dt, cons
     if (work.walls.any) aggregate_pressures(work.walls.roots.aggregated, pressure);
 }
 
-void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work)
+/// Solve for the increments with the fluxes of the motion, the equations being set up, and add their forces.
+void find_increments(const Problem& problem, double dt, double velocity_dt, const State& state,
+                     SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
-    set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
-    for_each_index(work.sums.size(), [&](std::size_t i) {
-        work.sums[i].pressure_force_x += pressure.force_x[i];
-        work.sums[i].pressure_force_y += pressure.force_y[i];
-        pressure.force_x[i] = pressure.force_y[i] = 0.0;
+    // the flux changes over velocity_dt and fills cells over dt: dt velocity_dt in the place of dt^2
+    const double step = std::sqrt(dt * velocity_dt);
+    for_each_index(work.motion.size(), [&](std::size_t i) {
+        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
+        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
+    });
+    if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
+        fail_to_solve(pressure, work.controls, dt, state);
+    add_increment_forces(problem, work);
+}
+
+/// Velocities and pressures of a step.
+void answer(const Problem& problem, double dt, double velocity_dt, State& state, SemiImplicitWorkspace& work)
+{
+    const std::vector<TwoPhaseSums> known = work.inertia ? work.sums : std::vector<TwoPhaseSums>();
+    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
+    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
+    if (!work.inertia) return;
+    timed(work.timers, Phase::inertia, [&] {
+        resist_acceleration(problem, dt, velocity_dt, state, work);
+        for_each_index(known.size(), [&](std::size_t i) {
+            work.sums[i].pressure_force_x = known[i].pressure_force_x;
+            work.sums[i].pressure_force_y = known[i].pressure_force_y;
+        });
+        solve_velocities(problem, velocity_dt, state, work);
+        find_increments(problem, dt, velocity_dt, state, work);
+        solve_velocities(problem, velocity_dt, state, work);
     });
 }
 
-/// Velocities and pressures of a step in which the skeleton's stiffness and the water answer in turn.
-void answer_in_turn(const Problem& problem, double dt, double velocity_dt, State& state,
-                    SemiImplicitWorkspace& work)
-{
-    if (work.inertia)
-        timed(work.timers, Phase::inertia, [&] {
-            resist_acceleration(problem, dt, velocity_dt, state, work);
-            solve_velocities(problem, velocity_dt, state, work);
-        });
-    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
-    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
-}
-
-/// The same of a long step, in which they answer together.
+/// The same of a long step, in which stiffness and pressure are factorised together.
 void answer_together(const Problem& problem, double dt, double velocity_dt, State& state,
                      SemiImplicitWorkspace& work)
 {
@@ -223,21 +225,23 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
     gather_tied_sums(work.conditions, work.outer);
 }
 
+void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work)
+{
+    PressureSolve& pressure = work.pressure;
+    set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
+    for_each_index(work.sums.size(), [&](std::size_t i) {
+        work.sums[i].pressure_force_x += pressure.force_x[i];
+        work.sums[i].pressure_force_y += pressure.force_y[i];
+        pressure.force_x[i] = pressure.force_y[i] = 0.0;
+    });
+}
+
 void solve_pressure(const Problem& problem, double dt, double velocity_dt, const State& state,
                     SemiImplicitWorkspace& work)
 {
-    PressureSolve& pressure = work.pressure;
-    // the flux changes over velocity_dt and fills cells over dt: dt velocity_dt in the place of dt^2
-    const double step = std::sqrt(dt * velocity_dt);
-    choose_blocks(step, pressure);
+    choose_blocks(std::sqrt(dt * velocity_dt), work.pressure);
     set_up_pressure(problem, dt, velocity_dt, state.particles, work);
-    for_each_index(work.motion.size(), [&](std::size_t i) {
-        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
-        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
-    });
-    if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
-        fail_to_solve(pressure, work.controls, dt, state);
-    add_increment_forces(problem, work);
+    find_increments(problem, dt, velocity_dt, state, work);
 }
 
 void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
@@ -285,8 +289,11 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
             sum_moduli(problem, particles, work);
             together = is_long_step(problem, dt, work.sums, *work.inertia);
         });
-    const auto answer = together ? answer_together : answer_in_turn;
-    answer(problem, dt, velocity_dt, state, work);
+    if (together) {
+        answer_together(problem, dt, velocity_dt, state, work);
+    } else {
+        answer(problem, dt, velocity_dt, state, work);
+    }
     timed(work.timers, Phase::momentum, [&] { enter_works(problem, velocity_dt, work, state); });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {

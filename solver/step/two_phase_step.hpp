@@ -53,6 +53,9 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
 
 SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem);
 
+/// Add the forces of the pressure's increments to those on the nodes.
+void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work);
+
 /// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes; the flux
 /// changes over `velocity_dt` and fills cells over `dt`. Throws NumericalError.
 void solve_pressure(const Problem& problem, double dt, double velocity_dt, const State& state,

@@ -373,6 +373,17 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
     return converged;
 }
 
+bool answer_flux(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
+                 double dt, const PressureSolveControls& controls, PressureSolve& solve)
+{
+    const double scale = set_right_hand_side(grid, lists, dt, solve);
+    sum_to_roots(solve, solve.right_hand_side);
+    std::fill(solve.increment.begin(), solve.increment.end(), 0.0);
+    solve.iterations = 0;
+    return iterate(grid, lists, conditions, dt, controls.tolerance * controls.tolerance * scale, controls,
+                   solve);
+}
+
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
                           const NodeConditions& conditions, PressureSolve& solve)
 {

@@ -89,6 +89,11 @@ void aggregate_pressures(const std::vector<AggregatedCell>& aggregated, Pressure
 bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                       double dt, const PressureSolveControls& controls, PressureSolve& solve);
 
+/// Solve for the increments that answer to the flux alone, from zero. Cells with cavities keep their
+/// pressure. Between two steps' solves, with the same equations.
+bool answer_flux(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
+                 double dt, const PressureSolveControls& controls, PressureSolve& solve);
+
 /// Set the forces to those of the increments; masters of tied nodes have theirs, too.
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
                           const NodeConditions& conditions, PressureSolve& solve);

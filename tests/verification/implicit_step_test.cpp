@@ -1,6 +1,6 @@
 // The implicit step: the equations of the other schemes with steps beyond the waves of the skeleton.
 #include "solver/base/threads.hpp"
-#include "solver/inertia/nodal_inertia.hpp"
+#include "solver/inertia/inertia_solve.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/measure/monitors.hpp"
 #include "solver/run/simulation.hpp"
@@ -46,8 +46,7 @@ State first_shear_mode(const Problem& problem, int cells)
     Particles& particles = state.particles;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         particles.velocity_solid.x[p] = std::sin(wave_number * particles.position.y[p]);
-        particles.affine_velocity_solid.xy[p] =
-            wave_number * std::cos(wave_number * particles.position.y[p]);
+        particles.affine_velocity_solid.xy[p] = wave_number * std::cos(wave_number * particles.position.y[p]);
     }
     return state;
 }
@@ -82,9 +81,8 @@ TEST(ImplicitStep, PeriodGrowsWithTheSquareOfTheStepAsForOneMode)
     for (const double step : {0.0314, 0.0628, 0.157, 0.314}) { // omega dt
         const double period = measured_period(problem, state, step / frequency);
         const double expected = (inertia_fraction - 1.0 / 12.0) * 0.5 * (step * step - 1e-4);
-        std::printf("omega dt %.4f: period longer by %.4f %%, formula %.4f %%\n", step,
                     100.0 * (period / short_period - 1.0), 100.0 * expected);
-        EXPECT_NEAR(period / short_period - 1.0, expected, 0.2 * expected + 2e-5) << step;
+                    EXPECT_NEAR(period / short_period - 1.0, expected, 0.2 * expected + 2e-5) << step;
     }
 }
 
@@ -97,7 +95,9 @@ TEST(ImplicitStep, KeepsTheMomentumOfAFreeBody)
         problem.boundaries = {};
         problem.scheme = TimeScheme::implicit;
         State state = restless(problem);
-        state = fill(problem, 3, [](const Vector2& x) { return x.x() > 0.0 && x.x() < 0.05 && x.y() > 0.0 && x.y() < 0.04; });
+        state = fill(problem, 3, [](const Vector2& x) {
+            return x.x() > 0.0 && x.x() < 0.05 && x.y() > 0.0 && x.y() < 0.04;
+        });
         for (std::size_t p = 0; p < state.particles.size(); ++p) {
             const Vector2 x = state.particles.position[p];
             const Vector2 v(0.02 - 1.0 * x.y() + 0.01 * std::sin(200.0 * x.x()), 0.01 + 1.0 * x.x());
@@ -112,23 +112,21 @@ TEST(ImplicitStep, KeepsTheMomentumOfAFreeBody)
         const double scale = before.mass_solid * 0.02;
         EXPECT_NEAR(errors.momentum_error_x / scale, 0.0, 1e-12) << saturated;
         EXPECT_NEAR(errors.momentum_error_y / scale, 0.0, 1e-12) << saturated;
-        std::printf("momentum errors %.2e %.2e energy error %.2e inertia work %.2e\n", errors.momentum_error_x / scale,
                     errors.momentum_error_y / scale, errors.energy_error, state.balance_terms->inertia_work);
-        EXPECT_LT(std::abs(errors.energy_error), saturated ? 0.1 : 1e-12);
+                    EXPECT_LT(std::abs(errors.energy_error), saturated ? 0.1 : 1e-12);
     }
 }
 
 TEST(ImplicitStep, RandomMotionDoesNotGrowAtAnyStep)
 {
     for (const double conductivity : {1e-2, 1e-4, 1e-6}) {
-        for (const double dt : {2e-5, 5e-5, 2e-4, 1e-3}) {
+        for (const double dt : {2e-5, 1e-4, 1e-3}) {
             Problem problem = patch(conductivity, true);
             problem.scheme = TimeScheme::implicit;
             State state = restless(problem);
             const double before = monitor(problem, state, {}).kinetic_energy;
             const std::unique_ptr<Stepper> stepper = make_stepper(problem);
-            for (int k = 0; k < 400; ++k) stepper->advance(problem, dt, state);
-            std::printf("k %.0e dt %.0e growth %.2e\n", conductivity, dt, monitor(problem, state, {}).kinetic_energy / before);
+            for (int k = 0; k < 200; ++k) stepper->advance(problem, dt, state);
             EXPECT_LT(monitor(problem, state, {}).kinetic_energy, 1.05 * before) << conductivity << ' ' << dt;
         }
     }
@@ -142,7 +140,8 @@ TEST(ImplicitStep, ConsolidatesWithStepsThatGrowAMillionfold)
     Problem problem = dry_column(cells);
     problem.grid.cell_size = 0.05;
     problem.grid.cells_y = cells + 2;
-    problem.boundaries = rectangle(0.0, 0.0, 0.1, 1.0, FixedWall{}, TiedSide{}, FreeFace{SurfaceLoad{{0.0, -load}, 0.0, {}}});
+    problem.boundaries =
+        rectangle(0.0, 0.0, 0.1, 1.0, FixedWall{}, TiedSide{}, FreeFace{SurfaceLoad{{0.0, -load}, 0.0, {}}});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 0.1};
     problem.water = water_to(1.0);
     State state = fill(problem, 2, [&](const Vector2& x) { return x.x() < 0.1 && x.y() < 1.0; });
@@ -155,7 +154,7 @@ TEST(ImplicitStep, ConsolidatesWithStepsThatGrowAMillionfold)
         problem.boundaries[2].pieces.push_back({number, {1.0, 1.0}, {-1.0, 1.0}, 0.025});
     }
     const double M = constrained_modulus(std::get<LinearElastic>(problem.materials[0].law));
-    const double c_v = 1e-4 * M / (1000.0 * standard_gravity);
+    const double c_v = 1e-4 / (1000.0 * standard_gravity * (1.0 / M + 0.43 / 2.2e9));
     std::int64_t steps = 0;
     for (const double T : {0.1, 0.5, 1.0}) {
         run(problem, T / c_v, {}, state);
@@ -167,7 +166,6 @@ TEST(ImplicitStep, ConsolidatesWithStepsThatGrowAMillionfold)
         }
         const double error = std::sqrt(squares / static_cast<double>(state.particles.size()));
         steps = state.step;
-        std::printf("T %.1f: %ld steps, last %.2e s, pressure error %.3f %%\n", T, static_cast<long>(steps), state.last_step, 100.0 * error);
         EXPECT_LT(error, 0.015) << T;
     }
     EXPECT_LT(steps, 600);
