@@ -125,6 +125,8 @@ std::string use_of(BodyQuantityOf of)
     case BodyQuantityOf::wet_body:
     case BodyQuantityOf::balanced_wet_body:
         return "; with water";
+    case BodyQuantityOf::balanced_stiff_body:
+        return "; with `scheme = \"implicit\"`";
     }
     return "";
 }

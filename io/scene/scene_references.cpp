@@ -91,6 +91,10 @@ void check_scheme(const SceneValues& values, Diagnostics& findings)
     const std::string scheme = values.text("analysis.scheme");
     if (scheme != "semi_implicit" && scheme != "implicit") return;
     const std::string flow = values.text("water.flow");
+    if (scheme == "semi_implicit" && flow.empty())
+        findings.add(warning_at(values.place("analysis.scheme"), "analysis.scheme", "unused",
+                                "scheme = \"semi_implicit\" has no effect in a dry scene", "",
+                                "take \"explicit\" or \"implicit\", or add a table [water]"));
     if (flow != "undrained" && (flow != "drained" || scheme == "implicit")) return;
     findings.add(error_at(values.place("analysis.scheme"), "combination",
                           "scheme = \"" + scheme + "\" has no pressure to solve for with water.flow = \"" +

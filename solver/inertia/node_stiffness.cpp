@@ -1,5 +1,7 @@
 #include "solver/inertia/node_stiffness.hpp"
 
+#include "solver/base/lanes.hpp"
+
 #include <array>
 
 namespace quicksand {

@@ -7,7 +7,6 @@
 // bounds the stiffness that particles feel.
 #pragma once
 
-#include "solver/base/lanes.hpp"
 #include "solver/inertia/cell_moduli.hpp"
 
 #include <cstddef>

@@ -60,7 +60,7 @@ constexpr std::array table = {
         [](const MeasuredBody& body) { return water_content(body.problem, body.state.particles); }},
     BodyQuantity{"skeleton_work", "J", "work of the effective stress on the skeleton since t = 0, stored and dissipated", balanced_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->skeleton_work; }},
-    BodyQuantity{"inertia_work", "J", "work against the stiffness that resists accelerations since t = 0, with scheme = implicit", balanced_body,
+    BodyQuantity{"inertia_work", "J", "work against the stiffness that resists accelerations since t = 0", balanced_stiff_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->inertia_work; }},
     BodyQuantity{"gravity_work", "J", "work of the weight since t = 0, buoyant below water", balanced_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->gravity_work; }},
@@ -93,7 +93,8 @@ bool has(const Problem& problem, const State& state, BodyQuantityOf of)
 {
     const bool wet = problem.water.has_value(), balanced = state.balance_terms.has_value();
     return of == any_body || (of == wet_body && wet) || (of == balanced_body && balanced) ||
-           (of == balanced_wet_body && wet && balanced);
+           (of == balanced_wet_body && wet && balanced) ||
+           (of == balanced_stiff_body && problem.scheme == TimeScheme::implicit && balanced);
 }
 
 } // namespace

@@ -31,9 +31,10 @@ MeasuredBody measure_body(const Problem& problem, const State& state, const std:
 /// Which runs have a quantity of the body.
 enum class BodyQuantityOf : std::uint8_t {
     any_body,
-    wet_body,         // of a scene with water
-    balanced_body,    // of a run with balances
-    balanced_wet_body // of such a run with water
+    wet_body,           // of a scene with water
+    balanced_body,      // of a run with balances
+    balanced_wet_body,  // of such a run with water
+    balanced_stiff_body // of such a run with the implicit scheme
 };
 
 struct BodyQuantity {

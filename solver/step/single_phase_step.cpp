@@ -7,7 +7,6 @@
 #include "solver/motion/null_space_damping.hpp"
 #include "solver/motion/particle_motion.hpp"
 #include "solver/motion/slivers.hpp"
-#include "solver/step/skeleton_inertia.hpp"
 
 namespace quicksand {
 

@@ -31,4 +31,8 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
 void advance_single_phase_step(const Problem& problem, double dt, double damping, State& state,
                                SinglePhaseWorkspace& work);
 
+/// Set the inertia forces of the sums, as in a step of two phases; the moduli of the cells are set up.
+void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
+                         SinglePhaseWorkspace& work);
+
 } // namespace quicksand

@@ -1,9 +1,11 @@
-#include "solver/step/skeleton_inertia.hpp"
-
+// The force with which the skeleton's stiffness resists accelerations, - beta dt K (v' - v), in a step that
+// is under way (inertia_solve.hpp).
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/node_response.hpp"
 #include "solver/boundaries/viscous_boundary.hpp"
 #include "solver/inertia/node_masses.hpp"
+#include "solver/step/single_phase_step.hpp"
+#include "solver/step/two_phase_step.hpp"
 
 #include <cmath>
 

@@ -11,7 +11,6 @@
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/motion/slivers.hpp"
-#include "solver/step/skeleton_inertia.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -71,4 +71,10 @@ void solve_pressure(const Problem& problem, double dt, double velocity_dt, const
 /// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
 void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work);
 
+/// Set the inertia forces of the sums (skeleton_inertia.cpp). work.motion has the velocities that all other
+/// forces give over `velocity_dt`, those of the implicit pressure's increments among them; the moduli of the
+/// cells and the pressure's equations are set up. The increments are left as they are. Throws NumericalError.
+void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
+                         SemiImplicitWorkspace& work);
+
 } // namespace quicksand

@@ -141,7 +141,8 @@ TEST(Completion, OffersKeysAfterSet)
     EXPECT_EQ(grid, (Words{"none", "grid.cell_size=", "grid.origin=", "grid.cells="}));
     EXPECT_TRUE(has(offered("run --set ''"), "materials."));
     EXPECT_EQ(offered("run --set analysis.scheme="),
-              (Words{"none", "analysis.scheme=explicit", "analysis.scheme=semi_implicit"}));
+              (Words{"none", "analysis.scheme=explicit", "analysis.scheme=semi_implicit",
+                     "analysis.scheme=implicit"}));
     EXPECT_TRUE(has(offered("run --set materials.sand."), "materials.sand.porosity="));
     EXPECT_EQ(offered("run --set no.such."), (Words{"none"}));
     EXPECT_TRUE(has(offered("element --set tests.strength."), "tests.strength.csr="));

@@ -40,7 +40,7 @@ double relative_velocity_left(double rate, double steady)
     const double m_s = 3.0, m_w = 0.7, dt = 0.1, reduced = m_s * m_w / (m_s + m_w),
                  drag = rate * reduced / dt;
     std::vector<TwoPhaseSums> sums(1);
-    sums[0] = {m_s, m_w, 1.0, drag, 0.0, 0.0, m_w, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    sums[0] = {m_s, m_w, 1.0, drag, 0.0, 0.0, m_w, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     centre_drag(dt, sums);
     const double known = dt * sums[0].drag_force_x, push = dt * drag * steady;
     const PhaseVelocities v = solve_drag(m_s, m_w, dt * sums[0].drag, known - push, m_w - known + push);
@@ -69,7 +69,7 @@ TEST(CentreDrag, KeepsASteadySeepage)
 TwoPhaseMotion solve_one(const Problem& problem, std::uint8_t conditions)
 {
     std::vector<TwoPhaseSums> sums(1);
-    sums[0] = {1500.0, 430.0, 1.0, 2e6, 30.0, -15.0, 4.0, 8.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    sums[0] = {1500.0, 430.0, 1.0, 2e6, 30.0, -15.0, 4.0, 8.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     std::vector<TwoPhaseMotion> motion(1);
     NodeConditions node_conditions;
     node_conditions.of_node = {conditions};

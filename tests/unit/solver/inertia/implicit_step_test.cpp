@@ -81,8 +81,7 @@ TEST(ImplicitStep, PeriodGrowsWithTheSquareOfTheStepAsForOneMode)
     for (const double step : {0.0314, 0.0628, 0.157, 0.314}) { // omega dt
         const double period = measured_period(problem, state, step / frequency);
         const double expected = (inertia_fraction - 1.0 / 12.0) * 0.5 * (step * step - 1e-4);
-                    100.0 * (period / short_period - 1.0), 100.0 * expected);
-                    EXPECT_NEAR(period / short_period - 1.0, expected, 0.2 * expected + 2e-5) << step;
+        EXPECT_NEAR(period / short_period - 1.0, expected, 0.2 * expected + 2e-5) << step;
     }
 }
 
@@ -112,8 +111,7 @@ TEST(ImplicitStep, KeepsTheMomentumOfAFreeBody)
         const double scale = before.mass_solid * 0.02;
         EXPECT_NEAR(errors.momentum_error_x / scale, 0.0, 1e-12) << saturated;
         EXPECT_NEAR(errors.momentum_error_y / scale, 0.0, 1e-12) << saturated;
-                    errors.momentum_error_y / scale, errors.energy_error, state.balance_terms->inertia_work);
-                    EXPECT_LT(std::abs(errors.energy_error), saturated ? 0.1 : 1e-12);
+        EXPECT_LT(std::abs(errors.energy_error), saturated ? 0.1 : 1e-12);
     }
 }
 
@@ -133,7 +131,7 @@ TEST(ImplicitStep, RandomMotionDoesNotGrowAtAnyStep)
 }
 
 /// Consolidation of a column of 20 cells under a load that the water carries at first.
-TEST(ImplicitStep, ConsolidatesWithStepsThatGrowAMillionfold)
+TEST(ImplicitStep, ConsolidatesWithStepsThatGrow)
 {
     constexpr int cells = 20;
     constexpr double load = 1000.0; // [Pa]
