@@ -52,6 +52,27 @@ void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& 
     enter_exchange(problem, dt, particles, *state.balance_terms);
 }
 
+/// The volume of the water changes with that of the pores, also by what the divergence does not tell of a
+/// turn.
+void add_growth_of_turns(const Problem& problem, double dt, const Particles& particles, Scalars& divergence)
+{
+    if (problem.strain == StrainForm::small) return;
+    for_each_index(divergence.size(), [&](std::size_t p) {
+        divergence[p] += growth_of_turn(dt, particles.velocity_gradient_solid, p);
+    });
+}
+
+/// The same where the pressure is solved for before the motion is known: turns go on from step to step.
+void expect_growth_of_turns(const Problem& problem, double dt, const Particles& particles,
+                            SemiImplicitWorkspace& work)
+{
+    if (problem.strain == StrainForm::small) return;
+    Scalars& growth = work.pressure.growth;
+    growth.assign(problem.grid.cell_count(), 0.0);
+    const CellLists& lists = work.lists_with_pressure();
+    for_each_tile(lists, [&](const Tile& tile) { sum_growth_of_turns(dt, lists, tile, particles, growth); });
+}
+
 /// The solve ends before its last iteration only where it meets what is not a number.
 [[noreturn]] void fail_to_solve(const PressureSolve& pressure, const PressureSolveControls& controls,
                                 double dt, const State& state)
@@ -209,6 +230,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
+        add_growth_of_turns(problem, dt, particles, work.flux_divergence);
         advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure_increment, particles,
                               work.cell_means, [&](const Tile& tile) {
                                   explicit_increments(problem, dt, work.lists_with_pressure(), tile,
@@ -233,7 +255,10 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
         assemble_walls(problem, velocity_dt, work.sums, work);
         solve_velocities(problem, velocity_dt, state, work);
     });
-    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
+    timed(work.timers, Phase::pore_pressure, [&] {
+        expect_growth_of_turns(problem, dt, particles, work);
+        solve_pressure(problem, dt, velocity_dt, state, work);
+    });
     timed(work.timers, Phase::momentum, [&] {
         solve_velocities(problem, velocity_dt, state, work);
         enter_works(problem, velocity_dt, work, state);

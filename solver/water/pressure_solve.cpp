@@ -191,7 +191,7 @@ void turn_direction(const CellLists& lists, double beta, PressureSolve& solve)
     });
 }
 
-/// - dt D flux*; returns its square, weighted by the diagonal.
+/// - dt D flux* less what turns add to the volume; returns its square, weighted by the diagonal.
 double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, double dt,
                            PressureSolve& solve)
 {
@@ -203,6 +203,7 @@ double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, d
         for (const CellStencil& stencil : divergence.stencils) {
             const auto c = static_cast<std::size_t>(stencil.cell);
             solve.right_hand_side[c] *= -dt;
+            if (!solve.growth.empty()) solve.right_hand_side[c] -= solve.growth[c];
             sum += solve.right_hand_side[c] * (solve.right_hand_side[c] / solve.diagonal[c]);
         }
         return sum;

@@ -49,6 +49,7 @@ struct PressureSolve : PressureEquations {
     Scalars increment;                           // dp: the guess, then the solution [Pa]
     Scalars flux_x, flux_y;                      // of the nodes, flux* at first [m/s]
     Scalars force_x, force_y;   // of the increments on the nodes, zero before and after a solve [N/m]
+    Scalars growth;             // of the cells by turns in the step; empty: none [m3/m]
     Scalars right_hand_side;    // [m3/m]
     Scalars residual;           // of the equations [m3/m]
     Scalars answer;             // of the preconditioner to the residual [Pa]
