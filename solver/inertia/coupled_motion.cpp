@@ -38,7 +38,7 @@ std::vector<CoupledNode> coupled_nodes(const Problem& problem, const NodeConditi
             std::lower_bound(nodes.begin(), nodes.end(), dashpot.node,
                              [](const CoupledNode& node, std::size_t i) { return node.node < i; });
         if (found != nodes.end() && found->node == dashpot.node)
-            found->mass.topLeftCorner<2, 2>() += half_braking(dashpots, dashpot.node, velocity_dt);
+            found->mass.topLeftCorner<2, 2>() += half_braking(dashpot, velocity_dt);
     }
     return nodes;
 }

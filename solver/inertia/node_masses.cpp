@@ -2,8 +2,6 @@
 
 #include "solver/boundaries/grid_momentum.hpp"
 
-#include <algorithm>
-
 namespace quicksand {
 
 std::vector<TwoPhaseMotion> velocities_before(const Problem& problem, const NodeConditions& conditions,
@@ -37,20 +35,9 @@ NodeInverse mass_matrix(const TwoPhaseSums& node, double dt)
     return mass;
 }
 
-NodeInverse mass_matrix(const SinglePhaseSums& node, double)
+Eigen::Matrix2d half_braking(const Dashpot& dashpot, double dt)
 {
-    NodeInverse mass = NodeInverse::Zero();
-    mass(0, 0) = mass(1, 1) = node.mass;
-    return mass;
-}
-
-Eigen::Matrix2d half_braking(const std::vector<Dashpot>& dashpots, std::size_t node, double dt)
-{
-    Eigen::Matrix2d half = Eigen::Matrix2d::Zero();
-    const auto found = std::lower_bound(dashpots.begin(), dashpots.end(), node,
-                                        [](const Dashpot& d, std::size_t i) { return d.node < i; });
-    if (found != dashpots.end() && found->node == node) half << found->xx, found->xy, found->xy, found->yy;
-    return 0.5 * dt * half;
+    return 0.5 * dt * (Eigen::Matrix2d() << dashpot.xx, dashpot.xy, dashpot.xy, dashpot.yy).finished();
 }
 
 } // namespace quicksand

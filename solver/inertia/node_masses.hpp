@@ -6,7 +6,6 @@
 #include "solver/problem/problem.hpp"
 #include "solver/walls/wall_rows.hpp"
 
-#include <cstddef>
 #include <vector>
 
 namespace quicksand {
@@ -20,9 +19,8 @@ std::vector<SinglePhaseMotion> velocities_before(const Problem& problem, const N
 
 /// A of a node without its dashpots: masses, and the drag over dt between grains and water [kg/m].
 NodeInverse mass_matrix(const TwoPhaseSums& node, double dt);
-NodeInverse mass_matrix(const SinglePhaseSums& node, double dt);
 
-/// dt C / 2 of the dashpot at a node, zero without one [kg/m].
-Eigen::Matrix2d half_braking(const std::vector<Dashpot>& dashpots, std::size_t node, double dt);
+/// dt C / 2, by which a dashpot resists as a mass does [kg/m].
+Eigen::Matrix2d half_braking(const Dashpot& dashpot, double dt);
 
 } // namespace quicksand

@@ -32,6 +32,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
                                SinglePhaseWorkspace& work);
 
 /// Set the inertia forces of the sums, as in a step of two phases; the moduli of the cells are set up.
+/// work.motion is not kept. Throws NumericalError.
 void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
                          SinglePhaseWorkspace& work);
 

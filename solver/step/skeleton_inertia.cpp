@@ -7,7 +7,8 @@
 #include "solver/step/single_phase_step.hpp"
 #include "solver/step/two_phase_step.hpp"
 
-#include <cmath>
+#include <utility>
+#include <vector>
 
 namespace quicksand {
 
@@ -51,23 +52,22 @@ void answer_forces(const Problem& still, double velocity_dt, SinglePhaseWorkspac
     rest_at_walls(work.walls, work.motion);
 }
 
-/// Let the pressure answer the motion, and the motion the pressure.
-void answer_pressure(const Problem& still, double dt, double velocity_dt, SemiImplicitWorkspace& work)
+/// Let the pressure answer the motion, and the motion the pressure; returns whether the pressure was found.
+bool answer_pressure(const Problem& still, double dt, double velocity_dt, SemiImplicitWorkspace& work)
 {
-    PressureSolve& pressure = work.pressure;
-    const double step = std::sqrt(dt * velocity_dt);
-    for_each_index(work.motion.size(), [&](std::size_t i) {
-        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
-        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
-    });
     // R of conjugate gradients must be the same for every vector
     constexpr PressureSolveControls sharp{.tolerance = 1e-5};
-    answer_flux(still.grid, work.lists, work.conditions, step, sharp, pressure);
+    const double step = set_fluxes(dt, velocity_dt, work);
+    if (!answer_flux(still.grid, work.lists, work.conditions, step, sharp, work.pressure)) return false;
     add_increment_forces(still, work);
     answer_forces(still, velocity_dt, work);
+    return true;
 }
 
-void answer_pressure(const Problem&, double, double, SinglePhaseWorkspace&) {}
+bool answer_pressure(const Problem&, double, double, SinglePhaseWorkspace&)
+{
+    return true;
+}
 
 /// change = velocities of the motion less those before the step, at the nodes that carry sums.
 template <class Motion>
@@ -81,8 +81,9 @@ void set_change(const NodeConditions& conditions, const std::vector<Motion>& mot
     });
 }
 
-template <class Workspace>
-void resist(const Problem& problem, double dt, double velocity_dt, const State& state, Workspace& work)
+template <class Workspace, class Sums>
+void resist(const Problem& problem, double dt, double velocity_dt, std::vector<Sums> known,
+            const State& state, Workspace& work)
 {
     InertiaSolve& inertia = *work.inertia;
     set_up_stiffness([&](std::size_t i) { return work.sums[i].active(); }, inertia);
@@ -92,47 +93,47 @@ void resist(const Problem& problem, double dt, double velocity_dt, const State& 
     multiply_stiffness(-factor, inertia.change, inertia); // what the change leaves
     inertia.residual = inertia.product;
 
-    const auto sums = work.sums;
-    const auto motion = work.motion;
+    const auto carries_sums = [&](std::size_t i) {
+        return known[i].active() && work.conditions.master[i] == i;
+    };
     const Problem& still = *work.weightless;
     const auto respond = [&](const Vectors& impulse, Vectors& velocity) {
-        for_each_index(sums.size(), [&](std::size_t i) {
-            if (!sums[i].active() || work.conditions.master[i] != i) return;
-            work.sums[i] = at_rest(sums[i], impulse[inertia.rows.place(i)] / velocity_dt);
+        for_each_index(known.size(), [&](std::size_t i) {
+            if (carries_sums(i))
+                work.sums[i] = at_rest(known[i], impulse[inertia.rows.place(i)] / velocity_dt);
         });
         answer_forces(still, velocity_dt, work);
-        answer_pressure(still, dt, velocity_dt, work);
-        for_each_index(sums.size(), [&](std::size_t i) {
+        if (!answer_pressure(still, dt, velocity_dt, work)) fail_to_resist(dt, work, state);
+        for_each_index(known.size(), [&](std::size_t i) {
             if (work.conditions.master[i] == i)
                 velocity.set(inertia.rows.place(i), solid_velocity(work.motion[i]));
         });
     };
     if (!solve_change(factor, respond, {}, inertia)) fail_to_resist(dt, work, state);
-    work.sums = sums;
-    work.motion = motion;
     multiply_stiffness(-inertia_fraction * dt, inertia.change, inertia);
-    for_each_index(sums.size(), [&](std::size_t i) {
-        if (!sums[i].active() || work.conditions.master[i] != i) return;
+    for_each_index(known.size(), [&](std::size_t i) {
+        if (!carries_sums(i)) return;
         const std::size_t place = inertia.rows.place(i);
-        work.sums[i].inertia_force_x = inertia.product.x[place];
-        work.sums[i].inertia_force_y = inertia.product.y[place];
+        known[i].inertia_force_x = inertia.product.x[place];
+        known[i].inertia_force_y = inertia.product.y[place];
     });
+    work.sums = std::move(known);
 }
 
 } // namespace
 
-void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
-                         SemiImplicitWorkspace& work)
+void resist_acceleration(const Problem& problem, double dt, double velocity_dt,
+                         std::vector<TwoPhaseSums> known, const State& state, SemiImplicitWorkspace& work)
 {
     const Scalars increment = work.pressure.increment;
-    resist(problem, dt, velocity_dt, state, work);
+    resist(problem, dt, velocity_dt, std::move(known), state, work);
     work.pressure.increment = increment;
 }
 
 void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
                          SinglePhaseWorkspace& work)
 {
-    resist(problem, dt, velocity_dt, state, work);
+    resist(problem, dt, velocity_dt, work.sums, state, work);
 }
 
 } // namespace quicksand

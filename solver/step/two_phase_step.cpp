@@ -16,6 +16,8 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace quicksand {
 
@@ -115,12 +117,7 @@ void find_increments(const Problem& problem, double dt, double velocity_dt, cons
                      SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
-    // the flux changes over velocity_dt and fills cells over dt: dt velocity_dt in the place of dt^2
-    const double step = std::sqrt(dt * velocity_dt);
-    for_each_index(work.motion.size(), [&](std::size_t i) {
-        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
-        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
-    });
+    const double step = set_fluxes(dt, velocity_dt, work);
     if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
         fail_to_solve(pressure, work.controls, dt, state);
     add_increment_forces(problem, work);
@@ -129,16 +126,12 @@ void find_increments(const Problem& problem, double dt, double velocity_dt, cons
 /// Velocities and pressures of a step.
 void answer(const Problem& problem, double dt, double velocity_dt, State& state, SemiImplicitWorkspace& work)
 {
-    const std::vector<TwoPhaseSums> known = work.inertia ? work.sums : std::vector<TwoPhaseSums>();
+    std::vector<TwoPhaseSums> known = work.inertia ? work.sums : std::vector<TwoPhaseSums>();
     timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
     timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
     if (!work.inertia) return;
     timed(work.timers, Phase::inertia, [&] {
-        resist_acceleration(problem, dt, velocity_dt, state, work);
-        for_each_index(known.size(), [&](std::size_t i) {
-            work.sums[i].pressure_force_x = known[i].pressure_force_x;
-            work.sums[i].pressure_force_y = known[i].pressure_force_y;
-        });
+        resist_acceleration(problem, dt, velocity_dt, std::move(known), state, work);
         solve_velocities(problem, velocity_dt, state, work);
         find_increments(problem, dt, velocity_dt, state, work);
         solve_velocities(problem, velocity_dt, state, work);
@@ -222,6 +215,18 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     gather_tied_sums(work.conditions, work.outer);
+}
+
+double set_fluxes(double dt, double velocity_dt, SemiImplicitWorkspace& work)
+{
+    // the flux changes over velocity_dt and fills cells over dt: dt velocity_dt in the place of dt^2
+    const double step = std::sqrt(dt * velocity_dt);
+    PressureSolve& pressure = work.pressure;
+    for_each_index(work.motion.size(), [&](std::size_t i) {
+        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
+        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
+    });
+    return step;
 }
 
 void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work)

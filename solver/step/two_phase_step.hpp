@@ -53,6 +53,10 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
 
 SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem);
 
+/// Give the pressure's equations the fluxes of the motion, which change over `velocity_dt` and fill cells
+/// over `dt`. Returns the one time that stands for both in them, sqrt(dt velocity_dt) [s].
+double set_fluxes(double dt, double velocity_dt, SemiImplicitWorkspace& work);
+
 /// Add the forces of the pressure's increments to those on the nodes.
 void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work);
 
@@ -65,16 +69,18 @@ void solve_pressure(const Problem& problem, double dt, double velocity_dt, const
 /// are solved for with drag and walls inside (pressure_solve.hpp), and the momentum balances again with their
 /// force; 5 takes these increments. Waves of the water no longer limit dt.
 ///
-/// With work.inertia the skeleton's stiffness resists accelerations (nodal_inertia.hpp), before the pressure
-/// or, in long steps, together with it (coupled_solve.hpp). Waves of the skeleton do not limit dt either.
+/// With work.inertia the skeleton's stiffness resists accelerations: after the pressure, which answers it
+/// (skeleton_inertia.cpp), or in long steps together with it (coupled_solve.hpp). Waves of the skeleton do
+/// not limit dt either.
 ///
 /// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
 void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work);
 
-/// Set the inertia forces of the sums (skeleton_inertia.cpp). work.motion has the velocities that all other
-/// forces give over `velocity_dt`, those of the implicit pressure's increments among them; the moduli of the
-/// cells and the pressure's equations are set up. The increments are left as they are. Throws NumericalError.
-void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
-                         SemiImplicitWorkspace& work);
+/// Let work.sums be `known`, the sums without the forces of the pressure's increments, with their inertia
+/// forces (skeleton_inertia.cpp). work.motion has the velocities that all other forces give over
+/// `velocity_dt`, those of the increments among them, and is not kept; the moduli of the cells and the
+/// pressure's equations are set up. The increments are left as they are. Throws NumericalError.
+void resist_acceleration(const Problem& problem, double dt, double velocity_dt,
+                         std::vector<TwoPhaseSums> known, const State& state, SemiImplicitWorkspace& work);
 
 } // namespace quicksand

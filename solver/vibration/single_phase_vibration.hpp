@@ -23,7 +23,6 @@ public:
 private:
     /// Velocities of the nodes that follow from the forces and momenta of the sums.
     void solve_velocities();
-    /// Momenta of the motion that the particles do not give back to the nodes, R (1 - F) v, as the only load.
     /// Leave as the only load the momenta of the motion that the particles do not give back, R (1 - F) v.
     void keep_lost_momenta();
 

@@ -24,7 +24,6 @@ private:
     bool is_semi_implicit() const { return problem_.scheme == TimeScheme::semi_implicit; }
     /// Velocities of the nodes that follow from the forces and momenta of the sums.
     void solve_velocities();
-    /// Momenta of the motion that the particles do not give back to the nodes, R (1 - F) v, as the only load.
     /// Leave as the only load the momenta of the motion that the particles do not give back, R (1 - F) v.
     void keep_lost_momenta();
 
