@@ -93,17 +93,17 @@ double end_of_motion(const Problem& problem)
     return on ? std::numeric_limits<double>::infinity() : end;
 }
 
-AccurateStep accurate_time_step(const Problem& problem, double time, double last_step, double wave_step,
-                                const Particles& particles, const CellExtremes& extremes)
+TimeStep accurate_time_step(const Problem& problem, double time, double last_step, double wave_step,
+                            const Particles& particles, const CellExtremes& extremes)
 {
     if (time < end_of_motion(problem)) {
         const double reach = smoothed_cells * problem.grid.cell_size / std::sqrt(inertia_fraction);
-        const AccurateStep smooth{reach / extremes.shear_speed, AccuracyLimit::inertia};
-        const AccurateStep shaken{resolving_step(problem), AccuracyLimit::shaking};
+        const TimeStep smooth{reach / extremes.shear_speed, TimeStepLimiter::inertia, ""};
+        const TimeStep shaken{resolving_step(problem), TimeStepLimiter::shaking, ""};
         return smooth.dt < shaken.dt ? smooth : shaken;
     }
-    const AccurateStep grown{std::max(growth * last_step, wave_step), AccuracyLimit::growth};
-    const AccurateStep drained{std::max(pressure_step(particles), wave_step), AccuracyLimit::pressure};
+    const TimeStep grown{std::max(growth * last_step, wave_step), TimeStepLimiter::growth, ""};
+    const TimeStep drained{std::max(pressure_step(particles), wave_step), TimeStepLimiter::pressure, ""};
     return grown.dt < drained.dt ? grown : drained;
 }
 

@@ -11,15 +11,9 @@
 
 #include "solver/problem/problem.hpp"
 #include "solver/step/cell_extremes.hpp"
+#include "solver/step/time_step.hpp"
 
 namespace quicksand {
-
-enum class AccuracyLimit { inertia, shaking, growth, pressure };
-
-struct AccurateStep {
-    double dt = 0.0; // [s]
-    AccuracyLimit limit = AccuracyLimit::inertia;
-};
 
 /// Longest step that resolves what moves the soil; infinite where nothing varies with time [s].
 double resolving_step(const Problem& problem);
@@ -30,7 +24,7 @@ double end_of_motion(const Problem& problem);
 
 /// The step at a time where waves would limit it to wave_step, after one of the length last_step (0: the
 /// first step) [s]; before the parts that the scene and the watchdog leave of it.
-AccurateStep accurate_time_step(const Problem& problem, double time, double last_step, double wave_step,
-                                const Particles& particles, const CellExtremes& extremes);
+TimeStep accurate_time_step(const Problem& problem, double time, double last_step, double wave_step,
+                            const Particles& particles, const CellExtremes& extremes);
 
 } // namespace quicksand

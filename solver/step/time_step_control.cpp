@@ -113,21 +113,6 @@ TimeStep limit_of_waves(const Problem& problem, const CellExtremes& extremes)
                       [&](const WaveSpeeds& speeds) { return fastest_speed(problem, speeds); });
 }
 
-TimeStepLimiter limiter_of(AccuracyLimit limit)
-{
-    switch (limit) {
-    case AccuracyLimit::inertia:
-        return TimeStepLimiter::inertia;
-    case AccuracyLimit::shaking:
-        return TimeStepLimiter::shaking;
-    case AccuracyLimit::growth:
-        return TimeStepLimiter::growth;
-    case AccuracyLimit::pressure:
-        return TimeStepLimiter::pressure;
-    }
-    ENSURE(false);
-}
-
 TimeStep step_from(const Problem& problem, double time, double last_step, const Particles& particles,
                    double scale)
 {
@@ -135,8 +120,7 @@ TimeStep step_from(const Problem& problem, double time, double last_step, const 
     TimeStep limit = limit_of_waves(problem, extremes);
     if (problem.scheme == TimeScheme::implicit) {
         const double whole = last_step / (scale * problem.step_fraction); // of which last_step is a part
-        const AccurateStep step = accurate_time_step(problem, time, whole, limit.dt, particles, extremes);
-        limit = {step.dt, limiter_of(step.limit), ""};
+        limit = accurate_time_step(problem, time, whole, limit.dt, particles, extremes);
     }
     if (scale < 1.0) {
         limit.dt *= scale;

@@ -4,8 +4,8 @@
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 #include "solver/problem/wave_speeds.hpp"
+#include "solver/step/time_step.hpp"
 
-#include <string>
 #include <vector>
 
 namespace quicksand {
@@ -13,14 +13,6 @@ namespace quicksand {
 /// The speeds of every material in the cell where the present stress makes it stiffest, at its initial
 /// porosity; as without particles where there are none of it.
 std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles);
-
-enum class TimeStepLimiter { wave, vibration, inertia, shaking, growth, pressure, motion, output };
-
-struct TimeStep {
-    double dt = 0.0;                                 // [s]
-    TimeStepLimiter limiter = TimeStepLimiter::wave; // why it is not larger
-    std::string material;                            // whose wave limits it
-};
 
 /// Step of the shaking [s]: problem.step_fraction of min(0.65 h / fastest_speed(...), 0.2 h / max|v|). With
 /// the semi-implicit scheme 0.72 of the least over the materials of
@@ -36,7 +28,5 @@ TimeStep stable_time_step(const Problem& problem, const Particles& particles, do
 
 /// Largest stable step of the drained relaxation stage [s].
 TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles);
-
-const char* name_of(TimeStepLimiter limiter);
 
 } // namespace quicksand
