@@ -167,13 +167,13 @@ void gather_tied_sums(const NodeConditions& conditions, std::vector<OuterForce>&
     });
 }
 
-void centre_drag(double dt, std::vector<TwoPhaseSums>& sums)
+void centre_drag(double dt, double strong, std::vector<TwoPhaseSums>& sums)
 {
     for_each_index(sums.size(), [&](std::size_t i) {
         TwoPhaseSums& node = sums[i];
         if (!node.active() || !(node.drag > 0.0)) return;
         const double rate = dt * node.drag * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
-        const double known = std::min(0.5, 1.0 / rate) * node.drag;
+        const double known = std::min(0.5, strong / rate) * node.drag;
         node.drag -= known;
         node.drag_force_x =
             known * (node.momentum_fluid_x / node.mass_fluid - node.momentum_solid_x / node.mass_solid);

@@ -20,11 +20,16 @@ struct PhaseVelocities {
 };
 
 /// Split the drag of every node into a part on the velocities before the step, a force known from the sums,
-/// and the rest, which stays implicit. With x = dt C (1/m_s + 1/m_w), half of it is known up to x = 2, the
-/// drag at the time of the forces, second order in time; beyond it C / x, which leaves nothing of the old
-/// relative velocity, so that none swings whatever x. A steady seepage is exact for every split. Once in a
-/// step, on sums whose tied nodes are gathered.
-void centre_drag(double dt, std::vector<TwoPhaseSums>& sums);
+/// and the rest, which stays implicit. With x = dt C (1/m_s + 1/m_w), half of it is known up to
+/// x = 2 `strong`, the drag at the time of the forces, second order in time; beyond it `strong` C / x. With 1
+/// nothing is then left of the old relative velocity, with 1/2 half of its impulse, so that none swings
+/// whatever x. A steady seepage is exact for every split. Once in a step, on sums whose tied nodes are
+/// gathered.
+void centre_drag(double dt, double strong, std::vector<TwoPhaseSums>& sums);
+
+/// `strong` of the schemes: a motion that changes its sign in every step, the first to grow, meets 2 C / x
+/// less than the drag in explicit steps, and C / x in semi-implicit ones, whose steps are longer [-].
+inline constexpr double explicit_strong_drag = 1.0, semi_implicit_strong_drag = 0.5;
 
 /// Backward Euler on the drag alone: the 2 x 2 system of one node and direction
 ///   (m_s + dt C) v_s - dt C v_w = b_s,   -dt C v_s + (m_w + dt C) v_w = b_w

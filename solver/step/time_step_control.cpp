@@ -2,6 +2,7 @@
 
 #include "solver/base/failure.hpp"
 #include "solver/step/accuracy_control.hpp"
+#include "solver/boundaries/grid_momentum.hpp"
 #include "solver/step/cell_extremes.hpp"
 
 #include <algorithm>
@@ -57,12 +58,19 @@ TimeStep wave_limit(const Problem& problem, const CellExtremes& extremes, double
     return least_limit(problem, extremes, limit);
 }
 
+/// The drag beyond it brakes a motion that changes its sign in every step: 2 (C dt - this), see centre_drag.
+double centred_drag_impulse(double r_s, double r_w)
+{
+    return r_w > 0.0 ? 2.0 * semi_implicit_strong_drag * r_s * r_w / (r_s + r_w) : 0.0;
+}
+
 /// dt of the slow P wave where the pressure is implicit: the skeleton moves without changing the pressure.
 double slow_wave_limit(double modulus, double drag, double n, double r_s, double r_w, double h)
 {
     const double a = 4.0 * modulus / (h * h), half_b = drag / (n * n);
     const double mass = r_s + (1.0 - n) * (1.0 - n) / (n * n) * r_w;
-    return (half_b + std::sqrt(half_b * half_b + 4.0 * a * mass)) / a;
+    const double braked = 4.0 * mass - 2.0 * centred_drag_impulse(r_s, r_w) / (n * n);
+    return std::max(std::sqrt(4.0 * mass / a), (half_b + std::sqrt(half_b * half_b + a * braked)) / a);
 }
 
 /// dt of the shear wave whose water is dragged along: between those of the grains alone and of the mixture.
@@ -70,7 +78,8 @@ double dragged_shear_limit(double G, double drag, double r_s, double r_w, double
 {
     double low = h * std::sqrt(r_s / G), high = h * std::sqrt((r_s + r_w) / G);
     for (int halving = 0; halving < 40; ++halving) {
-        const double dt = 0.5 * (low + high), x = 2.0 * dt * drag;
+        const double dt = 0.5 * (low + high),
+                     x = 2.0 * std::max(0.0, dt * drag - centred_drag_impulse(r_s, r_w));
         const bool stable = 4.0 * G / (h * h) * dt * dt <= 4.0 * r_s + 4.0 * r_w * x / (4.0 * r_w + x);
         (stable ? low : high) = dt;
     }

@@ -80,7 +80,8 @@ void set_up_cavities(const Problem& problem, const Particles& particles, SemiImp
               -std::numeric_limits<double>::infinity());
     const CellLists& lists = work.lists_with_pressure();
     for_each_tile(lists, [&](const Tile& tile) {
-        prepare_cavities(problem, lists, tile, particles, cavity.deficit, cavity.lowest_increment);
+        prepare_cavities(problem, lists, tile, particles, work.pressure.expected, cavity.deficit,
+                         cavity.lowest_increment);
     });
 }
 
@@ -93,14 +94,15 @@ void set_up_pressure(const Problem& problem, double dt, double velocity_dt, cons
         // soil without water gives cells no divergence, and cells of such soil alone an equation dp = 0
         set_saturated_volumes(problem, particles, work.wet_volume);
         std::fill(pressure.storage.begin(), pressure.storage.end(), 1.0);
-        std::fill(pressure.increment.begin(), pressure.increment.end(), 0.0);
+        std::fill(pressure.expected.begin(), pressure.expected.end(), 0.0);
     }
+    std::fill(pressure.increment.begin(), pressure.increment.end(), 0.0);
     const Scalars& volume = work.partly_saturated ? work.wet_volume : particles.volume;
     const CellLists& lists = work.lists_with_pressure();
     for_each_tile(work.lists, [&](const Tile& tile) {
         assemble_divergence(problem.grid, volume, work.lists, tile, work.stencils_of(tile),
                             pressure.divergence[static_cast<std::size_t>(tile.number)]);
-        prepare_increments(problem, dt, lists, tile, particles, pressure.storage, pressure.increment);
+        prepare_increments(problem, dt, lists, tile, particles, pressure.storage, pressure.expected);
     });
     set_up_cavities(problem, particles, work);
     set_pressure_compliances(problem, work.conditions, velocity_dt, work.sums, pressure.compliance);
@@ -233,6 +235,7 @@ void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
     set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
+    set_changes(work.lists, pressure);
     for_each_index(work.sums.size(), [&](std::size_t i) {
         work.sums[i].pressure_force_x += pressure.force_x[i];
         work.sums[i].pressure_force_y += pressure.force_y[i];
@@ -256,7 +259,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state.time, state, work); });
     timed(work.timers, Phase::momentum, [&] {
         const double velocity_dt = velocity_interval(state, dt);
-        centre_drag(velocity_dt, work.sums);
+        centre_drag(velocity_dt, explicit_strong_drag, work.sums);
         assemble_walls(problem, velocity_dt, work.sums, work);
         solve_velocities(problem, velocity_dt, state, work);
         enter_works(problem, velocity_dt, work, state);
@@ -279,11 +282,10 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     work.flux_divergence.resize(particles.size());
     particles.pore_pressure_rate.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    // loads between the stresses, which stand at the start of the step, and the pressures at its end
-    timed(work.timers, Phase::scatter,
-          [&] { scatter_to_nodes(problem, dt, state.time + 0.5 * dt, state, work); });
+    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state.time, state, work); });
     const double velocity_dt = velocity_interval(state, dt);
     timed(work.timers, Phase::momentum, [&] {
+        centre_drag(velocity_dt, semi_implicit_strong_drag, work.sums);
         assemble_walls(problem, velocity_dt, work.sums, work);
         solve_velocities(problem, velocity_dt, state, work);
     });
@@ -302,10 +304,9 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
         const PressureSolve& pressure = work.pressure;
-        const Scalars& increment =
-            pressure.cavity.cavities.empty() ? pressure.increment : pressure.cavity.water_increment;
-        advance_pore_pressure(problem, dt, work.lists_with_pressure(), increment, particles, work.cell_means,
-                              [](const Tile&) {});
+        advance_solved_pressure(problem, dt, work.lists_with_pressure(),
+                                {pressure.expected, pressure.increment, pressure.change}, particles,
+                                work.cell_means);
     });
     move_and_deform(problem, dt, state, work);
 }

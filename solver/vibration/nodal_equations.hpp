@@ -7,7 +7,7 @@
 //   (dt^2 K - A) v = 0
 //   explicit, one velocity     A = 4 R                                   K = skeleton, and water if undrained
 //   explicit, two velocities   A = 4 R + 2 dt (C' - C'') J               K = skeleton + water
-//   semi-implicit              A = 4 R + 2 dt C J + dt^2 Q               K = skeleton
+//   semi-implicit              A = 4 R + 2 dt (C' - C'') J + dt^2 Q      K = skeleton
 // with the lumped masses R, the drag C J (J: relative motion; C', C'' its parts after and before the step)
 // and the stiffness Q of the water. The step is stable if dt^2 K - A has no positive eigenvalue: for any v
 // the factors z are the roots of a quadratic with real coefficients, whose product is at most 1, and none of

@@ -15,13 +15,13 @@ namespace {
 constexpr std::size_t components = 4; // of a node: grains and flux, or stress and pressure
 
 /// The drag C' - C'' that acts on a motion which changes its sign in every step, see centre_drag.
-void set_alternating_drag(double dt, std::vector<TwoPhaseSums>& sums)
+void set_alternating_drag(double dt, double strong, std::vector<TwoPhaseSums>& sums)
 {
     for_each_index(sums.size(), [&](std::size_t i) {
         TwoPhaseSums& node = sums[i];
         if (!node.active() || !(node.drag > 0.0)) return;
         const double rate = dt * node.drag * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
-        node.drag *= 1.0 - 2.0 * std::min(0.5, 1.0 / rate);
+        node.drag *= 1.0 - 2.0 * std::min(0.5, strong / rate);
     });
 }
 
@@ -50,7 +50,8 @@ TwoPhaseEquations::TwoPhaseEquations(const Problem& problem, const State& state,
     particles.pore_pressure.assign(particles.size(), 0.0);
     particles.pore_pressure_rate.assign(particles.size(), 0.0);
     set_at_rest(work_.sums);
-    if (!is_semi_implicit()) set_alternating_drag(dt, work_.sums);
+    set_alternating_drag(dt, is_semi_implicit() ? semi_implicit_strong_drag : explicit_strong_drag,
+                         work_.sums);
     assemble_walls(problem_, half_step_, work_.sums, work_);
     restoring_.resize(work_.sums.size());
 }
@@ -108,7 +109,8 @@ void TwoPhaseEquations::solve_velocities()
     };
     solve();
     if (!is_semi_implicit()) return;
-    solve_pressure(problem_, half_step_, half_step_, state_, work_);
+    // dp with n V / K_w where the step solves for x with n V / (b K_w)
+    solve_pressure(problem_, half_step_ / acting_weight, half_step_, state_, work_);
     solve();
 }
 

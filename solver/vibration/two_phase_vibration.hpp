@@ -29,7 +29,7 @@ private:
 
     Problem problem_, small_; // small_: its form of small motion
     State state_;
-    double half_step_; // A = 4 (R + dt/2 C J + (dt/2)^2 Q): a step of half the length [s]
+    double half_step_; // A = 4 (R + dt/2 (C'-C'') J + (dt/2)^2 Q): a step of half the length [s]
     SemiImplicitWorkspace work_;
     TangentModuli moduli_;
     std::vector<TwoPhaseSums> restoring_; // sums of which only the forces count

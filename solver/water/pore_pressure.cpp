@@ -77,7 +77,7 @@ std::optional<Neighbour> find_image(const Problem& problem, const CellLists& lis
 }
 
 Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const CellMeans& means,
-                       std::size_t slot)
+                       const Scalars& pressure, std::size_t slot)
 {
     const std::int32_t cell = lists.cell_of_slot[slot], columns = problem.grid.all_cells_x();
     const Vector2 centre = means.centre[slot];
@@ -89,12 +89,12 @@ Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const Cel
             const auto other = static_cast<std::size_t>(lists.slot_of_cell[static_cast<std::size_t>(beside)]);
             if (other == slot) continue;
             if (means.volume[other] > 0.0) {
-                fit.add(means.centre[other] - centre, means.pore_pressure[other] - means.pore_pressure[slot]);
+                fit.add(means.centre[other] - centre, pressure[other] - pressure[slot]);
             } else if (problem.tied_sides) {
                 const auto image = find_image(problem, lists, means, beside);
                 if (!image) continue;
                 fit.add(means.centre[image->slot] + Vector2(image->shift, 0.0) - centre,
-                        means.pore_pressure[image->slot] - means.pore_pressure[slot]);
+                        pressure[image->slot] - pressure[slot]);
             }
         }
     }
@@ -174,7 +174,7 @@ void carry_moisture(const Problem& problem, Particles& particles)
 CellMeans make_cell_means(const Problem& problem)
 {
     const Scalars zeros(problem.grid.cell_count(), 0.0);
-    return {zeros, zeros, {zeros, zeros}, problem.water->cavitation_pressure ? zeros : Scalars()};
+    return {zeros, zeros, zeros, {zeros, zeros}, problem.water->cavitation_pressure ? zeros : Scalars()};
 }
 
 void explicit_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
@@ -193,7 +193,7 @@ void undrained_increments(const Problem& problem, double dt, const CellLists& li
 }
 
 void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
-                        const Particles& particles, Scalars& storage, Scalars& increment)
+                        const Particles& particles, Scalars& storage, Scalars& expected)
 {
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
         double pores = 0.0, volume = 0.0, rate = 0.0;
@@ -204,13 +204,14 @@ void prepare_increments(const Problem& problem, double dt, const CellLists& list
             pores += V * particles.porosity[p];
             rate += V * particles.pore_pressure_rate[p];
         }
-        storage[slot] = pores / problem.water->bulk_modulus;
-        increment[slot] = dt * rate / volume;
+        storage[slot] = pores / (acting_weight * problem.water->bulk_modulus);
+        expected[slot] = acting_weight * dt * rate / volume;
     });
 }
 
 void prepare_cavities(const Problem& problem, const CellLists& lists, const Tile& tile,
-                      const Particles& particles, Scalars& deficit, Scalars& lowest_increment)
+                      const Particles& particles, const Scalars& expected, Scalars& deficit,
+                      Scalars& lowest_increment)
 {
     const Scalars& height = place_in_equations(problem, particles).y;
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
@@ -222,8 +223,9 @@ void prepare_cavities(const Problem& problem, const CellLists& lists, const Tile
             missing += V * particles.tension_deficit[p];
             above += V * (particles.pore_pressure[p] - lowest_excess(problem, height[p]));
         }
-        deficit[slot] = missing / volume;
-        lowest_increment[slot] = -above / volume;
+        deficit[slot] = acting_weight * missing / volume;
+        const double to_limit = -above / volume;
+        lowest_increment[slot] = std::max(to_limit, acting_weight * to_limit - expected[slot]);
     });
 }
 
@@ -245,19 +247,30 @@ void apply_increments(const Problem& problem, double dt, const CellLists& lists,
             means.pore_pressure[slot] = std::max(wanted, lowest_excess(problem, means.centre.y[slot]));
             means.tension_deficit[slot] = wanted - means.pore_pressure[slot];
         }
-        if (particles.pore_pressure_rate.empty()) return;
+    });
+}
+
+void note_acting_pressure(double dt, const CellLists& lists, const Tile& tile, const SolvedPressure& solved,
+                          Particles& particles, CellMeans& means)
+{
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        const double increment = solved.increment[slot];
+        const double rate = (increment + solved.expected[slot] / acting_weight) / dt; // r + b (dp/dt - r)
+        const double change = (increment + solved.expected[slot]) / acting_weight;    // dp without deficit
+        means.acting_pressure[slot] = means.pore_pressure[slot] - (change - increment);
         for (std::size_t k = first; k < last; ++k)
-            particles.pore_pressure_rate[static_cast<std::size_t>(lists.order[k])] = increment[slot] / dt;
+            particles.pore_pressure_rate[static_cast<std::size_t>(lists.order[k])] = rate;
     });
 }
 
 void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
-                               const CellMeans& means, Particles& particles)
+                               const CellMeans& means, const Scalars& sloping, Particles& particles)
 {
     const Vectors& place = place_in_equations(problem, particles);
     const bool cavitates = problem.water->cavitation_pressure.has_value();
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
-        const Vector2 slope = pressure_slope(problem, lists, means, slot), centre = means.centre[slot];
+        const Vector2 slope = pressure_slope(problem, lists, means, sloping, slot),
+                      centre = means.centre[slot];
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
             particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre);

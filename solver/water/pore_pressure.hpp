@@ -21,12 +21,24 @@
 
 namespace quicksand {
 
+/// b of the acting pressure, see pressure_solve.hpp [-].
+inline constexpr double acting_weight = 2.0 / 3.0;
+
 /// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
 struct CellMeans {
     Scalars volume;          // of soil [m3/m]
     Scalars pore_pressure;   // [Pa]
+    Scalars acting_pressure; // of the last semi-implicit step, see SolvedPressure [Pa]
     Vectors centre;          // of the soil in the cell [m]
     Scalars tension_deficit; // of the cell's water, none without a cavitation limit [Pa]
+};
+
+/// What a semi-implicit step has solved for, by slot of the cell lists: the mean p of a cell acted on the
+/// nodes with p + increment.
+struct SolvedPressure {
+    const Scalars& expected;  // b dt r [Pa]
+    const Scalars& increment; // b (dp - dt r) [Pa]
+    const Scalars& change;    // dp, of pressure and deficit together with a limit of tension [Pa]
 };
 
 /// The lists of the saturated particles alone: only these have a pore pressure.
@@ -49,24 +61,28 @@ void explicit_increments(const Problem& problem, double dt, const CellLists& lis
 void undrained_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                           const Particles& particles, Scalars& increment);
 
-/// For the semi-implicit step: storage n V / K_w of a tile's cells, and as guess of their increments what the
-/// last step's rate gives.
+/// For the semi-implicit step: n V / (b K_w) and b dt r of a tile's cells.
 void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
-                        const Particles& particles, Scalars& storage, Scalars& increment);
+                        const Particles& particles, Scalars& storage, Scalars& expected);
 
-/// For the semi-implicit step with a limit of tension: the deficit of a tile's cells, and the limit less
-/// their pressure [Pa].
+/// For the semi-implicit step with a limit of tension: b times the deficit of a tile's cells, and the
+/// least increment: neither the pressure after the step nor the acting one falls below the limit [Pa].
 void prepare_cavities(const Problem& problem, const CellLists& lists, const Tile& tile,
-                      const Particles& particles, Scalars& deficit, Scalars& lowest_increment);
+                      const Particles& particles, const Scalars& expected, Scalars& deficit,
+                      Scalars& lowest_increment);
 
 /// Advance the pressure of a tile's cells by the increments and by what their rise adds, and take the means.
 void apply_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                       const Scalars& increment, Particles& particles, CellMeans& means);
 
-/// Give the particles of a tile the plane through their cell's mean, by least squares to the up to eight
-/// neighbours that hold soil.
+/// Set the acting pressure of a tile's cells, and advance the rate r, after the means.
+void note_acting_pressure(double dt, const CellLists& lists, const Tile& tile, const SolvedPressure& solved,
+                          Particles& particles, CellMeans& means);
+
+/// Give the particles of a tile a plane through their cell's mean, with the slope that `sloping` has by least
+/// squares to the up to eight neighbours that hold soil.
 void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
-                               const CellMeans& means, Particles& particles);
+                               const CellMeans& means, const Scalars& sloping, Particles& particles);
 
 /// Advance the pressure of all cells; set_increments(tile) sets the increments of a tile.
 template <class SetIncrements>
@@ -78,8 +94,24 @@ void advance_pore_pressure(const Problem& problem, double dt, const CellLists& l
         set_increments(tile);
         apply_increments(problem, dt, lists, tile, increment, particles, means);
     });
-    for_each_tile(
-        lists, [&](const Tile& tile) { reconstruct_pore_pressure(problem, lists, tile, means, particles); });
+    for_each_tile(lists, [&](const Tile& tile) {
+        reconstruct_pore_pressure(problem, lists, tile, means, means.pore_pressure, particles);
+    });
+}
+
+/// The same after a semi-implicit step. Slopes are those of the pressure that has acted: with those of the
+/// new one random motion grows in bodies whose cells are cut by their outline, since slopes act at the start
+/// of a step and the means answer them at once.
+inline void advance_solved_pressure(const Problem& problem, double dt, const CellLists& lists,
+                                    const SolvedPressure& solved, Particles& particles, CellMeans& means)
+{
+    for_each_tile(lists, [&](const Tile& tile) {
+        apply_increments(problem, dt, lists, tile, solved.change, particles, means);
+        note_acting_pressure(dt, lists, tile, solved, particles, means);
+    });
+    for_each_tile(lists, [&](const Tile& tile) {
+        reconstruct_pore_pressure(problem, lists, tile, means, means.acting_pressure, particles);
+    });
 }
 
 } // namespace quicksand

@@ -202,7 +202,7 @@ double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, d
         double sum = 0.0;
         for (const CellStencil& stencil : divergence.stencils) {
             const auto c = static_cast<std::size_t>(stencil.cell);
-            solve.right_hand_side[c] *= -dt;
+            solve.right_hand_side[c] = -dt * solve.right_hand_side[c] - solve.storage[c] * solve.expected[c];
             sum += solve.right_hand_side[c] * (solve.right_hand_side[c] / solve.diagonal[c]);
         }
         return sum;
@@ -294,8 +294,9 @@ PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::siz
     PressureSolve solve;
     solve.divergence.resize(tiles);
     solve.partial.assign(tiles, 0.0);
-    for (Scalars* by_cell : {&solve.storage, &solve.increment, &solve.right_hand_side, &solve.diagonal,
-                             &solve.residual, &solve.answer, &solve.direction, &solve.product})
+    for (Scalars* by_cell :
+         {&solve.storage, &solve.expected, &solve.increment, &solve.change, &solve.right_hand_side,
+          &solve.diagonal, &solve.residual, &solve.answer, &solve.direction, &solve.product})
         by_cell->assign(cells, 0.0);
     for (Scalars* by_node : {&solve.force_x, &solve.force_y, &solve.flux_x, &solve.flux_y})
         by_node->assign(nodes, 0.0);
@@ -350,6 +351,7 @@ void aggregate_pressures(const std::vector<AggregatedCell>& aggregated, Pressure
 {
     solve.aggregated = aggregated;
     for (const AggregatedCell& cell : aggregated) solve.storage[static_cast<std::size_t>(cell.slot)] = 0.0;
+    copy_from_roots(solve, solve.expected);
     copy_from_roots(solve, solve.increment);
 }
 
@@ -390,6 +392,16 @@ void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
     copy_from_roots(solve, solve.increment);
     scatter_pressure(grid, lists, solve.increment, solve);
     gather_tied_forces(conditions, solve);
+}
+
+void set_changes(const CellLists& lists, PressureSolve& solve)
+{
+    const Scalars& increment = solve.cavity.cavities.empty() ? solve.increment : solve.cavity.water_increment;
+    for_each_tile(lists, [&](const Tile& tile) {
+        for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
+            solve.change[c] = (increment[c] + solve.expected[c]) / acting_weight;
+        });
+    });
 }
 
 } // namespace quicksand

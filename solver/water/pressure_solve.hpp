@@ -1,19 +1,26 @@
 // The implicit pressure of the semi-implicit step: one symmetric positive definite solve for the increments
 // of the cells' pressure.
 //
-//   sum_c' L_cc' dp_c' = - dt sum_i D_ci . flux*_i
-//   L_cc' = delta_cc' n_c V_c / K_w + dt^2 sum_i D_ci . W_i D_c'i
+//   acting pressure   p + x,  x = b (dp - dt r)       at the time of all forces, the start of the step
+//   rate              r + b (dp/dt - r) from r,       b = 2/3
+//   mass balance      n_c V_c / K_w dp_c = - dt sum_i D_ci . flux_i
+//
+//   sum_c' L_cc' x_c' = - dt sum_i D_ci . flux*_i - S_c b dt r_c,         S_c = n_c V_c / (b K_w)
+//   L_cc' = delta_cc' S_c + dt^2 sum_i D_ci . W_i D_c'i
 //
 // flux* is the flux with the old pressure. W_i = beta^T A_i^-1 beta, beta = (1-n_i, n_i), is the change of
 // the flux at node i by a unit force of the pressure in a unit of time, with drag and held velocities.
-// Backward Euler in pressure and relative velocity is stable for sound of any speed, and damps pressure waves
-// with a ratio of about omega dt / 2. Solver: conjugate gradients with a preconditioner of blocks; the
-// initial guess is the pressure rate of the last step.
+//
+// x is some dt^2 d2p/dt2, so that the step is of second order in time. A pressure that grows by the factor z
+// in a step acts as G(z) p, G(z) = 1 + b (z-1)^2 / (z-1+b). |z| = 1 gives Im G >= 0: the pressure takes
+// energy from every vibration, a part (omega dt)^3 / 2 in a radian, and sound of any speed is stable. G(-1) =
+// -1, as for backward Euler (b = 1, r = 0), which takes omega dt. Solver: conjugate gradients with a
+// preconditioner of blocks; the initial guess is x = 0.
 //
 // With a limit of tension the pressure of a cell is the larger of the limit and of the pressure that follows
-// from its volume of water: an obstacle problem, found by the set of cells that have cavities (primal-dual
-// active set: Hintermueller, Ito and Kunisch 2002). A cell of the set has the pressure of the limit, and its
-// cavities take the flux.
+// from its volume of water, and so is x, of what takes the cell there: an obstacle problem, found by the set
+// of cells that have cavities (primal-dual active set: Hintermueller, Ito and Kunisch 2002). A cell of the
+// set has the pressure of the limit, and its cavities take the flux.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
@@ -21,6 +28,7 @@
 #include "solver/particles/particles.hpp"
 #include "solver/walls/velocity_rows.hpp"
 #include "solver/water/cell_divergence.hpp"
+#include "solver/water/pore_pressure.hpp"
 #include "solver/water/pressure_blocks.hpp"
 
 #include <cstdint>
@@ -30,10 +38,10 @@ namespace quicksand {
 
 /// Cells with cavities, by slot of the cell lists; no entries without a limit of tension.
 struct CavitySolve {
-    Scalars deficit;                    // of the cells at the start of the step, see pore_pressure.hpp [Pa]
-    Scalars lowest_increment;           // the limit less the pressure at the start of the step [Pa]
+    Scalars deficit;                    // b times that at the start of the step, see pore_pressure.hpp [Pa]
+    Scalars lowest_increment;           // x that takes the acting or the new pressure to the limit [Pa]
     std::vector<std::uint8_t> cavities; // whether the cell has some at the end of the step
-    Scalars water_increment;            // of pressure and deficit together, from the volume of water [Pa]
+    Scalars water_increment;            // x of pressure and deficit together, from the volume of water [Pa]
     Scalars lacking;                    // of a cell with cavities: what its water does not fill [m3/m]
 };
 
@@ -46,7 +54,9 @@ struct PressureSolve : PressureEquations {
     std::int32_t iterations_lost = 0;            // of all since, beyond those [-]
     const VelocityRows* rows = nullptr;          // of walls and followers, none without
     std::vector<Vector2> row_forces, row_fluxes; // at the nodes of the rows
-    Scalars increment;                           // dp: the guess, then the solution [Pa]
+    Scalars expected;                            // b dt r [Pa]
+    Scalars increment;                           // x: the guess, then the solution [Pa]
+    Scalars change;                              // dp, of pressure and deficit together with a limit [Pa]
     Scalars flux_x, flux_y;                      // of the nodes, flux* at first [m/s]
     Scalars force_x, force_y;   // of the increments on the nodes, zero before and after a solve [N/m]
     Scalars right_hand_side;    // [m3/m]
@@ -97,5 +107,8 @@ bool answer_flux(const BackgroundGrid& grid, const CellLists& lists, const NodeC
 /// Set the forces to those of the increments; masters of tied nodes have theirs, too.
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
                           const NodeConditions& conditions, PressureSolve& solve);
+
+/// Set the changes of the cells' pressure from the increments.
+void set_changes(const CellLists& lists, PressureSolve& solve);
 
 } // namespace quicksand

@@ -35,13 +35,13 @@ TEST(SolveDrag, ANodeWithoutWaterMovesAsTheGrains)
 
 /// Relative velocity of water and grains after a step of `rate` times the time of their exchange, over that
 /// before it; a force on the water besides that a relative velocity of `steady` balances.
-double relative_velocity_left(double rate, double steady)
+double relative_velocity_left(double rate, double steady, double strong = explicit_strong_drag)
 {
     const double m_s = 3.0, m_w = 0.7, dt = 0.1, reduced = m_s * m_w / (m_s + m_w),
                  drag = rate * reduced / dt;
     std::vector<TwoPhaseSums> sums(1);
     sums[0] = {m_s, m_w, 1.0, drag, 0.0, 0.0, m_w, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-    centre_drag(dt, sums);
+    centre_drag(dt, strong, sums);
     const double known = dt * sums[0].drag_force_x, push = dt * drag * steady;
     const PhaseVelocities v = solve_drag(m_s, m_w, dt * sums[0].drag, known - push, m_w - known + push);
     EXPECT_NEAR(m_s * v.solid + m_w * v.fluid, m_w, 1e-14 * (1.0 + std::abs(push))) << "momentum";
@@ -50,19 +50,25 @@ double relative_velocity_left(double rate, double steady)
 
 TEST(CentreDrag, FollowsTheExponentialDecayInSecondOrderAndNeverSwings)
 {
-    const auto error = [](double rate) {
-        return std::abs(relative_velocity_left(rate, 0.0) - std::exp(-rate));
-    };
-    EXPECT_LT(error(0.1), 1e-4); // of the third order in a step
-    EXPECT_NEAR(error(0.1) / error(0.05), 8.0, 0.5);
+    for (const double strong : {explicit_strong_drag, semi_implicit_strong_drag}) {
+        const auto error = [strong](double rate) {
+            return std::abs(relative_velocity_left(rate, 0.0, strong) - std::exp(-rate));
+        };
+        EXPECT_LT(error(0.1), 1e-4); // of the third order in a step
+        EXPECT_NEAR(error(0.1) / error(0.05), 8.0, 0.5);
+    }
     for (const double rate : {2.0, 3.0, 1e3, 1e9})
         EXPECT_NEAR(relative_velocity_left(rate, 0.0), 0.0, 1e-12) << rate;
+    for (const double rate : {1.0, 3.0, 1e3, 1e9})
+        EXPECT_NEAR(relative_velocity_left(rate, 0.0, semi_implicit_strong_drag), 0.5 / (rate + 0.5), 1e-12)
+            << rate;
 }
 
 TEST(CentreDrag, KeepsASteadySeepage)
 {
-    for (const double rate : {1e-3, 1.0, 2.5, 1e6})
-        EXPECT_NEAR(relative_velocity_left(rate, 1.0), 1.0, 1e-9) << rate;
+    for (const double strong : {explicit_strong_drag, semi_implicit_strong_drag})
+        for (const double rate : {1e-3, 1.0, 2.5, 1e6})
+            EXPECT_NEAR(relative_velocity_left(rate, 1.0, strong), 1.0, 1e-9) << rate;
 }
 
 /// One node of a saturated problem and its velocities under given conditions.

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 
 namespace quicksand {
 namespace {
@@ -52,6 +53,70 @@ TEST(EntrappedAir, SoftensTheWaterAndSlowsTheUndrainedWave)
                 3.8, 0.1);
 }
 
+/// Cells whose pressure changes by given amounts in semi-implicit steps of changing length.
+class ActingPressure : public testing::Test {
+protected:
+    ActingPressure()
+    {
+        problem_.grid = {{0.0, 0.0}, 0.1, 3, 3};
+        problem_.materials = {stiff_sand()};
+        problem_.water = water_to(0.0);
+        state_ = fill(problem_, 2, [](const Vector2&) { return true; });
+        state_.particles.pore_pressure_rate.assign(state_.particles.size(), 0.0);
+        lists_ = make_cell_lists(problem_.grid);
+        update_cell_lists(problem_.grid, state_.particles, lists_);
+        means_ = make_cell_means(problem_);
+        for (Scalars* by_cell : {&storage_, &expected_, &increment_, &change_})
+            by_cell->resize(problem_.grid.cell_count());
+    }
+
+    /// Let the pressure change by `rate` times dt; returns what it acts with beyond the pressure before [Pa].
+    double advance(double dt, double rate)
+    {
+        Particles& particles = state_.particles;
+        const double before = particles.pore_pressure[0];
+        for_each_tile(lists_, [&](const Tile& tile) {
+            prepare_increments(problem_, dt, lists_, tile, particles, storage_, expected_);
+        });
+        for (std::size_t c = 0; c < change_.size(); ++c) {
+            change_[c] = dt * rate;
+            increment_[c] = acting_weight * change_[c] - expected_[c];
+        }
+        advance_solved_pressure(problem_, dt, lists_, {expected_, increment_, change_}, particles, means_);
+        return means_.acting_pressure[static_cast<std::size_t>(lists_.cell_of_particle[0])] - before;
+    }
+
+    Problem problem_;
+    State state_;
+    CellLists lists_;
+    CellMeans means_;
+    Scalars storage_, expected_, increment_, change_;
+};
+
+TEST_F(ActingPressure, IsThatBeforeTheStepWhereThePressureGrowsSteadily)
+{
+    for (int step = 0; step < 40; ++step) advance(step % 2 == 0 ? 0.1 : 0.07, 50.0);
+    EXPECT_NEAR(state_.particles.pore_pressure_rate[0], 50.0, 1e-12);
+    EXPECT_NEAR(advance(0.1, 50.0), 0.0, 1e-12);
+    EXPECT_NEAR(state_.particles.pore_pressure[0], 20 * 50.0 * 0.17 + 5.0, 1e-9);
+}
+
+TEST_F(ActingPressure, OfAVibrationTakesEnergyInItsThirdOrderAlone)
+{
+    // p = Re z^k with z = e^(i angle) acts as Re G z^k, G = 1 + b (z-1)^2/(z-1+b)
+    const double angle = 0.2, dt = 0.01;
+    const std::complex<double> z = std::polar(1.0, angle);
+    const std::complex<double> G = 1.0 + acting_weight * (z - 1.0) * (z - 1.0) / (z - 1.0 + acting_weight);
+    EXPECT_NEAR(G.imag(), 0.5 * angle * angle * angle, 0.02 * angle * angle * angle);
+    for (int k = 0; k < 60; ++k) {
+        const std::complex<double> p = std::polar(1.0, k * angle);
+        const double acting = advance(dt, ((z - 1.0) * p).real() / dt) + p.real();
+        if (k > 40) { // the start is forgotten
+            EXPECT_NEAR(acting, (G * p).real(), 1e-9) << k;
+        }
+    }
+}
+
 /// Cells of undrained soil that a given velocity gradient strains step by step.
 class Cavitation : public testing::Test {
 protected:
@@ -83,7 +148,7 @@ protected:
                 apply_increments(problem_, 1.0, lists_, tile, increment_, particles, means_);
             });
             for_each_tile(lists_, [&](const Tile& tile) {
-                reconstruct_pore_pressure(problem_, lists_, tile, means_, particles);
+                reconstruct_pore_pressure(problem_, lists_, tile, means_, means_.pore_pressure, particles);
             });
         }
     }
