@@ -250,14 +250,15 @@ void apply_increments(const Problem& problem, double dt, const CellLists& lists,
     });
 }
 
-void note_acting_pressure(double dt, const CellLists& lists, const Tile& tile, const SolvedPressure& solved,
-                          Particles& particles, CellMeans& means)
+void follow_solved_pressure(double dt, const CellLists& lists, const Tile& tile, const SolvedPressure& solved,
+                            Particles& particles, CellMeans& means)
 {
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
         const double increment = solved.increment[slot];
         const double rate = (increment + solved.expected[slot] / acting_weight) / dt; // r + b (dp/dt - r)
         const double change = (increment + solved.expected[slot]) / acting_weight;    // dp without deficit
-        means.acting_pressure[slot] = means.pore_pressure[slot] - (change - increment);
+        means.sloping_pressure[slot] =
+            means.pore_pressure[slot] - (1.0 - new_part_of_slopes) * (change - increment);
         for (std::size_t k = first; k < last; ++k)
             particles.pore_pressure_rate[static_cast<std::size_t>(lists.order[k])] = rate;
     });

@@ -24,13 +24,20 @@ namespace quicksand {
 /// b of the acting pressure, see pressure_solve.hpp [-].
 inline constexpr double acting_weight = 2.0 / 3.0;
 
+/// Slopes within cells are forces that the balance of the means does not know. Where water hardly yields the
+/// means answer them at once, with - a times the pressure whose slopes act; a may be complex in cells that an
+/// outline cuts. With a part m of the new pressure and 1-m of the one that has acted, this is stable for
+/// |a| < 1 / (1+2m). Random motion in turned columns grows with m = 1 and, in one of a hundred, with m = 1/2;
+/// the smaller m, the later the slopes and the more energy a step makes with them [-].
+inline constexpr double new_part_of_slopes = 0.4;
+
 /// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
 struct CellMeans {
-    Scalars volume;          // of soil [m3/m]
-    Scalars pore_pressure;   // [Pa]
-    Scalars acting_pressure; // of the last semi-implicit step, see SolvedPressure [Pa]
-    Vectors centre;          // of the soil in the cell [m]
-    Scalars tension_deficit; // of the cell's water, none without a cavitation limit [Pa]
+    Scalars volume;           // of soil [m3/m]
+    Scalars pore_pressure;    // [Pa]
+    Scalars sloping_pressure; // whose slopes the particles get after a semi-implicit step [Pa]
+    Vectors centre;           // of the soil in the cell [m]
+    Scalars tension_deficit;  // of the cell's water, none without a cavitation limit [Pa]
 };
 
 /// What a semi-implicit step has solved for, by slot of the cell lists: the mean p of a cell acted on the
@@ -75,9 +82,9 @@ void prepare_cavities(const Problem& problem, const CellLists& lists, const Tile
 void apply_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                       const Scalars& increment, Particles& particles, CellMeans& means);
 
-/// Set the acting pressure of a tile's cells, and advance the rate r, after the means.
-void note_acting_pressure(double dt, const CellLists& lists, const Tile& tile, const SolvedPressure& solved,
-                          Particles& particles, CellMeans& means);
+/// Set the sloping pressure of a tile's cells, and advance the rate r, after the means.
+void follow_solved_pressure(double dt, const CellLists& lists, const Tile& tile, const SolvedPressure& solved,
+                            Particles& particles, CellMeans& means);
 
 /// Give the particles of a tile a plane through their cell's mean, with the slope that `sloping` has by least
 /// squares to the up to eight neighbours that hold soil.
@@ -99,18 +106,16 @@ void advance_pore_pressure(const Problem& problem, double dt, const CellLists& l
     });
 }
 
-/// The same after a semi-implicit step. Slopes are those of the pressure that has acted: with those of the
-/// new one random motion grows in bodies whose cells are cut by their outline, since slopes act at the start
-/// of a step and the means answer them at once.
+/// The same after a semi-implicit step, with slopes of the sloping pressure.
 inline void advance_solved_pressure(const Problem& problem, double dt, const CellLists& lists,
                                     const SolvedPressure& solved, Particles& particles, CellMeans& means)
 {
     for_each_tile(lists, [&](const Tile& tile) {
         apply_increments(problem, dt, lists, tile, solved.change, particles, means);
-        note_acting_pressure(dt, lists, tile, solved, particles, means);
+        follow_solved_pressure(dt, lists, tile, solved, particles, means);
     });
     for_each_tile(lists, [&](const Tile& tile) {
-        reconstruct_pore_pressure(problem, lists, tile, means, means.acting_pressure, particles);
+        reconstruct_pore_pressure(problem, lists, tile, means, means.sloping_pressure, particles);
     });
 }
 

@@ -74,7 +74,6 @@ protected:
     double advance(double dt, double rate)
     {
         Particles& particles = state_.particles;
-        const double before = particles.pore_pressure[0];
         for_each_tile(lists_, [&](const Tile& tile) {
             prepare_increments(problem_, dt, lists_, tile, particles, storage_, expected_);
         });
@@ -83,7 +82,7 @@ protected:
             increment_[c] = acting_weight * change_[c] - expected_[c];
         }
         advance_solved_pressure(problem_, dt, lists_, {expected_, increment_, change_}, particles, means_);
-        return means_.acting_pressure[static_cast<std::size_t>(lists_.cell_of_particle[0])] - before;
+        return increment_[static_cast<std::size_t>(lists_.cell_of_particle[0])];
     }
 
     Problem problem_;
