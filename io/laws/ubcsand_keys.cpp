@@ -209,7 +209,10 @@ std::vector<SceneKey> sand_run_keys()
          .doc = "Porosity of the densest sand, which no longer contracts."},
         {.pattern = "materials.*.resolved_floors", .default_value = UbcSandRunSettings().resolved_floors,
          .allowed = not_negative, .plausible = {0.0, 40.0},
-         .doc = "Below this multiple of stress_floor substeps are as long as at it, which makes liquefied sand faster."},
+         .doc = "Below this multiple of stress_floor errors of substeps count as at it, which makes liquefied sand faster."},
+        {.pattern = "materials.*.substep_tolerance", .default_value = UbcSandRunSettings().substep_tolerance,
+         .allowed = positive, .plausible = {1e-5, 0.1},
+         .doc = "Error of the stress in a substep, relative, which bounds its length."},
     };
 }
 
@@ -230,10 +233,14 @@ std::vector<SceneKey> ubcsand_scene_keys()
 {
     std::vector<SceneKey> keys = ubcsand_keys();
     for (SceneKey& key : keys) {
-        if (last_part(key.pattern) == "largest_ratio_step")
+        if (last_part(key.pattern) == "largest_ratio_step") {
             key.default_value = UbcSandRunSettings().largest_ratio_step;
-        if (last_part(key.pattern) == "largest_stress_step")
+            key.plausible.upper = 20.0;
+        }
+        if (last_part(key.pattern) == "largest_stress_step") {
             key.default_value = UbcSandRunSettings().largest_stress_step;
+            key.plausible.upper = 1.0;
+        }
     }
     const std::vector<SceneKey> of_runs = sand_run_keys();
     keys.insert(keys.end(), of_runs.begin(), of_runs.end());

@@ -110,6 +110,7 @@ SkeletonLaw read_ubcsand(const LawSource& source)
     parameters.integration = UbcSandRunSettings().integration;
     parameters.ripple_strain = values.number(table.path + ".ripple_strain");
     parameters.resolved_floors = values.number(table.path + ".resolved_floors");
+    parameters.substep_tolerance = values.number(table.path + ".substep_tolerance");
     bound_volumes(table, source.material.grain_density, values, parameters, source.findings);
     check_k0(values, table, parameters, source.findings);
     return source.findings.has_errors() ? UbcSand() : make_ubcsand(parameters);

@@ -1,8 +1,7 @@
 #include "solver/ubcsand/ubcsand.hpp"
 
-#include "solver/ubcsand/ubcsand_flow.hpp"
+#include "solver/ubcsand/ubcsand_attempt.hpp"
 
-#include <algorithm>
 #include <numbers>
 
 namespace quicksand {
@@ -20,29 +19,75 @@ ubcsand::Moduli present_moduli(const UbcSand& law, const UbcSandState& state)
     return law.square_roots ? ubcsand::elastic_moduli<true>(law, s) : ubcsand::elastic_moduli<false>(law, s);
 }
 
-template <bool square_roots, Integration order>
-void advance(const UbcSand& law, ubcsand::Strain remaining, UbcSandState& state)
+/// In substeps of first order.
+template <bool square_roots>
+void advance_in_first_order(const UbcSand& law, ubcsand::Strain remaining, UbcSandState& state)
 {
-    for (double budget = ubcsand::most_substeps; budget > 0.0; budget -= 1.0) {
-        const ubcsand::Substep substep =
-            ubcsand::next_substep<square_roots, order>(law, state, budget, remaining);
-        const ubcsand::Trial trial = ubcsand::elastic_trial<order>(law, state, substep.start, substep.strain);
+    constexpr Integration order = Integration::first_order;
+    double fraction = 0.0;
+    for (double budget = ubcsand::most_substeps; budget > 0.0 && fraction < 1.0; budget -= 1.0) {
+        const ubcsand::Start start = ubcsand::start_of<square_roots>(law, state);
+        fraction = ubcsand::fixed_fraction(law, start, remaining, budget);
+        const ubcsand::Strain strain = ubcsand::part_of(remaining, fraction);
+        const ubcsand::Trial trial = ubcsand::elastic_trial<order>(law, state, start, strain);
         if (trial.plastic) {
-            ubcsand::finish_plastic<order>(law, trial, state);
+            ubcsand::finish_in_first_order(law, trial, state);
         } else {
             ubcsand::finish_elastic(law, trial, state);
         }
-        if (substep.last) return;
+        remaining = ubcsand::rest_of(remaining, strain);
     }
 }
 
-template <Integration order>
+/// Try a substep of second order; the state changes if it stands.
+template <bool square_roots>
+ubcsand::Verdict try_substep(const UbcSand& law, const ubcsand::Start& start, const ubcsand::Strain& strain,
+                             bool ends_at_event, bool last_try, UbcSandState& state)
+{
+    const ubcsand::Trial trial = ubcsand::elastic_trial<Integration::second_order>(law, state, start, strain);
+    UbcSandState next = state;
+    ubcsand::finish_elastic(law, trial, next);
+    ubcsand::Events events = {0.0, 0.0};
+    if (!ends_at_event) events = ubcsand::events_of(law, trial, state);
+    ubcsand::Verdict verdict = ubcsand::judge_elastic(law, trial, events.elastic);
+    if (trial.plastic) {
+        next = state;
+        double error = 0.0;
+        ubcsand::finish_in_second_order(law, trial, next, error);
+        verdict = ubcsand::judge_plastic(law, trial, error, events.plastic, next);
+    }
+    if (last_try) verdict.excess = 0.0;
+    if (verdict.stands()) state = next;
+    return verdict;
+}
+
+/// In substeps of second order: the whole strain first, and what does not stand from event to event.
+template <bool square_roots>
+void advance_in_second_order(const UbcSand& law, ubcsand::Strain remaining, UbcSandState& state)
+{
+    const ubcsand::Start at_once = ubcsand::start_of<square_roots>(law, state);
+    ubcsand::Verdict verdict = try_substep<square_roots>(law, at_once, remaining, false, false, state);
+    if (verdict.stands()) return;
+    double size = ubcsand::smaller(1.0, verdict.longer), fraction = 0.0;
+    for (double budget = ubcsand::most_substeps; budget > 0.0; budget -= 1.0) {
+        const ubcsand::Start start = ubcsand::start_of<square_roots>(law, state);
+        fraction = ubcsand::next_fraction(law, start, state, remaining, size, budget);
+        const ubcsand::Strain strain = ubcsand::part_of(remaining, fraction);
+        verdict = try_substep<square_roots>(law, start, strain, true, budget <= 1.0, state);
+        size = ubcsand::next_size(verdict, fraction);
+        if (!verdict.stands()) continue;
+        if (fraction >= 1.0) return;
+        remaining = ubcsand::rest_of(remaining, strain);
+    }
+}
+
+template <bool square_roots>
 void advance(const UbcSand& law, const ubcsand::Strain& strain, UbcSandState& state)
 {
-    if (law.square_roots) {
-        advance<true, order>(law, strain, state);
+    if (law.integration == Integration::first_order) {
+        advance_in_first_order<square_roots>(law, strain, state);
     } else {
-        advance<false, order>(law, strain, state);
+        advance_in_second_order<square_roots>(law, strain, state);
     }
 }
 
@@ -75,11 +120,11 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.s_min = m.stress_floor;
     law.static_poisson = m.static_poisson_ratio;
     law.per_ratio_step = 1.0 / m.largest_ratio_step;
-    law.per_excursion_step = std::max(law.per_ratio_step, 1.0 / std::max(m.reversal_tolerance, 1e-6));
     law.per_stress_step = 1.0 / m.largest_stress_step;
     law.largest_specific_volume = m.largest_specific_volume;
     law.smallest_specific_volume = m.smallest_specific_volume;
     law.resolved = m.resolved_floors * m.stress_floor;
+    law.substep_tolerance = m.substep_tolerance;
     law.integration = m.integration;
     law.square_roots = law.ne == 0.5 && law.me == 0.5;
     return law;
@@ -114,11 +159,7 @@ void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState&
     turn(increment.spin, state);
     const ubcsand::Strain strain =
         ubcsand::borne(law, state, {increment.strain_x, increment.strain_y, increment.shear});
-    if (law.integration == Integration::first_order) {
-        advance<Integration::first_order>(law, strain, state);
-    } else {
-        advance<Integration::second_order>(law, strain, state);
-    }
+    (law.square_roots ? advance<true> : advance<false>)(law, strain, state);
 }
 
 double shear_modulus(const UbcSand& law, const UbcSandState& state)

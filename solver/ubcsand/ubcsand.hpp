@@ -40,6 +40,9 @@ void begin_shaking(const UbcSand& law, UbcSandState& state);
 ///  9  out-of-plane stress; strain in dilation
 /// 10  stress in the direction of the trial, largest ratio
 ///
+/// In first order, the published form, substeps have a fixed elastic change of stress. In second order a step
+/// is tried whole, and divided where the law changes or its error is too large: ubcsand_attempt.hpp.
+///
 /// With a strain of ripples a half cycle needs, besides loading after a reversal, that the strain itself has
 /// turned and gone that far back, or a quarter of the longer of its last two legs when that is less. Until
 /// then unloading is an excursion, which reloads elastically.

@@ -1,6 +1,7 @@
 // UBCSAND for arrays of points: blocks of lanes that take a substep together, so that the compiler makes
 // vectors of the kernel's arithmetic. A block without plastic lanes skips the return. Points that need more
-// than one substep wait for a second round, where a lane that is done goes on with the next of them.
+// than one substep wait for a second round, where a lane that is done goes on with the next of them; that
+// round alone looks for the events at which substeps of second order end.
 #if defined(__GNUC__) && !defined(__clang__)
 // lets both sides of a choice be computed and keeps them from becoming branches again, and a block's few
 // lanes from being copied by string instructions; changes no value
@@ -9,7 +10,7 @@
 
 #include "solver/base/lanes.hpp"
 #include "solver/ubcsand/ubcsand.hpp"
-#include "solver/ubcsand/ubcsand_flow.hpp"
+#include "solver/ubcsand/ubcsand_blocks.hpp"
 
 namespace quicksand {
 
@@ -17,93 +18,7 @@ namespace {
 
 using namespace ubcsand;
 
-constexpr std::size_t width = 8;     // lanes of a block [-]
 constexpr std::size_t segment = 512; // most points that wait for their second substep [-]
-
-/// The points of a block, one array per quantity. Lanes beyond the last point are closed.
-struct Block {
-    double sigma_x[width], sigma_y[width], sigma_z[width], tau_xy[width];
-    double eta_max[width], branch[width], peak_x[width], peak_y[width], origin_x[width], origin_y[width];
-    double leg_x[width], leg_y[width], back_x[width], back_y[width], last_leg[width], waiting[width];
-    double half_cycles[width], dilation[width], active_dilation[width];
-    double least_contraction[width], most_contraction[width];
-    double strain_x[width], strain_y[width], strain_xy[width]; // what remains
-    double budget[width];                                      // substeps left
-    double open[width];                                        // 1 until the last substep is done
-
-    UbcSandState state(std::size_t k) const
-    {
-        return {sigma_x[k],         sigma_y[k],     sigma_z[k],  tau_xy[k],          eta_max[k],
-                branch[k],          peak_x[k],      peak_y[k],   origin_x[k],        origin_y[k],
-                leg_x[k],           leg_y[k],       back_x[k],   back_y[k],          last_leg[k],
-                waiting[k],         half_cycles[k], dilation[k], active_dilation[k], least_contraction[k],
-                most_contraction[k]};
-    }
-
-    void set(std::size_t k, bool condition, const UbcSandState& state)
-    {
-        sigma_x[k] = select(condition, state.sigma_x, sigma_x[k]);
-        sigma_y[k] = select(condition, state.sigma_y, sigma_y[k]);
-        sigma_z[k] = select(condition, state.sigma_z, sigma_z[k]);
-        tau_xy[k] = select(condition, state.tau_xy, tau_xy[k]);
-        eta_max[k] = select(condition, state.eta_max, eta_max[k]);
-        branch[k] = select(condition, state.branch, branch[k]);
-        peak_x[k] = select(condition, state.peak_x, peak_x[k]);
-        peak_y[k] = select(condition, state.peak_y, peak_y[k]);
-        origin_x[k] = select(condition, state.origin_x, origin_x[k]);
-        origin_y[k] = select(condition, state.origin_y, origin_y[k]);
-        leg_x[k] = select(condition, state.leg_x, leg_x[k]);
-        leg_y[k] = select(condition, state.leg_y, leg_y[k]);
-        back_x[k] = select(condition, state.back_x, back_x[k]);
-        back_y[k] = select(condition, state.back_y, back_y[k]);
-        last_leg[k] = select(condition, state.last_leg, last_leg[k]);
-        waiting[k] = select(condition, state.waiting, waiting[k]);
-        half_cycles[k] = select(condition, state.half_cycles, half_cycles[k]);
-        dilation[k] = select(condition, state.dilation, dilation[k]);
-        active_dilation[k] = select(condition, state.active_dilation, active_dilation[k]);
-    }
-};
-
-/// The trials of a block between their making and the return.
-struct TrialBlock {
-    double G[width], B[width], s_old[width], s_start[width], per_s[width];
-    double start_x[width], start_y[width];
-    double s[width], q_x[width], q_y[width], t[width], sigma_z[width];
-    double volumetric[width], shear_x[width], shear_y[width], eta_y[width], branch[width], least_D[width],
-        most_D[width], plastic[width];
-
-    void set(std::size_t k, const Trial& trial, double is_plastic)
-    {
-        G[k] = trial.start.moduli.G, B[k] = trial.start.moduli.B;
-        s_old[k] = trial.start.s_old, s_start[k] = trial.start.s;
-        per_s[k] = trial.start.per_s;
-        start_x[k] = trial.start.q_x, start_y[k] = trial.start.q_y;
-        s[k] = trial.s, q_x[k] = trial.q_x, q_y[k] = trial.q_y, t[k] = trial.t, sigma_z[k] = trial.sigma_z;
-        volumetric[k] = trial.volumetric, shear_x[k] = trial.shear_x, shear_y[k] = trial.shear_y;
-        eta_y[k] = trial.eta_y, branch[k] = trial.branch;
-        least_D[k] = trial.least_D, most_D[k] = trial.most_D;
-        plastic[k] = is_plastic;
-    }
-
-    Trial trial(const UbcSand& law, std::size_t k) const
-    {
-        Trial trial{};
-        trial.start = {moduli_of(G[k], B[k]),
-                       s_old[k],
-                       s_start[k],
-                       s_start[k] + law.a,
-                       per_s[k],
-                       0.0, // only reversals, which are noticed elastically, ask for 1/sb
-                       start_x[k],
-                       start_y[k],
-                       start_x[k] * start_x[k] + start_y[k] * start_y[k]};
-        trial.s = s[k], trial.q_x = q_x[k], trial.q_y = q_y[k], trial.t = t[k], trial.sigma_z = sigma_z[k];
-        trial.volumetric = volumetric[k], trial.shear_x = shear_x[k], trial.shear_y = shear_y[k];
-        trial.eta_y = eta_y[k], trial.branch = branch[k];
-        trial.least_D = least_D[k], trial.most_D = most_D[k];
-        return trial;
-    }
-};
 
 inline double sum(const double (&values)[width])
 {
@@ -112,43 +27,141 @@ inline double sum(const double (&values)[width])
     return total;
 }
 
-/// [2] to [7] of one substep; elastic lanes are finished. Returns the number of plastic lanes.
-template <bool square_roots, Integration order>
+/// [2] to [7] of one substep of first order; elastic lanes are finished. Returns the number of plastic lanes.
+template <bool square_roots>
 inline double step_elastically(const UbcSand& law, Block& block, TrialBlock& trials)
 {
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
-        Strain remaining = {block.strain_x[k], block.strain_y[k], block.strain_xy[k]};
-        const Substep substep = next_substep<square_roots, order>(law, state, block.budget[k], remaining);
-        const Trial trial = elastic_trial<order>(law, state, substep.start, substep.strain);
+        const Strain remaining = block.strain(k);
+        const Start start = start_of<square_roots>(law, state);
+        const double fraction = fixed_fraction(law, start, remaining, block.budget[k]);
+        const Strain strain = part_of(remaining, fraction);
+        const Trial trial = elastic_trial<Integration::first_order>(law, state, start, strain);
         const double plastic = select(trial.plastic, block.open[k], 0.0);
         finish_elastic(law, trial, state);
         block.set(k, block.open[k] > plastic, state);
         trials.set(k, trial, plastic);
-        block.strain_x[k] = remaining.x, block.strain_y[k] = remaining.y, block.strain_xy[k] = remaining.xy;
+        block.set_strain(k, rest_of(remaining, strain));
         block.budget[k] -= 1.0;
-        block.open[k] = select(substep.last, 0.0, block.open[k]);
+        block.open[k] = select(fraction >= 1.0, 0.0, block.open[k]);
     }
     return sum(trials.plastic);
 }
 
 /// [8] to [10] of the plastic lanes.
-template <Integration order>
-inline void flow_plastically(const UbcSand& law, Block& block, const TrialBlock& trials)
+inline void flow_in_first_order(const UbcSand& law, Block& block, const TrialBlock& trials)
 {
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
-        finish_plastic<order>(law, trials.trial(law, k), state);
+        finish_in_first_order(law, trials.trial(law, k), state);
         block.set(k, trials.plastic[k] > 0.0, state);
     }
 }
 
-template <bool square_roots, Integration order>
-inline void take_substep(const UbcSand& law, Block& block)
+template <bool square_roots>
+inline void step_in_first_order(const UbcSand& law, Block& block)
 {
     TrialBlock trials;
-    if (step_elastically<square_roots, order>(law, block, trials) > 0.0) {
-        flow_plastically<order>(law, block, trials);
+    if (step_elastically<square_roots>(law, block, trials) > 0.0) flow_in_first_order(law, block, trials);
+}
+
+/// Which substep of second order: the first one, of the whole strain, or one to the next event.
+enum class Round { first, later };
+
+/// [2] to [7] of a substep of second order, but for its end.
+template <bool square_roots, Round round>
+inline void make_trials(const UbcSand& law, const Block& block, TrialBlock& trials, VerdictBlock& verdicts)
+{
+    for (std::size_t k = 0; k < width; ++k) {
+        const UbcSandState state = block.state(k);
+        const Strain remaining = block.strain(k);
+        const Start start = start_of<square_roots>(law, state);
+        double fraction = 1.0;
+        if constexpr (round == Round::later) {
+            fraction = next_fraction(law, start, state, remaining, block.size[k], block.budget[k]);
+        }
+        const Strain strain = part_of(remaining, fraction);
+        const Trial trial = elastic_trial<Integration::second_order>(law, state, start, strain);
+        trials.set(k, trial, select(trial.plastic, block.open[k], 0.0));
+        verdicts.fraction[k] = fraction;
+        verdicts.elastic_event[k] = verdicts.plastic_event[k] = 0.0;
+    }
+}
+
+/// What the whole strains of a block may meet.
+inline void note_events(const UbcSand& law, const Block& block, const TrialBlock& trials,
+                        VerdictBlock& verdicts)
+{
+    for (std::size_t k = 0; k < width; ++k) {
+        const Events events = events_of(law, trials.trial(law, k), block.state(k));
+        verdicts.elastic_event[k] = events.elastic;
+        verdicts.plastic_event[k] = events.plastic;
+    }
+}
+
+/// [7] of the elastic lanes: those that stand are finished.
+inline void try_elastically(const UbcSand& law, Block& block, const TrialBlock& trials,
+                            VerdictBlock& verdicts)
+{
+    for (std::size_t k = 0; k < width; ++k) {
+        UbcSandState next = block.state(k);
+        const Trial trial = trials.trial(law, k);
+        finish_elastic(law, trial, next);
+        Verdict verdict = judge_elastic(law, trial, verdicts.elastic_event[k]);
+        verdict.excess = select(block.budget[k] <= 1.0, 0.0, verdict.excess);
+        const double elastic = block.open[k] - trials.plastic[k];
+        block.set(k, verdict.excess + 2.0 * (1.0 - elastic) <= 1.0, next);
+        verdicts.set(k, true, verdict);
+    }
+}
+
+/// [8] to [10] of the plastic lanes, of which those that stand are finished.
+inline void try_plastically(const UbcSand& law, Block& block, const TrialBlock& trials,
+                            VerdictBlock& verdicts)
+{
+    for (std::size_t k = 0; k < width; ++k) {
+        const Trial trial = trials.trial(law, k);
+        UbcSandState next = block.state(k);
+        double error = 0.0;
+        finish_in_second_order(law, trial, next, error);
+        Verdict verdict = judge_plastic(law, trial, error, verdicts.plastic_event[k], next);
+        verdict.excess = select(block.budget[k] <= 1.0, 0.0, verdict.excess);
+        const double plastic = trials.plastic[k];
+        block.set(k, verdict.excess + 2.0 * (1.0 - plastic) <= 1.0, next);
+        verdicts.set(k, plastic > 0.0, verdict);
+    }
+}
+
+/// Try a substep of second order in every lane, and take the strain off that it has used.
+template <bool square_roots, Round round>
+inline void try_substep(const UbcSand& law, Block& block)
+{
+    TrialBlock trials;
+    VerdictBlock verdicts;
+    make_trials<square_roots, round>(law, block, trials, verdicts);
+    if constexpr (round == Round::first) note_events(law, block, trials, verdicts);
+    const double plastic = sum(trials.plastic);
+    if (plastic < width) try_elastically(law, block, trials, verdicts);
+    if (plastic > 0.0) try_plastically(law, block, trials, verdicts);
+    for (std::size_t k = 0; k < width; ++k) {
+        const Verdict verdict = {verdicts.excess[k], verdicts.longer[k]};
+        const double fraction = verdicts.fraction[k];
+        const Strain remaining = block.strain(k);
+        block.set_strain(k, rest_of(remaining, part_of(remaining, select(verdict.stands(), fraction, 0.0))));
+        block.size[k] = next_size(verdict, fraction);
+        block.budget[k] -= 1.0;
+        block.open[k] = select(verdict.stands() & (fraction >= 1.0), 0.0, block.open[k]);
+    }
+}
+
+template <bool square_roots, Integration order, Round round>
+inline void take_substep(const UbcSand& law, Block& block)
+{
+    if constexpr (order == Integration::first_order) {
+        step_in_first_order<square_roots>(law, block);
+    } else {
+        try_substep<square_roots, round>(law, block);
     }
 }
 
@@ -171,7 +184,7 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p,
     block.set(k, true, state);
     const Strain strain = borne(
         law, state, {-dt * points.L_xx[p], -dt * points.L_yy[p], -dt * (points.L_xy[p] + points.L_yx[p])});
-    block.strain_x[k] = strain.x, block.strain_y[k] = strain.y, block.strain_xy[k] = strain.xy;
+    block.set_strain(k, strain);
     block.budget[k] = most_substeps;
     block.open[k] = 1.0;
 }
@@ -202,6 +215,7 @@ inline void store(const Block& block, std::size_t p, std::size_t count, const Ub
 struct Unfinished {
     std::size_t point[segment];
     Strain strain[segment]; // what remains
+    double size[segment];   // of the next substep, over that
     std::size_t count = 0;
 };
 
@@ -211,7 +225,8 @@ inline void note_unfinished(const Block& block, std::size_t p, std::size_t count
     for (std::size_t k = 0; k < count; ++k) {
         if (block.open[k] == 0.0) continue;
         unfinished.point[unfinished.count] = p + k;
-        unfinished.strain[unfinished.count] = {block.strain_x[k], block.strain_y[k], block.strain_xy[k]};
+        unfinished.strain[unfinished.count] = block.strain(k);
+        unfinished.size[unfinished.count] = block.size[k];
         ++unfinished.count;
     }
 }
@@ -222,8 +237,8 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, const Unfinish
 {
     block.set(k, true, points.state(unfinished.point[i]));
     bound_contraction(law, points, unfinished.point[i], k, block);
-    const Strain& strain = unfinished.strain[i];
-    block.strain_x[k] = strain.x, block.strain_y[k] = strain.y, block.strain_xy[k] = strain.xy;
+    block.set_strain(k, unfinished.strain[i]);
+    block.size[k] = unfinished.size[i];
     block.budget[k] = most_substeps - 1.0;
     block.open[k] = 1.0;
 }
@@ -238,7 +253,7 @@ inline void finish(const UbcSand& law, const Unfinished& unfinished, const UbcSa
     for (std::size_t k = 0; k < lanes; ++k) load(law, points, unfinished, in_lane[k] = k, k, block);
     std::size_t next = lanes;
     for (std::size_t left = unfinished.count; left > 0;) {
-        take_substep<square_roots, order>(law, block);
+        take_substep<square_roots, order, Round::later>(law, block);
         for (std::size_t k = 0; k < lanes; ++k) {
             if (block.open[k] > 0.0 || in_lane[k] == unfinished.count) continue;
             points.set(unfinished.point[in_lane[k]], block.state(k));
@@ -258,7 +273,7 @@ inline void advance_points(const UbcSand& law, double dt, std::size_t first, std
     for (std::size_t p = first; p < last; p += width) {
         const std::size_t count = last - p < width ? last - p : width;
         load(law, points, p, count, dt, block);
-        take_substep<square_roots, order>(law, block);
+        take_substep<square_roots, order, Round::first>(law, block);
         store(block, p, count, points);
         note_unfinished(block, p, count, unfinished);
         if (unfinished.count + width > segment || p + count == last) {

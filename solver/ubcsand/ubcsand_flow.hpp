@@ -1,30 +1,65 @@
-// The plastic part of a substep of UBCSAND: how stiffly the locus hardens, and where the stress ends on it.
+// The plastic part of a substep of UBCSAND: how stiffly the locus hardens, how far the sand flows, and what
+// it remembers of it.
 //
 // Symbols    as in ubcsand_kernel.hpp; G^p = plastic shear modulus, u = 1 - R_f eta/eta_f
 // Order      First order is the published algorithm, to whose numbers the law is held: every coefficient is
-//            that of the substep's start. Second order takes them in its middle, from a first estimate of its
-//            end, and turns where the locus meets the largest ratio, constant volume and failure; it is of
-//            first order at the stress floor and for a tiny excursion.
+//            that of the substep's start, and the sense of loading that of its trial. Second order takes them
+//            where they belong: ubcsand_turning.hpp.
 #pragma once
 
 #include "solver/ubcsand/ubcsand_kernel.hpp"
 
 namespace quicksand::ubcsand {
 
-/// Not positive when the trial's stress is on the other side of the isotropic axis than r.
-inline double accord(const Trial& trial, double r_x, double r_y)
+/// A stress on the path of the trial, q [Pa].
+struct Deviator {
+    double x, y;
+};
+
+/// How far along the trial's path loading shows its sense, in second order: hardly, but rounding.
+inline constexpr double early = 0.01; // [-]
+
+/// Where loading shows its sense.
+template <Integration order>
+Deviator at_beginning(const Trial& trial)
 {
-    return trial.q_x * r_x + trial.q_y * r_y;
+    if constexpr (order == Integration::first_order) {
+        return {trial.q_x, trial.q_y};
+    } else {
+        return {(1.0 - early) * trial.start.q_x + early * trial.q_x,
+                (1.0 - early) * trial.start.q_y + early * trial.q_y};
+    }
+}
+
+/// Where the branch of a substep shows its sense.
+template <Integration order>
+Deviator at_middle(const Trial& trial)
+{
+    if constexpr (order == Integration::first_order) {
+        return {trial.q_x, trial.q_y};
+    } else {
+        return {trial.start.q_x + trial.q_x, trial.start.q_y + trial.q_y};
+    }
+}
+
+/// Not positive when the stress is on the other side of the isotropic axis than r.
+inline double accord(const Deviator& q, double r_x, double r_y)
+{
+    return q.x * r_x + q.y * r_y;
+}
+
+/// The less of the accords with the last turn of the stress and with that of the strain.
+inline double least_accord(const Deviator& q, const UbcSandState& state)
+{
+    return smaller(accord(q, state.origin_x, state.origin_y), accord(q, state.peak_x, state.peak_y));
 }
 
 /// What G^p falls to after a dilation, once the branch has crossed the isotropic axis: a factor. [8b]
-inline double softening(const UbcSand& m, const Trial& trial, const UbcSandState& state)
+inline double softening(const UbcSand& m, const Deviator& q, const UbcSandState& state)
 {
-    const double least_accord =
-        smaller(accord(trial, state.origin_x, state.origin_y), accord(trial, state.peak_x, state.peak_y));
     const double loss = larger(-1000.0, -m.a_dil_log2 * state.active_dilation); // exp as a power of 2
     const double factor = select(state.active_dilation > 0.0, exponential_2(loss), 1.0);
-    return select(least_accord <= 0.0, factor, 1.0);
+    return select(least_accord(q, state) <= 0.0, factor, 1.0);
 }
 
 /// F of secondary loading, up to the largest ratio so far, and of virgin loading beyond it. [8a, 8b]
@@ -32,9 +67,9 @@ struct HardeningFactors {
     double secondary, virgin; // [-]
 };
 
-inline HardeningFactors hardening_factors(const UbcSand& m, const Trial& trial, const UbcSandState& state)
+inline HardeningFactors hardening_factors(const UbcSand& m, const Deviator& q, const UbcSandState& state)
 {
-    const double factor = softening(m, trial, state);
+    const double factor = softening(m, q, state);
     const double least = select(factor < 1.0, m.fac_post, 0.0);
     return {larger(least, factor * (m.h1 * m.h2 * (m.s0 + m.s1 * state.half_cycles))),
             larger(least, factor * m.h1)};
@@ -154,14 +189,16 @@ inline PlasticFlow flow_at_floor(const UbcSand& m, const Trial& trial, double G_
 
 /// [8] Loading begins, or goes on: count it, and soften a branch that has changed its sense. Unloading that
 /// the strain interrupts by less than a turn reloads in a ripple, which is no loading yet.
-inline void remember_loading(const UbcSand& m, const Trial& trial, UbcSandState& state)
+template <Integration order>
+void remember_loading(const UbcSand& m, const Trial& trial, UbcSandState& state)
 {
     const double turned = follow_strain(m, trial.shear_x, trial.shear_y, state);
     const double back = state.back_x * state.back_x + state.back_y * state.back_y;
     const double resumed = select(trial.branch == loading_in_ripple, 1.0, 0.0);
     const double unloaded = select(trial.branch == far_from_reversal, 1.0, resumed);
     const double in_ripple = select(back > 0.0, select(turned > 0.0, 0.0, unloaded), 0.0);
-    const double other_side = select(accord(trial, state.peak_x, state.peak_y) <= 0.0, 1.0, 0.0);
+    const double other_side =
+        select(accord(at_beginning<order>(trial), state.peak_x, state.peak_y) <= 0.0, 1.0, 0.0);
     const double crossed = select(trial.branch < far_from_reversal, other_side, 0.0);
     const double loads = select(in_ripple > 0.0, 0.0, larger(unloaded, crossed));
     count_half_cycles(turned, loads, state);
@@ -169,104 +206,41 @@ inline void remember_loading(const UbcSand& m, const Trial& trial, UbcSandState&
     state.branch = select(in_ripple > 0.0, loading_in_ripple, loading);
 }
 
-/// The middle of a substep, and the direction of the flow there.
-struct Middle {
-    Place place;
-    double n_x, n_y; // unit vector [-]
-};
-
-inline Middle middle_of(const UbcSand& m, const Trial& trial, double number, const PlasticFlow& estimate)
+/// [8] to [10] The plastic end of a substep by a flow, with q in a direction of any length.
+inline void finish_flow(const UbcSand& m, const Trial& trial, const Deviator& direction, double E2,
+                        PlasticFlow& flow, UbcSandState& state)
 {
-    const Start& start = trial.start;
-    const double s_end = larger(m.s_min, estimate.s), sb_end = s_end + m.a;
-    const double change = half_change(start, s_end);
-    const double sb = start.s * (1.0 + change) + m.a, t_end = larger(1e-6 * trial.t, estimate.t);
-    const Inverses per_sb = inverses(sb_end, sb), per_t = inverses(trial.t, t_end);
-    Middle middle;
-    middle.place.moduli = changed_moduli(m, start.moduli, change);
-    middle.place.number = number * (1.0 + m.np * change);
-    middle.place.eta = 0.5 * (trial.eta_y + smaller(m.eta_f, estimate.t * per_sb.of_a));
-    middle.place.sb = sb;
-    middle.place.growth = sb_end * per_sb.of_b;
-    // a flow that is long against the stress turns q fast: n is then where the substep ends, which is stable
-    const double to_end = t_end * per_t.of_a;
-    const double early = larger(0.0, 1.0 - start.moduli.G * estimate.lambda * per_t.of_b);
-    const double x = early * start.q_x + trial.q_x * to_end, y = early * start.q_y + trial.q_y * to_end;
-    const double per_length = 1.0 / larger(std::sqrt(x * x + y * y), 1e-300);
-    middle.n_x = x * per_length;
-    middle.n_y = y * per_length;
-    const double along = middle.n_x * start.q_x + middle.n_y * start.q_y;
-    const double t_start = early * std::sqrt(start.squared) + (1.0 - early) * along;
-    const double shear = middle.n_x * trial.shear_x + middle.n_y * trial.shear_y;
-    middle.place.t_trial = t_start + middle.place.moduli.G * shear;
-    middle.place.s_trial = start.s + middle.place.moduli.K * trial.volumetric;
-    return middle;
-}
-
-/// Where a substep ends: its flow, the direction of q and the modulus of the stress out of the plane.
-struct Return {
-    PlasticFlow flow;
-    double q_x, q_y; // [Pa]
-    double E2;       // [Pa]
-};
-
-/// The return in second order, with what stands in the middle of the substep. The stress must drag the locus;
-/// else the estimate stays.
-inline Return return_from_middle(const UbcSand& m, const Trial& trial, const HardeningFactors& F,
-                                 double eta_max, double number)
-{
-    const Start& start = trial.start;
-    const Place at_start = {start.moduli, number, trial.eta_y, start.sb, 1.0, trial.t, trial.s};
-    const PlasticFlow estimate = flow_on_locus(m, trial, F, eta_max, at_start);
-    const Middle middle = middle_of(m, trial, number, estimate);
-    const PlasticFlow flow = flow_on_locus(m, trial, F, eta_max, middle.place);
-    const double G = middle.place.moduli.G;
-    const bool drags =
-        (smaller(smaller(estimate.s, flow.s), start.s_old) >= m.s_min) & (trial.branch >= far_from_reversal);
-    Return end;
-    end.flow = select(drags, flow, estimate);
-    end.q_x = select(drags, start.q_x + G * (trial.shear_x - flow.lambda * middle.n_x), trial.q_x);
-    end.q_y = select(drags, start.q_y + G * (trial.shear_y - flow.lambda * middle.n_y), trial.q_y);
-    end.E2 = select(drags, middle.place.moduli.E2, start.moduli.E2);
-    return end;
-}
-
-/// The return in first order.
-inline Return return_from_start(const UbcSand& m, const Trial& trial, double G_p)
-{
-    Return end;
-    end.flow = flow_from_start(m, trial, G_p);
-    end.q_x = trial.q_x;
-    end.q_y = trial.q_y;
-    end.E2 = trial.start.moduli.E2;
-    return end;
-}
-
-/// [8] to [10] The plastic end of a substep; returns its flow.
-template <Integration order>
-PlasticFlow finish_plastic(const UbcSand& m, const Trial& trial, UbcSandState& state)
-{
-    remember_loading(m, trial, state);
-    const HardeningFactors F = hardening_factors(m, trial, state);
-    const double number = plastic_number(m, trial.start.s);
-    const double factor = select(trial.eta_y < state.eta_max - 1e-9, F.secondary, F.virgin);
-    const double G_p = factor * plastic_modulus(m, number, trial.eta_y);
-    Return end;
-    if constexpr (order == Integration::first_order) {
-        end = return_from_start(m, trial, G_p);
-    } else {
-        end = return_from_middle(m, trial, F, state.eta_max, number);
-    }
-    PlasticFlow flow = select(end.flow.s < m.s_min, flow_at_floor(m, trial, G_p), end.flow);
     flow.t =
         larger(0.0, smaller(flow.t, m.eta_f * (flow.s + m.a))); // rounding, and substeps beyond the budget
     state.dilation += flow.dilating;                            // [9]
-    const double sb = flow.s + m.a, length = larger(std::sqrt(end.q_x * end.q_x + end.q_y * end.q_y), 1e-300);
+    const double sb = flow.s + m.a;
+    const double length = larger(std::sqrt(direction.x * direction.x + direction.y * direction.y), 1e-300);
     const Inverses per = inverses(sb, length);
     state.eta_max = larger(state.eta_max, flow.t * per.of_a);
-    const double sigma_z = trial.sigma_z + end.E2 * (trial.volumetric - flow.contraction);
+    const double sigma_z = trial.sigma_z + E2 * (trial.volumetric - flow.contraction);
     const double ratio = flow.t * per.of_b;
-    set_stress(m, flow.s, end.q_x * ratio, end.q_y * ratio, sigma_z, state);
+    set_stress(m, flow.s, direction.x * ratio, direction.y * ratio, sigma_z, state);
+}
+
+/// G^p at the ratio of the locus [Pa].
+inline double modulus_of_locus(const UbcSand& m, const Trial& trial, const HardeningFactors& F, double number,
+                               const UbcSandState& state)
+{
+    const double factor = select(trial.eta_y < state.eta_max - 1e-9, F.secondary, F.virgin);
+    return factor * plastic_modulus(m, number, trial.eta_y);
+}
+
+/// The plastic end of a substep of first order; returns its flow.
+inline PlasticFlow finish_in_first_order(const UbcSand& m, const Trial& trial, UbcSandState& state)
+{
+    constexpr Integration order = Integration::first_order;
+    remember_loading<order>(m, trial, state);
+    const HardeningFactors F = hardening_factors(m, at_middle<order>(trial), state);
+    const double number = plastic_number(m, trial.start.s);
+    const double G_p = modulus_of_locus(m, trial, F, number, state);
+    const PlasticFlow end = flow_from_start(m, trial, G_p);
+    PlasticFlow flow = select(end.s < m.s_min, flow_at_floor(m, trial, G_p), end);
+    finish_flow(m, trial, {trial.q_x, trial.q_y}, trial.start.moduli.E2, flow, state);
     return flow;
 }
 

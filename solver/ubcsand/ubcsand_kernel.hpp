@@ -87,10 +87,11 @@ Start start_of(const UbcSand& m, const UbcSandState& state)
     return start;
 }
 
-/// Half of the change of the mean stress, over it: where the middle of a substep is. [-]
+/// Half of the change of the mean stress, over it: where the middle of a substep is. With exponents of 1/2
+/// the moduli there give the exact stress of an elastic substep. [-]
 inline double half_change(const Start& start, double s_end)
 {
-    return smaller(0.5, larger(-0.25, 0.5 * (s_end - start.s) * start.per_s));
+    return smaller(4.0, larger(-0.5, 0.5 * (s_end - start.s) * start.per_s));
 }
 
 /// Most substeps of one update: an absurd strain is then taken in larger ones, stable but coarse. [-]
@@ -104,60 +105,30 @@ inline double count_of(double demand)
     return larger(1.0, nearest + select(nearest < demand, 1.0, 0.0));
 }
 
-/// Below this fraction of the remaining strain the path to the least ratio is rounding. [-]
-inline constexpr double least_inward_fraction = 1e-6;
-
-/// [2] Fraction of the strain that the next substep takes. It moves the stress ratio by at most the given
-/// step, were it elastic, and the mean stress, relatively, by at most its step; below the resolved stress by
-/// as much as there: in liquefied sand the ratio changes at the least strain, but the stresses hardly.
-///
-/// In second order a strain that lowers the ratio first goes to where it is least, elastically and thus
-/// without regard to the ratio's step: eta(x) = |q + x dq|/(sb + x ds) is least at x = (|q|^2 ds - q.dq
-/// sb)/(|dq|^2 sb - q.dq ds).
-template <Integration order>
-double substep_fraction(const UbcSand& m, const Start& start, const UbcSandState& state, const Strain& strain,
-                        double budget)
+/// [2] Fraction of the strain that the next substep of first order takes. It moves the stress ratio by at
+/// most the given step, were it elastic, and the mean stress, relatively, by at most its step; below the
+/// resolved stress by as much as there: in liquefied sand the ratio changes at the least strain, but the
+/// stresses hardly.
+inline double fixed_fraction(const UbcSand& m, const Start& start, const Strain& strain, double budget)
 {
     const double G = start.moduli.G;
     const double dq_x = G * (strain.x - strain.y), dq_y = G * strain.xy;
-    const double ds = start.moduli.K * (strain.x + strain.y), squared = dq_x * dq_x + dq_y * dq_y;
     const double resolved = larger(start.s, m.resolved);
     const Inverses per = inverses(resolved, resolved + m.a);
-    const double by_stress = std::abs(ds) * m.per_stress_step * per.of_a;
-    const double by_ratio = std::sqrt(squared) * per.of_b;
-    if constexpr (order == Integration::first_order) {
-        return 1.0 / count_of(smaller(larger(by_ratio * m.per_ratio_step, by_stress), budget));
-    } else {
-        const double per_ratio =
-            select(state.branch == strain_reversed, m.per_excursion_step, m.per_ratio_step);
-        const double along = start.q_x * dq_x + start.q_y * dq_y;
-        const double inward = start.squared * ds - along * start.sb;
-        const double turns = larger(squared * start.sb - along * ds, inward); // at most the whole strain
-        const bool goes_inward = (inward > least_inward_fraction * turns) & (inward > 0.0) & (budget > 1.0);
-        const double way = select(goes_inward, inward / select(turns > 0.0, turns, 1.0), 1.0);
-        const double demand = select(goes_inward, way * by_stress, larger(by_ratio * per_ratio, by_stress));
-        return way / count_of(smaller(demand, budget));
-    }
+    const double by_stress = std::abs(start.moduli.K * (strain.x + strain.y)) * m.per_stress_step * per.of_a;
+    const double by_ratio = std::sqrt(dq_x * dq_x + dq_y * dq_y) * m.per_ratio_step * per.of_b;
+    return 1.0 / count_of(smaller(larger(by_ratio, by_stress), budget));
 }
 
-struct Substep {
-    Start start;
-    Strain strain;
-    bool last;
-};
-
-/// [2, 3] Take the next substep off the strain that remains.
-template <bool square_roots, Integration order>
-Substep next_substep(const UbcSand& m, const UbcSandState& state, double budget, Strain& remaining)
+inline Strain part_of(const Strain& strain, double fraction)
 {
-    Substep substep;
-    substep.start = start_of<square_roots>(m, state);
-    const double fraction = substep_fraction<order>(m, substep.start, state, remaining, budget);
-    substep.strain = {remaining.x * fraction, remaining.y * fraction, remaining.xy * fraction};
-    substep.last = fraction >= 1.0;
-    remaining = {remaining.x - substep.strain.x, remaining.y - substep.strain.y,
-                 remaining.xy - substep.strain.xy};
-    return substep;
+    return {strain.x * fraction, strain.y * fraction, strain.xy * fraction};
+}
+
+/// What remains after a part.
+inline Strain rest_of(const Strain& strain, const Strain& part)
+{
+    return {strain.x - part.x, strain.y - part.y, strain.xy - part.xy};
 }
 
 /// What an elastic substep would give, and whether the locus stands in its way.

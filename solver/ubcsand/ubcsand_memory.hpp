@@ -39,6 +39,15 @@ inline void turn_memory(const Rotation& turn, UbcSandState& state)
 /// Of the longer of the present leg of the strain and the last one, which a reversal must go back.
 inline constexpr double least_fraction_of_a_leg = 0.25; // [-]
 
+/// What the strain must go back to have turned, squared: the ripple's strain, or a fraction of the leg if
+/// that is less. [-]
+inline double least_turn(const UbcSand& m, const UbcSandState& state)
+{
+    const double leg = state.leg_x * state.leg_x + state.leg_y * state.leg_y;
+    const double fraction = least_fraction_of_a_leg * least_fraction_of_a_leg * larger(leg, state.last_leg);
+    return smaller(m.ripple_squared, fraction);
+}
+
 /// Follow the strain in its plane of shear: the leg goes from where it last turned to the farthest point
 /// since; it has turned again when the strain has gone the ripple's strain, or a fraction of the leg if that
 /// is less, back from the farthest point. Without a ripple's strain every substep counts as a turn. Returns 1
@@ -49,8 +58,7 @@ inline double follow_strain(const UbcSand& m, double strain_x, double strain_y, 
     const double all_x = state.leg_x + back_x, all_y = state.leg_y + back_y;
     const double leg = state.leg_x * state.leg_x + state.leg_y * state.leg_y;
     const double back = back_x * back_x + back_y * back_y;
-    const double fraction = least_fraction_of_a_leg * least_fraction_of_a_leg * larger(leg, state.last_leg);
-    const double least = smaller(m.ripple_squared, fraction);
+    const double least = least_turn(m, state);
     // a substep of more than a ripple may pass the whole leg: then it has turned on the way
     const double same_side = select(all_x * state.leg_x + all_y * state.leg_y >= 0.0, 1.0, 0.0);
     const double outside = select(all_x * all_x + all_y * all_y >= leg, 1.0, 0.0);

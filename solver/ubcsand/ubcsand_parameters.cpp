@@ -82,6 +82,7 @@ UbcSandParameters with(const UbcSandRunSettings& settings, UbcSandParameters par
     parameters.largest_ratio_step = settings.largest_ratio_step;
     parameters.largest_stress_step = settings.largest_stress_step;
     parameters.resolved_floors = settings.resolved_floors;
+    parameters.substep_tolerance = settings.substep_tolerance;
     return parameters;
 }
 
@@ -119,6 +120,7 @@ void check(const UbcSandParameters& m)
     require_positive("largest_ratio_step", m.largest_ratio_step);
     require_positive("largest_stress_step", m.largest_stress_step);
     require_not_negative("resolved_floors", m.resolved_floors);
+    require_positive("substep_tolerance", m.substep_tolerance);
     require_positive("stress_floor", m.stress_floor);
     require(m.largest_specific_volume > 0.0, "largest_specific_volume", m.largest_specific_volume,
             "positive");

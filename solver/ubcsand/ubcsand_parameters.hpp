@@ -59,20 +59,22 @@ struct UbcSandParameters {
     // numerics: the elastic changes of a substep [own]
     double largest_ratio_step = 0.004; // of the stress ratio [-]
     double largest_stress_step = 0.02; // of the mean stress, relative [-]
-    double resolved_floors = 0.0;      // below this multiple of the floor substeps are as long as there [-]
+    double resolved_floors = 0.0;      // below this multiple of the floor stresses count as there [-]
+    double substep_tolerance = 0.003;  // error of the stress in a substep of second order, relative [-]
     Integration integration = Integration::first_order;
     double stress_floor = 500.0; // s_min, least mean stress [Pa]; dilation can lift a point off it
 };
 
 /// What a run sets otherwise. Waves on the grid put ripples on the strain of every point; below a strain of
-/// 1e-4 sand keeps its volume [DL82]. Substeps of second order cost at most 0.6 % of the initial stress in
-/// steps of a strain of 2.5e-4, 0.2 % in steps of 3e-5, 0.01 % in steps of 3e-6.
+/// 1e-4 sand keeps its volume [DL82]. Substeps of second order are as long as their error allows; their
+/// elastic changes have bounds for absurd strains only.
 struct UbcSandRunSettings {
     Integration integration = Integration::second_order;
     double ripple_strain = 1e-4;      // [-]
-    double largest_ratio_step = 0.1;  // [-]
-    double largest_stress_step = 0.1; // [-]
+    double largest_ratio_step = 10.0; // [-]
+    double largest_stress_step = 0.5; // [-]
     double resolved_floors = 20.0;    // [-]
+    double substep_tolerance = 0.003; // [-]
 };
 
 /// The parameters with the settings of a run.

@@ -21,11 +21,11 @@ struct UbcSand {
     double s_min;                    // stress floor [Pa]
     double static_poisson;           // nu while settling under gravity [-]
     double per_ratio_step;           // 1 / largest elastic change of the stress ratio in a substep [-]
-    double per_excursion_step;       // the same while an excursion may still be tiny [-]
     double per_stress_step;          // 1 / largest relative elastic change of s in a substep [-]
     double largest_specific_volume;  // of the loosest sand, per mass of grains [m3/kg]
     double smallest_specific_volume; // of the densest [m3/kg]
-    double resolved;                 // mean stress below which substeps are as long as there [Pa]
+    double resolved;                 // mean stress below which changes and errors count as there [Pa]
+    double substep_tolerance;        // error of the stress in a substep of second order, relative [-]
     Integration integration;         // of the substeps
     bool square_roots;               // ne = me = 1/2
 };

@@ -145,6 +145,7 @@ UbcSandState sheared(double k0, double gamma, int substeps, Integration integrat
     UbcSandParameters parameters = nevada_sand_55();
     parameters.integration = integration;
     parameters.largest_ratio_step = parameters.largest_stress_step = 1e9; // a substep of each step
+    parameters.substep_tolerance = 1e9;
     Specimen specimen = consolidate(make_ubcsand(parameters), {100e3, k0, 0.0});
     for (int k = 0; k < substeps; ++k) strain(0.0, 0.0, gamma / substeps, specimen);
     UbcSandState state;

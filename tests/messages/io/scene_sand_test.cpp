@@ -65,7 +65,7 @@ R"_(
 scene.toml:22:1: error[unknown-key]: unknown key 'peak_friction' in [materials.sand]
    22 | peak_friction = 40.0
       | ^~~~~~~~~~~~~
-expected: one of model, volumetric_strain, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, cohesion, n1_60, relative_density, preset, elastic_shear_number, elastic_bulk_number, elastic_shear_exponent, elastic_bulk_exponent, plastic_shear_number, plastic_shear_exponent, failure_ratio, constant_volume_friction_deg, peak_friction_deg, virgin_factor, secondary_factor, secondary_start, secondary_growth, reversal_tolerance, dilation_softening, softened_factor, largest_ratio_step, largest_stress_step, stress_floor, static_poisson_ratio, ripple_strain, largest_porosity, smallest_porosity, resolved_floors
+expected: one of model, volumetric_strain, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, cohesion, n1_60, relative_density, preset, elastic_shear_number, elastic_bulk_number, elastic_shear_exponent, elastic_bulk_exponent, plastic_shear_number, plastic_shear_exponent, failure_ratio, constant_volume_friction_deg, peak_friction_deg, virgin_factor, secondary_factor, secondary_start, secondary_growth, reversal_tolerance, dilation_softening, softened_factor, largest_ratio_step, largest_stress_step, stress_floor, static_poisson_ratio, ripple_strain, largest_porosity, smallest_porosity, resolved_floors, substep_tolerance
 )_"},
 SceneMistake{"LoosestDenserThanTheSand",
     elastic + "\ngrain_density = 2670\nporosity = 0.405\nhydraulic_conductivity = 5.8e-5\n",

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <random>
@@ -135,7 +136,31 @@ TEST(UbcSandArrays, HaveTheBitsOfSinglePointsForAnyNumberOfPoints)
 {
     for (std::size_t count = 1; count < 20; ++count) {
         EXPECT_EQ(differences(nevada_sand_55(), count, static_cast<unsigned>(count), 100), 0);
+        EXPECT_EQ(differences(with(UbcSandRunSettings(), nevada_sand_55()), count,
+                              static_cast<unsigned>(count), 100),
+                  0);
     }
+}
+
+TEST(UbcSandArrays, HaveTheSameBitsInAnyCompany)
+{
+    // lanes are filled with the points of a range that need more substeps: cut it anywhere
+    const UbcSand law = make_ubcsand(with(UbcSandRunSettings(), nevada_sand_55()));
+    constexpr std::size_t count = 700;
+    RandomPoints together(law, count, 9), apart(law, count, 9);
+    std::mt19937 random(10);
+    for (int step = 0; step < 200; ++step) {
+        together.move(3.0);
+        apart.move(3.0);
+        update(law, 1e-3, 0, count, together.points());
+        for (std::size_t first = 0; first < count;) {
+            const std::size_t last = std::min(count, first + 1 + random() % 60);
+            update(law, 1e-3, first, last, apart.points());
+            first = last;
+        }
+    }
+    const std::vector<UbcSandState> a = states(together, count), b = states(apart, count);
+    for (std::size_t p = 0; p < count; ++p) EXPECT_TRUE(same_bits(a[p], b[p])) << p;
 }
 
 TEST(UbcSandArrays, HaveTheBitsOfSinglePointsForAnyExponentAndCohesion)

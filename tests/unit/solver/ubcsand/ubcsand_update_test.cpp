@@ -76,9 +76,8 @@ TEST(UbcSand, TheFactorStiffensReloadingAndSoftensAfterDilation)
     UbcSandState state;
     state.half_cycles = 6.0;
     state.origin_x = state.peak_x = 0.3;
-    ubcsand::Trial trial{};
-    trial.q_x = -1.0;
-    const auto factors = [&] { return ubcsand::hardening_factors(law, trial, state); };
+    ubcsand::Deviator q = {-1.0, 0.0};
+    const auto factors = [&] { return ubcsand::hardening_factors(law, q, state); };
     EXPECT_DOUBLE_EQ(factors().virgin, 1.0);
     EXPECT_DOUBLE_EQ(factors().secondary, 0.6 * (4.0 + 0.5 * 6.0));
     state.active_dilation = 1e-3;
@@ -86,7 +85,7 @@ TEST(UbcSand, TheFactorStiffensReloadingAndSoftensAfterDilation)
     EXPECT_NEAR(factors().secondary, 4.2 * std::exp(-1.0), 1e-14);
     state.active_dilation = 0.1;
     EXPECT_DOUBLE_EQ(factors().secondary, 0.05);
-    trial.q_x = 1.0; // the branch has not crossed the isotropic axis
+    q.x = 1.0; // the branch has not crossed the isotropic axis
     EXPECT_DOUBLE_EQ(factors().secondary, 4.2);
 }
 
