@@ -199,8 +199,8 @@ inline Events events_of(const UbcSand& m, const Trial& trial, const UbcSandState
 inline Verdict judge_elastic(const UbcSand& m, const Trial& trial, double event)
 {
     const Change change = change_of(m, trial);
-    const double excess = larger(change.over_largest, 2.0 * event);
-    return {smaller(change.over_least, excess), larger(event, longer_by(change.over_largest))};
+    return {larger(2.0 * event, smaller(change.over_least, change.over_largest)),
+            larger(event, longer_by(change.over_largest))};
 }
 
 inline double sign_of(double accord)
@@ -234,8 +234,8 @@ inline Verdict judge_plastic(const UbcSand& m, const Trial& trial, double error,
                                    least_accord(at_middle<Integration::second_order>(trial), after));
     const double cut =
         smaller(select(after.active_dilation > 0.0, senses, 1.0), select(begins_on_locus, 1.0, 0.5));
-    const double hindered = larger(2.0 * event, 2.0 - cut);
-    return {smaller(change.over_least, larger(worst, hindered)),
+    const double excess = smaller(change.over_least, larger(worst, 2.0 - cut));
+    return {larger(2.0 * event, excess),
             larger(event, smaller(longer_by(worst), select(cut < 1.0, cut, 4.0)))};
 }
 
