@@ -122,6 +122,7 @@ void find_increments(const Problem& problem, double dt, double velocity_dt, cons
     const double step = set_fluxes(dt, velocity_dt, work);
     if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
         fail_to_solve(pressure, work.controls, dt, state);
+    set_changes(work.lists, pressure);
     add_increment_forces(problem, work);
 }
 
@@ -152,6 +153,7 @@ void answer_together(const Problem& problem, double dt, double velocity_dt, Stat
                           work.motion, *work.inertia, pressure, work.coupled))
             fail_to_resist(dt, work, state);
         if (!pressure.cavity.cavities.empty()) pressure.cavity.water_increment = pressure.increment;
+        set_changes(work.lists, pressure);
         add_increment_forces(problem, work);
     });
 }
@@ -235,7 +237,6 @@ void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
     set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
-    set_changes(work.lists, pressure);
     for_each_index(work.sums.size(), [&](std::size_t i) {
         work.sums[i].pressure_force_x += pressure.force_x[i];
         work.sums[i].pressure_force_y += pressure.force_y[i];

@@ -191,8 +191,9 @@ void turn_direction(const CellLists& lists, double beta, PressureSolve& solve)
     });
 }
 
-/// - dt D flux*; returns its square, weighted by the diagonal.
-double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, double dt,
+/// - dt D flux* - known(cell); returns its square, weighted by the diagonal.
+template <class Known>
+double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, double dt, Known&& known,
                            PressureSolve& solve)
 {
     return sum_over_tiles(lists, solve, [&](const Tile& tile) {
@@ -202,7 +203,7 @@ double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, d
         double sum = 0.0;
         for (const CellStencil& stencil : divergence.stencils) {
             const auto c = static_cast<std::size_t>(stencil.cell);
-            solve.right_hand_side[c] = -dt * solve.right_hand_side[c] - solve.storage[c] * solve.expected[c];
+            solve.right_hand_side[c] = -dt * solve.right_hand_side[c] - known(c);
             sum += solve.right_hand_side[c] * (solve.right_hand_side[c] / solve.diagonal[c]);
         }
         return sum;
@@ -362,7 +363,8 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
     const bool new_blocks = std::exchange(solve.blocks_are_due, false);
     if (new_blocks) set_up_blocks(grid, lists, conditions, dt, solve, solve.blocks);
     scale_blocks(solve.diagonal, solve.blocks);
-    const double scale = set_right_hand_side(grid, lists, dt, solve);
+    const auto expected = [&](std::size_t c) { return solve.storage[c] * solve.expected[c]; };
+    const double scale = set_right_hand_side(grid, lists, dt, expected, solve);
     sum_to_roots(solve, solve.right_hand_side);
     solve.iterations = 0;
     const bool converged = converge(grid, lists, conditions, dt,
@@ -378,7 +380,8 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
 bool answer_flux(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                  double dt, const PressureSolveControls& controls, PressureSolve& solve)
 {
-    const double scale = set_right_hand_side(grid, lists, dt, solve);
+    const auto nothing = [](std::size_t) { return 0.0; };
+    const double scale = set_right_hand_side(grid, lists, dt, nothing, solve);
     sum_to_roots(solve, solve.right_hand_side);
     std::fill(solve.increment.begin(), solve.increment.end(), 0.0);
     solve.iterations = 0;
