@@ -6,6 +6,7 @@
 #include "io/results/output_observers.hpp"
 #include "io/results/results_folder.hpp"
 #include "solver/run/staged_run.hpp"
+#include "solver/vibration/step_bound.hpp"
 
 namespace quicksand {
 
@@ -45,9 +46,10 @@ ExitCode check_scene(const CheckChoice& choice)
     if (const std::string laws = describe_laws(assembled); !laws.empty()) journal.say(laws);
     journal.say(describe_initial_state(assembled));
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
-    journal.say(describe_time_step(assembled));
+    const TimeStep step = measure_time_step(assembled.problem, assembled.state);
+    journal.say(describe_time_step(assembled, step));
     const StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
-    journal.say(describe_cost(forecast_run(assembled, run, folder.directory)));
+    journal.say(describe_cost(forecast_run(assembled, run, step.dt, folder.directory)));
     journal.say(describe_left_out(assembled.scene, run));
     write_initial_frame(assembled, folder);
     journal.say("The initial state is in " + folder.particle_series().string() + " and " +

@@ -6,7 +6,6 @@
 #include "solver/base/threads.hpp"
 #include "solver/measure/monitors.hpp"
 #include "solver/problem/motion_measures.hpp"
-#include "solver/vibration/step_bound.hpp"
 
 #include <fmt/format.h>
 
@@ -167,7 +166,7 @@ std::string describe_initial_state(const AssembledCase& assembled)
                 : fmt::format("soil of {} is free of stress as drawn, and its weight acts at once\n", law));
 }
 
-std::string describe_time_step(const AssembledCase& assembled)
+std::string describe_time_step(const AssembledCase& assembled, const TimeStep& step)
 {
     const Problem& problem = assembled.problem;
     std::string text = "Waves, where the soil is stiffest\n";
@@ -178,7 +177,6 @@ std::string describe_time_step(const AssembledCase& assembled)
     for (std::size_t m = 0; m < waves.size(); ++m) {
         text += describe_waves(problem.materials[m], waves[m], problem);
     }
-    const TimeStep step = measure_time_step(problem, assembled.state);
     text += fmt::format("Time step\n  {} s, limited by the {}{}\n", short_number(step.dt),
                         name_of(step.limiter), step.material.empty() ? "" : " in " + step.material);
     if (assembled.scene.relaxation) {

@@ -33,8 +33,8 @@ std::string describe_initial_state(const AssembledCase& assembled);
 /// Peaks, intensity, duration and baseline of the shaking; nothing without any.
 std::string describe_motion(const AssembledCase& assembled);
 
-/// Wave speeds, the time step and what limits it.
-std::string describe_time_step(const AssembledCase& assembled);
+/// Wave speeds, the first time step of the shaking and what limits it.
+std::string describe_time_step(const AssembledCase& assembled, const TimeStep& step);
 
 /// Steps, memory, disk and run time.
 std::string describe_cost(const Forecast& forecast);

@@ -5,7 +5,6 @@
 #include "io/results/output_observers.hpp"
 #include "solver/base/threads.hpp"
 #include "solver/measure/balances.hpp"
-#include "solver/vibration/step_bound.hpp"
 
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -227,10 +226,11 @@ std::int64_t count_steps(const Scene& scene, double dt)
     return steps;
 }
 
-Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, const fs::path& directory)
+Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, double dt,
+                      const fs::path& directory)
 {
     Forecast forecast;
-    forecast.steps = count_steps(assembled.scene, measure_time_step(assembled.problem, assembled.state).dt);
+    forecast.steps = count_steps(assembled.scene, dt);
     forecast.step_seconds = measure_step(run);
     if (assembled.scene.relaxation)
         forecast.relaxation = forecast_relaxation(*assembled.scene.relaxation, run);

@@ -50,8 +50,9 @@ struct Forecast {
 std::int64_t count_steps(const Scene& scene, double dt);
 
 /// Let copies of the run of the scene go on for a few seconds and write a few frames into a folder of their
-/// own in `directory`, which is removed again: so the disk of the results is measured. Throws FileError.
-Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run,
+/// own in `directory`, which is removed again: so the disk of the results is measured. `dt` is the time step
+/// of the shaking [s]. Throws FileError.
+Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, double dt,
                       const std::filesystem::path& directory);
 
 } // namespace quicksand
