@@ -205,6 +205,37 @@ void VelocityRows::factorise(std::vector<NodeInverse> inverses)
         throw InternalError("the conditions at the walls cannot be factorised");
 }
 
+double VelocityRows::product(std::size_t row, const std::vector<NodeVelocities>& velocities) const
+{
+    double sum = 0.0;
+    for_each_entry_of(
+        row, [&](std::size_t k) { sum += entries_[k].coefficients.dot(velocities[entries_[k].place]); });
+    return sum;
+}
+
+void VelocityRows::extrapolate(std::vector<NodeVelocities>& velocities) const
+{
+    for_each_follower([&](std::size_t row, std::size_t follower, int direction) {
+        velocities[follower][direction] = 0.0;
+        velocities[follower][direction] = -product(row, velocities);
+    });
+}
+
+VelocityRows VelocityRows::part(const std::vector<bool>& chosen) const
+{
+    VelocityRows rows;
+    rows.nodes_ = nodes_;
+    rows.place_of_node_ = place_of_node_;
+    for (std::size_t r = 0; r < size(); ++r) {
+        if (r == first_follower_) rows.begin_followers();
+        if (r < first_follower_ && !chosen[r]) continue;
+        rows.begin_row(values_[r]);
+        for_each_entry_of(r, [&](std::size_t k) { rows.entries_.push_back(entries_[k]); });
+    }
+    if (first_follower_ == size()) rows.begin_followers();
+    return rows;
+}
+
 Scalars VelocityRows::products(const std::vector<NodeVelocities>& velocities) const
 {
     Scalars result(size(), 0.0);

@@ -85,6 +85,15 @@ public:
 
     const NodeInverse& inverse(std::size_t place) const { return inverses_[place]; }
 
+    double value(std::size_t row) const { return values_[row]; }
+    void set_value(std::size_t row, double value) { values_[row] = value; }
+    /// sum c . u of a row, for velocities at nodes().
+    double product(std::size_t row, const std::vector<NodeVelocities>& velocities) const;
+    /// Give followers the velocities that their rows ask for.
+    void extrapolate(std::vector<NodeVelocities>& velocities) const;
+    /// The chosen rows and those of all followers, on the same nodes in the same order; not factorised.
+    VelocityRows part(const std::vector<bool>& chosen) const;
+
     /// Multipliers that take velocities at nodes() to rows of value zero [N s].
     Scalars multipliers_to_zero(const std::vector<NodeVelocities>& velocities) const;
 

@@ -86,9 +86,10 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
     walls.edges = make_soil_edges(problem, stage);
     walls.any = !walls.edges.empty() || has_cut_soil(problem);
     if (!walls.any) return;
-    for (const WallChain& chain : walls.edges.chains)
-        for (const ChainEdge& edge : chain.edges)
-            walls.moves = walls.moves || moves(problem.boundaries[edge.boundary].soil);
+    for (const WallChain& chain : walls.edges.chains) {
+        walls.chain_moves.push_back(moves(problem.boundaries[chain.edges.front().boundary].soil));
+        walls.moves = walls.moves || walls.chain_moves.back();
+    }
     walls.divides_water = has_unsaturated_soil(problem);
     walls.touched_nodes.resize(problem.grid.node_count());
     walls.touched_slots.resize(problem.grid.cell_count());

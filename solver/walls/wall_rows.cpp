@@ -2,6 +2,7 @@
 
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/node_response.hpp"
+#include "solver/walls/moving_rows.hpp"
 #include "solver/walls/wall_parts.hpp"
 
 #include <Eigen/LU>
@@ -172,9 +173,10 @@ void brake(const Dashpot& dashpot, double dt, NodeInverse& inverse)
 }
 
 template <class Sums>
-void factorise(const NodeConditions& conditions, double dt, const std::vector<Dashpot>& dashpots,
-               const std::vector<Sums>& sums, VelocityRows& rows)
+void factorise(const Problem& problem, const NodeConditions& conditions, double dt,
+               const std::vector<Dashpot>& dashpots, const std::vector<Sums>& sums, WallRows& walls)
 {
+    VelocityRows& rows = walls.rows;
     std::vector<NodeInverse> inverses;
     inverses.reserve(rows.nodes().size());
     for (const std::size_t i : rows.nodes()) {
@@ -184,6 +186,9 @@ void factorise(const NodeConditions& conditions, double dt, const std::vector<Da
                              [](const Dashpot& d, std::size_t node) { return d.node < node; });
         if (dashpot != dashpots.end() && dashpot->node == i) brake(*dashpot, dt, inverses.back());
     }
+    if (walls.moves)
+        let_values_agree(problem.grid, {walls.chain_moves, walls.chain_of_row, walls.contacts.walls},
+                         inverses, rows);
     rows.factorise(std::move(inverses));
 }
 
@@ -261,7 +266,7 @@ void assemble_wall_rows(const Problem& problem, const NodeConditions& conditions
     add_grain_rows(problem, walls);
     add_water_rows(problem, walls);
     add_followers(problem, conditions, sums, walls);
-    factorise(conditions, dt, dashpots, sums, walls.rows);
+    factorise(problem, conditions, dt, dashpots, sums, walls);
 }
 
 void assemble_wall_rows(const Problem& problem, const NodeConditions& conditions, double dt,
@@ -273,7 +278,7 @@ void assemble_wall_rows(const Problem& problem, const NodeConditions& conditions
     find_active(sums, walls);
     add_grain_rows(problem, walls);
     add_followers(problem, conditions, sums, walls);
-    factorise(conditions, dt, dashpots, sums, walls.rows);
+    factorise(problem, conditions, dt, dashpots, sums, walls);
 }
 
 void hold_at_walls(const Problem& problem, const std::vector<TwoPhaseSums>& sums, const WallRows& walls,

@@ -32,8 +32,9 @@ namespace quicksand {
 /// Work space of the rows; empty where every wall is a condition on nodes and no soil ends within a cell.
 struct WallRows {
     SoilEdges edges;
-    bool moves = false;         // whether any chain does
-    bool any = false;           // whether the scene has rows at all
+    bool moves = false;            // whether any chain does
+    std::vector<bool> chain_moves; // which
+    bool any = false;              // whether the scene has rows at all
     bool divides_water = false; // dry and saturated soil meet: their normals differ
     WallContacts contacts;
     bool contacts_are_due = true;

@@ -1,3 +1,4 @@
+#include "solver/step/single_phase_step.hpp"
 #include "solver/step/stepper.hpp"
 #include "solver/step/time_step_control.hpp"
 #include "solver/walls/wall_rows.hpp"
@@ -237,6 +238,66 @@ TEST(WallRows, AConstantPressureIsAtRestInATurnedBox)
             EXPECT_LT(fastest(state.particles), 1e-7) << degrees;
         }
     }
+}
+
+/// A box of 4 x 3 m off the grid lines on a fixed base, with a right side that moves by this.
+struct PushedBox {
+    Problem problem = box_at({0.3, 0.3}, RollerWall{});
+    State state;
+
+    explicit PushedBox(const WallMotion& motion)
+    {
+        problem.gravity = 0.0;
+        problem.boundaries[0].soil = FixedWall{};
+        problem.boundaries[1].soil = MovingWall{motion};
+        state = fill(problem, 10, [](const Vector2& x) {
+            return x.x() > 0.3 && x.x() < 4.3 && x.y() > 0.3 && x.y() < 3.3;
+        });
+        begin_shaking(state);
+    }
+};
+
+TEST(WallRows, OfAMovingWallAskForAMotionThatAFixedOneBesideItLeaves)
+{
+    constexpr double speed = 0.5;
+    for (const WallMotion& motion :
+         {WallMotion{MotionQuantity::velocity, WallGrip::rough, {-speed, 0.0}, 0.0, {}},
+          WallMotion{MotionQuantity::velocity, WallGrip::smooth, {0.0, 0.0}, speed, {}}}) {
+        PushedBox box(motion);
+        SinglePhaseWorkspace work = make_single_phase_workspace(box.problem);
+        locate_particles(box.problem, 1e-4, box.state, work);
+        scatter_to_nodes(box.problem, 1e-4, box.state, work);
+        assemble_walls(box.problem, 1e-4, work.sums, work);
+        const VelocityRows& rows = work.walls.rows;
+        std::vector<NodeVelocities> velocities(rows.nodes().size(), NodeVelocities::Zero());
+        rows.hold(velocities);
+        double fastest = 0.0, missed = 0.0, most = 0.0;
+        for (const NodeVelocities& v : velocities) fastest = std::max(fastest, v.head<2>().norm());
+        for (std::size_t r = 0; r < rows.size(); ++r) {
+            missed = std::max(missed, std::abs(rows.product(r, velocities) - rows.value(r)));
+            most = std::max(most, std::abs(rows.value(r)));
+        }
+        EXPECT_GT(most, 0.1 * speed);
+        EXPECT_LT(missed, 1e-6 * speed); // not all of them, when they asked for the wall's velocity alone
+        EXPECT_LT(fastest, 3.0 * speed); // 40 m/s then
+    }
+}
+
+TEST(WallRows, OfAMovingWallBesideARollerAskForItsVelocity)
+{
+    const WallMotion motion{MotionQuantity::velocity, WallGrip::rough, {-0.5, 0.0}, 0.0, {}};
+    PushedBox box(motion);
+    box.problem.boundaries[0].soil = RollerWall{};
+    SinglePhaseWorkspace work = make_single_phase_workspace(box.problem);
+    locate_particles(box.problem, 1e-4, box.state, work);
+    scatter_to_nodes(box.problem, 1e-4, box.state, work);
+    assemble_walls(box.problem, 1e-4, work.sums, work);
+    const VelocityRows& rows = work.walls.rows;
+    const std::vector<NodeVelocities> velocities(rows.nodes().size(), {-0.5, 0.0, 0.0, 0.0});
+    for (std::size_t r = 0; r < work.walls.chain_of_row.size(); ++r)
+        if (work.walls.chain_moves[work.walls.chain_of_row[r]]) {
+            EXPECT_NEAR(rows.product(r, velocities), rows.value(r), 1e-12);
+        }
 }
 
 } // namespace
