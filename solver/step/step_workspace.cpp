@@ -102,10 +102,17 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
     }
     if (work.partly_saturated) select_saturated(problem, state.particles, work.lists, work.wet_lists);
     if (!work.walls.any) return;
-    find_roots(problem, work.conditions, work.lists, state.particles, work.walls.roots);
-    aggregate_cells(work.lists, work.walls.roots.aggregated, work.aggregated_lists);
+    WallRows& walls = work.walls;
+    if (walls.aggregates_soil) {
+        find_roots(problem, work.conditions, work.lists, state.particles, walls.roots);
+        aggregate_cells(work.lists, walls.roots.aggregated, work.aggregated_lists);
+    }
+    if (walls.aggregates_water)
+        find_roots(problem, work.conditions, work.wet_lists, state.particles, walls.wet_roots);
     if (work.partly_saturated)
-        aggregate_cells(work.wet_lists, work.walls.roots.aggregated, work.aggregated_wet_lists);
+        aggregate_cells(work.wet_lists,
+                        walls.aggregates_water ? walls.wet_roots.aggregated : walls.roots.aggregated,
+                        work.aggregated_wet_lists);
 }
 
 } // namespace quicksand

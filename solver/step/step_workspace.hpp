@@ -49,7 +49,7 @@ struct StepWorkspace {
     PhaseTimers timers;
 
     /// The lists by which cells have one change of volume: badly filled cells with their roots.
-    const CellLists& volume_lists() const { return walls.any ? aggregated_lists.lists : lists; }
+    const CellLists& volume_lists() const { return walls.aggregates_soil ? aggregated_lists.lists : lists; }
 
     /// The same of the particles that have a pore pressure.
     const CellLists& lists_with_pressure() const

@@ -84,13 +84,17 @@ void sum_normals(const Problem& problem, const Particles& particles, const NodeC
 void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
 {
     walls.edges = make_soil_edges(problem, stage);
-    walls.any = !walls.edges.empty() || has_cut_soil(problem);
+    walls.divides_water = has_unsaturated_soil(problem);
+    walls.aggregates_soil = !walls.edges.empty() || has_cut_soil(problem);
+    walls.aggregates_water = walls.divides_water && stage == Stage::shaking &&
+                             water_flow(problem) == WaterFlow::coupled &&
+                             problem.scheme == TimeScheme::explicit_steps;
+    walls.any = walls.aggregates_soil || walls.aggregates_water;
     if (!walls.any) return;
     for (const WallChain& chain : walls.edges.chains) {
         walls.chain_moves.push_back(moves(problem.boundaries[chain.edges.front().boundary].soil));
         walls.moves = walls.moves || walls.chain_moves.back();
     }
-    walls.divides_water = has_unsaturated_soil(problem);
     walls.touched_nodes.resize(problem.grid.node_count());
     walls.touched_slots.resize(problem.grid.cell_count());
 }

@@ -107,43 +107,72 @@ double mass_of(const SinglePhaseSums& node)
     return node.mass;
 }
 
-bool has_water(const TwoPhaseSums& node)
+double water_of_node(const TwoPhaseSums& node)
 {
-    return node.mass_fluid > 0.0;
+    return node.mass_fluid;
 }
 
-bool has_water(const SinglePhaseSums&)
+double water_of_node(const SinglePhaseSums&)
 {
-    return false;
+    return 0.0;
 }
 
-/// The rows of the nodes without a good cell: v_k - sum w_m v_m = 0 for each direction that no wall holds at
-/// the node itself, grains and water alike.
+/// The rows v_k - sum w_m v_m = 0 of a node for the directions that no wall holds at the node itself: those
+/// of the grains are 0 and 1, those of the water 2 and 3.
+void add_follower(const NodeConditions& conditions, std::size_t k, const std::vector<FollowedNode>& followed,
+                  int first_direction, int end_direction, VelocityRows& rows)
+{
+    for (int direction = first_direction; direction < end_direction; ++direction) {
+        const int axis = direction % 2;
+        if (conditions.of_node[k] & (direction < 2 ? solid_fixed[axis] : fluid_fixed[axis])) continue;
+        const NodeVelocities unit = NodeVelocities::Unit(direction);
+        rows.begin_row(0.0);
+        rows.add(k, unit);
+        for (const FollowedNode& other : followed)
+            rows.add(conditions.master[other.node], -other.weight * unit);
+    }
+}
+
+/// Call add(node, what it follows) for the followers that carry more than rounding of what they are
+/// followers of: mass(sums of a node).
+template <class Sums, class Mass, class Add>
+void for_each_follower(const Problem& problem, const NodeConditions& conditions, const CellRoots& roots,
+                       const std::vector<Sums>& sums, Mass&& mass, Add&& add)
+{
+    std::vector<FollowedNode> followed;
+    for (const std::size_t k : roots.followers) {
+        if (!sums[k].active()) continue;
+        follow(problem.grid, roots, k, followed);
+        if (followed.empty()) continue;
+        const double least = least_mass * mass(sums[conditions.master[followed[0].node]]);
+        if (mass(sums[k]) > 0.0 && mass(sums[k]) >= least) add(k, followed);
+    }
+}
+
+/// The rows of the nodes without a good cell, grains and water alike; with roots of its own the water follows
+/// these.
 template <class Sums>
 void add_followers(const Problem& problem, const NodeConditions& conditions, const std::vector<Sums>& sums,
                    WallRows& walls)
 {
     walls.rows.begin_followers();
-    std::vector<FollowedNode> followed;
-    for (const std::size_t k : walls.roots.followers) {
-        if (!sums[k].active()) continue;
-        follow(problem.grid, walls.roots, k, followed);
-        if (followed.empty() ||
-            mass_of(sums[k]) < least_mass * mass_of(sums[conditions.master[followed[0].node]]))
-            continue;
-        bool water = has_water(sums[k]);
-        for (const FollowedNode& other : followed)
-            water = water && has_water(sums[conditions.master[other.node]]);
-        for (int direction = 0; direction < (water ? 4 : 2); ++direction) {
-            const int axis = direction % 2;
-            if (conditions.of_node[k] & (direction < 2 ? solid_fixed[axis] : fluid_fixed[axis])) continue;
-            const NodeVelocities unit = NodeVelocities::Unit(direction);
-            walls.rows.begin_row(0.0);
-            walls.rows.add(k, unit);
-            for (const FollowedNode& other : followed)
-                walls.rows.add(conditions.master[other.node], -other.weight * unit);
-        }
-    }
+    const auto has_water = [&](std::size_t node) {
+        return water_of_node(sums[conditions.master[node]]) > 0.0;
+    };
+    const auto add = [&](std::size_t k, const std::vector<FollowedNode>& followed) {
+        const bool water = !walls.aggregates_water && has_water(k) &&
+                           std::all_of(followed.begin(), followed.end(),
+                                       [&](const FollowedNode& other) { return has_water(other.node); });
+        add_follower(conditions, k, followed, 0, water ? 4 : 2, walls.rows);
+    };
+    for_each_follower(
+        problem, conditions, walls.roots, sums, [](const Sums& node) { return mass_of(node); }, add);
+    if (!walls.aggregates_water) return;
+    for_each_follower(
+        problem, conditions, walls.wet_roots, sums, [](const Sums& node) { return water_of_node(node); },
+        [&](std::size_t k, const std::vector<FollowedNode>& followed) {
+            add_follower(conditions, k, followed, 2, 4, walls.rows);
+        });
 }
 
 template <class Sums>

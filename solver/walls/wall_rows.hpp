@@ -35,6 +35,10 @@ struct WallRows {
     bool moves = false;            // whether any chain does
     std::vector<bool> chain_moves; // which
     bool any = false;              // whether the scene has rows at all
+    bool aggregates_soil = false;  // cells that soil fills badly have roots
+    /// So have those that hold little water, where soil above the water table is dry: explicit steps would be
+    /// short without bound where almost no water reaches a node. Implicit pressure and drag are stable there.
+    bool aggregates_water = false;
     bool divides_water = false; // dry and saturated soil meet: their normals differ
     WallContacts contacts;
     bool contacts_are_due = true;
@@ -45,6 +49,7 @@ struct WallRows {
     Vectors normal;                         // a_i of the nodes in contact, of all soil [m]
     Vectors wet_normal;                     // of the saturated soil, where there is other soil [m]
     CellRoots roots;
+    CellRoots wet_roots; // of the saturated soil alone, where the water has its own
     VelocityRows rows;
     std::vector<std::size_t> chain_of_row; // of the rows before the followers'
 };

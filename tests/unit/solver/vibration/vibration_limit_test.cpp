@@ -72,6 +72,30 @@ TEST(VibrationLimit, OfSemiImplicitStepsWithSoftWaterIsThatOfTheLoadedSkeleton)
     EXPECT_NEAR(limit_of(problem), 0.1 / c, 0.03 * 0.1 / c);
 }
 
+// The nodes above a water table that almost no water reaches follow those below: where between the grid lines
+// it lies does not matter.
+TEST(VibrationLimit, OfExplicitStepsDoesNotFallWithTheWaterAboveAGridLine)
+{
+    Problem problem = bar();
+    problem.water = water_to(2.0);
+    problem.materials.push_back(problem.materials[0]);
+    problem.materials[1].saturated = false;
+    const auto limit = [&](double table) {
+        State state = fill(problem, 5, [](const Vector2& x) { return x.y() < 4.0; });
+        for (std::size_t p = 0; p < state.particles.size(); ++p)
+            state.particles.material[p] = state.particles.position.y[p] > table ? 1 : 0;
+        return vibration_limit(problem, state, long_step).dt;
+    };
+    for (const Interpolation interpolation :
+         {Interpolation::cpdi, Interpolation::gimp, Interpolation::linear}) {
+        problem.interpolation = interpolation;
+        const double on_line = limit(2.0);
+        for (const double part : {0.2, 0.4, 0.6, 0.8})
+            EXPECT_GT(limit(2.0 + 0.1 * part), 0.85 * on_line)
+                << static_cast<int>(interpolation) << ' ' << part;
+    }
+}
+
 TEST(VibrationLimit, ScalesWithLengthAndFallsWithTheRootOfTheModulus)
 {
     Problem problem = patch(1e-4, false);
