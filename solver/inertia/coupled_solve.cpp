@@ -124,9 +124,8 @@ void add_cells(double dt, double velocity_dt, const std::vector<std::size_t>& nu
     for (std::size_t slot = 0; slot < solve.of_cell.size(); ++slot) {
         const std::int32_t cell = solve.of_cell[slot];
         if (cell < 0) continue;
-        const double storage = velocity_dt / dt * pressure.storage[slot];
-        add(cell, cell, -storage, solve);
-        solve.right_hand_side[cell] += storage * pressure.expected[slot];
+        add(cell, cell, -velocity_dt / dt * pressure.storage[slot], solve);
+        solve.right_hand_side[cell] += velocity_dt / dt * known_inflow(pressure, slot);
     }
     for_each_touch(pressure, inertia.rows.nodes_x, [&](std::size_t slot, std::size_t i, const Vector2& D) {
         if (number_of_node[i] == nodes.size()) return;

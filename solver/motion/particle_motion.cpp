@@ -34,6 +34,21 @@ void advance_chunk(double dt, const Vectors& grid_velocity, std::size_t first, s
     }
 }
 
+VECTOR_KERNEL
+void take_middle_of_chunk(double dt, std::size_t first, std::size_t last, Gradients& L)
+{
+#pragma GCC ivdep
+    for (std::size_t p = first; p < last; ++p) {
+        // with the invariants of L: (L + dt/2 det L I) / det(I + dt/2 L)
+        const double half = 0.5 * dt, det = L.xx[p] * L.yy[p] - L.xy[p] * L.yx[p];
+        const double scale = 1.0 / (1.0 + half * (L.xx[p] + L.yy[p]) + half * half * det);
+        L.xx[p] = scale * (L.xx[p] + half * det);
+        L.yy[p] = scale * (L.yy[p] + half * det);
+        L.xy[p] *= scale;
+        L.yx[p] *= scale;
+    }
+}
+
 /// The rotations of a chunk's particles in a step.
 struct Rotations {
     double cosine[chunk], sine[chunk];
@@ -96,6 +111,13 @@ void displace_domains(double dt, const Vectors& grid_velocity, Particles& partic
             add_stretch(dt, L, p, particles.reference_edge_1, particles.half_edge_1);
             add_stretch(dt, L, p, particles.reference_edge_2, particles.half_edge_2);
         }
+    });
+}
+
+void take_gradients_of_the_middle(double dt, Particles& particles)
+{
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+        take_middle_of_chunk(dt, first, last, particles.velocity_gradient_solid);
     });
 }
 

@@ -34,6 +34,10 @@ template <class Velocity>
 std::int64_t advance_quadrilaterals(const BackgroundGrid& grid, double dt, Velocity&& velocity,
                                     Particles& particles);
 
+/// L <- L (I + dt/2 L)^-1: the gradient along the shape in the middle of the step, in which velocities stand.
+/// A rigid turn has no strain there, however long the step (Hughes and Winget 1980).
+void take_gradients_of_the_middle(double dt, Particles& particles);
+
 /// n = 1 - V_grains / V: the grains' volume is constant.
 void update_porosity(const Problem& problem, Particles& particles);
 
@@ -93,6 +97,7 @@ void move_particles(const Problem& problem, double dt, const Vectors& grid_veloc
     } else {
         advance_domains(dt, grid_velocity, state.particles);
     }
+    take_gradients_of_the_middle(dt, state.particles);
     if (problem.interpolation == Interpolation::cpdi) keep_domains_compact(problem, state.particles);
     if (problem.water) update_porosity(problem, state.particles);
 }

@@ -55,6 +55,27 @@ void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& 
     enter_exchange(problem, dt, particles, *state.balance_terms);
 }
 
+/// The volume of the water changes with that of the pores, also by what the divergence does not tell of a
+/// turn.
+void add_growth_of_turns(const Problem& problem, double dt, const Particles& particles, Scalars& divergence)
+{
+    if (problem.strain == StrainForm::small) return;
+    for_each_index(divergence.size(), [&](std::size_t p) {
+        divergence[p] += growth_of_turn(dt, particles.velocity_gradient_solid, p);
+    });
+}
+
+/// The same where the pressure is solved for before the motion is known: turns go on from step to step.
+void expect_growth_of_turns(const Problem& problem, double dt, const Particles& particles,
+                            SemiImplicitWorkspace& work)
+{
+    if (problem.strain == StrainForm::small) return;
+    Scalars& growth = work.pressure.growth;
+    growth.assign(problem.grid.cell_count(), 0.0);
+    const CellLists& lists = work.lists_with_pressure();
+    for_each_tile(lists, [&](const Tile& tile) { sum_growth_of_turns(dt, lists, tile, particles, growth); });
+}
+
 /// The solve ends before its last iteration only where it meets what is not a number.
 [[noreturn]] void fail_to_solve(const PressureSolve& pressure, const PressureSolveControls& controls,
                                 double dt, const State& state)
@@ -267,6 +288,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
+        add_growth_of_turns(problem, dt, particles, work.flux_divergence);
         advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure_increment, particles,
                               work.cell_means, [&](const Tile& tile) {
                                   explicit_increments(problem, dt, work.lists_with_pressure(), tile,
@@ -296,6 +318,8 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
             sum_moduli(problem, particles, work);
             together = is_long_step(problem, dt, work.sums, *work.inertia);
         });
+    timed(work.timers, Phase::pore_pressure,
+          [&] { expect_growth_of_turns(problem, dt, particles, work); });
     if (together) {
         answer_together(problem, dt, velocity_dt, state, work);
     } else {

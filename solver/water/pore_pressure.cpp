@@ -188,8 +188,11 @@ void undrained_increments(const Problem& problem, double dt, const CellLists& li
                           const Particles& particles, Scalars& increment)
 {
     const Gradients& L = particles.velocity_gradient_solid;
+    const bool large = problem.strain == StrainForm::large;
     increments_of(
-        problem, dt, lists, tile, particles, [&](std::size_t p) { return L.xx[p] + L.yy[p]; }, increment);
+        problem, dt, lists, tile, particles,
+        [&](std::size_t p) { return L.xx[p] + L.yy[p] + (large ? growth_of_turn(dt, L, p) : 0.0); },
+        increment);
 }
 
 void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
@@ -206,6 +209,19 @@ void prepare_increments(const Problem& problem, double dt, const CellLists& list
         }
         storage[slot] = pores / (acting_weight * problem.water->bulk_modulus);
         expected[slot] = acting_weight * dt * rate / volume;
+    });
+}
+
+void sum_growth_of_turns(double dt, const CellLists& lists, const Tile& tile, const Particles& particles,
+                         Scalars& growth)
+{
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        double sum = 0.0;
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            sum += particles.volume[p] * growth_of_turn(dt, particles.affine_velocity_solid, p);
+        }
+        growth[slot] = dt * sum;
     });
 }
 

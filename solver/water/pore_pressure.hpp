@@ -48,6 +48,13 @@ struct SolvedPressure {
     const Scalars& change;    // dp, of pressure and deficit together with a limit of tension [Pa]
 };
 
+/// dt det L: what the volume of a particle grows by in a step beyond tr L, over dt and the volume; det(I + dt
+/// L) = 1 + dt (tr L + dt det L). In a turn of the rate w it is dt w^2, against tr L = - dt w^2 [1/s].
+inline double growth_of_turn(double dt, const Gradients& L, std::size_t p)
+{
+    return dt * (L.xx[p] * L.yy[p] - L.xy[p] * L.yx[p]);
+}
+
 /// The lists of the saturated particles alone: only these have a pore pressure.
 void select_saturated(const Problem& problem, const Particles& particles, const CellLists& all,
                       CellLists& wet);
@@ -71,6 +78,10 @@ void undrained_increments(const Problem& problem, double dt, const CellLists& li
 /// For the semi-implicit step: n V / (b K_w) and b dt r of a tile's cells.
 void prepare_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                         const Particles& particles, Scalars& storage, Scalars& expected);
+
+/// Sum over a tile's cells of dt V growth_of_turn, from the affine velocities [m3/m].
+void sum_growth_of_turns(double dt, const CellLists& lists, const Tile& tile, const Particles& particles,
+                         Scalars& growth);
 
 /// For the semi-implicit step with a limit of tension: b times the deficit of a tile's cells, and the
 /// least increment: neither the pressure after the step nor the acting one falls below the limit [Pa].

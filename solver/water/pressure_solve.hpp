@@ -59,6 +59,7 @@ struct PressureSolve : PressureEquations {
     Scalars change;                              // dp, of pressure and deficit together with a limit [Pa]
     Scalars flux_x, flux_y;                      // of the nodes, flux* at first [m/s]
     Scalars force_x, force_y;   // of the increments on the nodes, zero before and after a solve [N/m]
+    Scalars growth;             // of the cells by turns in the step; empty: none [m3/m]
     Scalars right_hand_side;    // [m3/m]
     Scalars residual;           // of the equations [m3/m]
     Scalars answer;             // of the preconditioner to the residual [Pa]
@@ -75,6 +76,12 @@ struct PressureSolveControls {
     double tolerance = 1e-3;
     std::int32_t max_iterations = 500; // then the solve has failed
 };
+
+/// What takes up water in a cell whatever the increments: the pressure's rate, and turns of the soil [m3/m].
+inline double known_inflow(const PressureSolve& solve, std::size_t c)
+{
+    return solve.storage[c] * solve.expected[c] + (solve.growth.empty() ? 0.0 : solve.growth[c]);
+}
 
 PressureSolve make_pressure_solve(std::size_t tiles, std::size_t cells, std::size_t nodes);
 
