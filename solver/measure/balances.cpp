@@ -315,9 +315,11 @@ double storage_energy(const Problem& problem, const Particles& particles)
     double sum = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double pressure = excess_pore_pressure(particles, p);
-        sum += particles.porosity[p] * particles.volume[p] * pressure * pressure;
+        // cavities have opened against the tension of the limit
+        const double missing = particles.tension_deficit.empty() ? 0.0 : particles.tension_deficit[p];
+        sum += particles.porosity[p] * particles.volume[p] * pressure * (0.5 * pressure + missing);
     }
-    return 0.5 * sum / problem.water->bulk_modulus;
+    return sum / problem.water->bulk_modulus;
 }
 
 double water_content(const Problem& problem, const Particles& particles)

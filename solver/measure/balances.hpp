@@ -61,7 +61,8 @@ struct BalanceErrors {
 
 BalanceErrors balance(const Problem& problem, const State& state);
 
-/// sum n V p^2 / (2 K_w) of the excess pressure: energy stored in the water [J/m].
+/// sum n V p (p/2 + d) / K_w of the excess pressure p and of the tension d that is missing to it: energy
+/// stored in the water and in its cavities [J/m].
 double storage_energy(const Problem& problem, const Particles& particles);
 
 /// sum n V (1 + p / K_w), p the whole pressure: the pore water's volume without pressure [m3/m].
