@@ -310,6 +310,12 @@ BalanceErrors balance(const Problem& problem, const State& state)
     return result;
 }
 
+double energy_put_in(const BalanceTerms& terms)
+{
+    return terms.opening_kinetic_energy + terms.opening_storage_energy + std::abs(terms.gravity_work) +
+           std::abs(terms.base_work) + std::abs(terms.boundary_work);
+}
+
 double storage_energy(const Problem& problem, const Particles& particles)
 {
     double sum = 0.0;

@@ -61,6 +61,9 @@ struct BalanceErrors {
 
 BalanceErrors balance(const Problem& problem, const State& state);
 
+/// What there was at the opening, and the sizes of the works from outside since [J/m].
+double energy_put_in(const BalanceTerms& terms);
+
 /// sum n V p (p/2 + d) / K_w of the excess pressure p and of the tension d that is missing to it: energy
 /// stored in the water and in its cavities [J/m].
 double storage_energy(const Problem& problem, const Particles& particles);

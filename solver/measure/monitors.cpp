@@ -1,5 +1,6 @@
 #include "solver/measure/monitors.hpp"
 
+#include "solver/base/threads.hpp"
 #include "solver/interpolation/cpdi2.hpp"
 
 #include <algorithm>
@@ -17,11 +18,16 @@ void add_phase(double mass, const Vector2& velocity, Monitors& monitors)
     monitors.kinetic_energy += 0.5 * mass * velocity.squaredNorm();
 }
 
-void add_fluid(const Problem& problem, const Particles& particles, std::size_t p, Monitors& monitors)
+double water_mass(const Problem& problem, const Particles& particles, std::size_t p)
 {
     const double volume = particles.water_volume.empty() ? particles.porosity[p] * particles.volume[p]
                                                          : particles.water_volume[p];
-    const double mass = problem.water->density * volume;
+    return problem.water->density * volume;
+}
+
+void add_fluid(const Problem& problem, const Particles& particles, std::size_t p, Monitors& monitors)
+{
+    const double mass = water_mass(problem, particles, p);
     monitors.mass_fluid += mass;
     monitors.kinetic_energy_fluid += 0.5 * mass * velocity_of_water(particles, p).squaredNorm();
     add_phase(mass, velocity_of_water(particles, p), monitors);
@@ -82,6 +88,21 @@ Monitors monitor(const Problem& problem, const State& state, const std::vector<s
     }
     monitors.crest_settlement = crest_settlement(particles, crest);
     return monitors;
+}
+
+double kinetic_energy(const Problem& problem, const Particles& particles)
+{
+    return ordered_sum(particles.size(), 0.0, [&](std::size_t first, std::size_t last) {
+        double sum = 0.0;
+        for (std::size_t p = first; p < last; ++p) {
+            sum += 0.5 * particles.mass_solid[p] * particles.velocity_solid[p].squaredNorm();
+            const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+            if (water_of(problem, material))
+                sum +=
+                    0.5 * water_mass(problem, particles, p) * velocity_of_water(particles, p).squaredNorm();
+        }
+        return sum;
+    });
 }
 
 } // namespace quicksand

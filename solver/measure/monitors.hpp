@@ -33,4 +33,7 @@ double ru_stress_threshold(const Problem& problem);
 
 Monitors monitor(const Problem& problem, const State& state, const std::vector<std::int32_t>& crest);
 
+/// The kinetic energy of both phases alone [J/m].
+double kinetic_energy(const Problem& problem, const Particles& particles);
+
 } // namespace quicksand

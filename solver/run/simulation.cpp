@@ -71,6 +71,7 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
             report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
                                       state.step % steps_between_restarts == 0;
             if (report.is_restart_point) watchdog.check(problem, report.time_step.dt, state);
+            if (arrives) watchdog.check_growth(problem, report.time_step.dt, state); // before it is looked at
         } catch (const NumericalError& error) {
             watchdog.go_back(error, state);
             stepper = make_stepper(problem);
@@ -81,7 +82,7 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
         report.time = state.time;
         report.limited_domains = stepper->limited_domains();
         for (Observer* observer : observers) observer->after_step(report);
-        if (report.is_restart_point || (arrives && watchdog.may_keep(state))) watchdog.keep(problem, state);
+        if (report.is_restart_point) watchdog.keep(problem, state);
         if (arrives) observe_due(problem, observers, state, report);
         if (!report.is_restart_point) continue;
         stepper->restart();

@@ -333,6 +333,14 @@ double ColumnObserver::next_time() const
     return next_event(observers_, std::numeric_limits<double>::infinity());
 }
 
+bool ColumnObserver::marks_restarts() const
+{
+    const double next = next_time();
+    return std::any_of(observers_.begin(), observers_.end(), [next](const Observer* observer) {
+        return observer->marks_restarts() && observer->next_time() <= next;
+    });
+}
+
 void ColumnObserver::observe(const Problem&, const State& state, const StepReport& report)
 {
     widen(column_, state, wide_);

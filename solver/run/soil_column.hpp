@@ -55,6 +55,7 @@ public:
     ColumnObserver(const SoilColumn& column, const Problem& body, std::vector<Observer*> observers);
 
     double next_time() const override;
+    bool marks_restarts() const override;
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
     void after_step(const StepReport& report) override;
     void went_back(const FailureRecord& record, const State& state) override;

@@ -1,5 +1,6 @@
 // Runs that become unstable go back and take shorter steps.
 #include "solver/measure/balances.hpp"
+#include "solver/measure/monitors.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/run/watchdog.hpp"
 #include "tests/fixtures/restless_patch.hpp"
@@ -101,6 +102,50 @@ TEST(Watchdog, TellsThatStepsMakeEnergy)
         EXPECT_EQ(error.record.what.find("the steps have made energy, "), 0U) << error.record.what;
         EXPECT_EQ(std::string(error.record.causes).find("the time step is too long"), 0U);
     }
+}
+
+// It does not grow: the steps make energy, and the transfers lose it at once.
+TEST(Watchdog, TellsThatEnergyIsMadeAndLostAgain)
+{
+    Patch patch(1.0);
+    const Watchdog watchdog(patch.problem, patch.state);
+    patch.state.step = 1;
+    BalanceTerms& terms = *patch.state.balance_terms;
+    terms.wall_loss = 1.9 * energy_put_in(terms);
+    EXPECT_NO_THROW(watchdog.check(patch.problem, 1e-6, patch.state));
+    terms.wall_loss = 2.2 * energy_put_in(terms);
+    EXPECT_NO_THROW(watchdog.check_growth(patch.problem, 1e-6, patch.state));
+    try {
+        watchdog.check(patch.problem, 1e-6, patch.state);
+        FAIL() << "no error";
+    } catch (const NumericalError& error) {
+        EXPECT_EQ(error.record.what.find(
+                      "the steps have made energy that is lost again between particles and grid, "
+                      "220 % of all that was put in"),
+                  0U)
+            << error.record.what;
+    }
+}
+
+// What was lost before is no reason to go back once more.
+TEST(Watchdog, CountsTheLossSinceTheLastRestartPoint)
+{
+    Patch patch(1.0);
+    BalanceTerms& terms = *patch.state.balance_terms;
+    terms.wall_loss = 5.0 * energy_put_in(terms);
+    const Watchdog watchdog(patch.problem, patch.state);
+    patch.state.step = 1;
+    EXPECT_NO_THROW(watchdog.check(patch.problem, 1e-6, patch.state));
+    terms.wall_loss += 0.2 * energy_put_in(terms);
+    EXPECT_THROW(watchdog.check(patch.problem, 1e-6, patch.state), NumericalError);
+}
+
+TEST(Watchdog, SumsTheKineticEnergyAsTheMonitorsDo)
+{
+    Patch patch(1.0);
+    EXPECT_NEAR(kinetic_energy(patch.problem, patch.state.particles) /
+                    monitor(patch.problem, patch.state, {}).kinetic_energy,
+                1.0, 1e-13);
 }
 
 } // namespace
