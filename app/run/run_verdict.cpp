@@ -104,17 +104,19 @@ std::vector<Finding> judge_history(const ResultsFolder& folder)
     return times == nullptr ? std::vector<Finding>() : judge_rows(table, *times);
 }
 
-std::string describe_verdict(const std::vector<Finding>& findings)
+std::string describe_verdict(const std::vector<Finding>& findings, std::int64_t step_halvings)
 {
     const Grade grade = worst_grade(findings);
     std::string text = fmt::format("Verdict: {}", name_of(grade));
-    if (grade == Grade::good) {
-        for (const Finding& finding : findings)
+    for (const Finding& finding : findings) {
+        if (grade == Grade::good)
             text += fmt::format("{} {}", &finding == &findings.front() ? "; largest" : ",", amount(finding));
-        return text;
+        else if (finding.grade != Grade::good)
+            text += "\n  " + what_is_wrong(finding);
     }
-    for (const Finding& finding : findings)
-        if (finding.grade != Grade::good) text += "\n  " + what_is_wrong(finding);
+    if (step_halvings > 0)
+        text += fmt::format("\n  the step that was chosen was too long: the watchdog has halved it {}",
+                            step_halvings == 1 ? "once" : fmt::format("{} times", step_halvings));
     return text;
 }
 

@@ -33,9 +33,10 @@ public:
     {
         write_run_manifest(path_, manifest_);
     }
-    void reach(double time, std::int64_t steps)
+    void reach(const State& state, std::int64_t steps)
     {
-        manifest_.simulated_time = time;
+        manifest_.simulated_time = state.time;
+        manifest_.step_halvings = state.step_halvings;
         manifest_.steps = steps;
     }
     void judge(const std::vector<Finding>& findings) { manifest_.findings = findings; }
@@ -152,11 +153,11 @@ void shake(Session& session, bool begins)
         run.shake(observers, StopSignal::received);
     } catch (...) {
         progress.clear();
-        session.manifest.reach(run.state().time, progress.steps());
+        session.manifest.reach(run.state(), progress.steps());
         throw;
     }
     progress.clear();
-    session.manifest.reach(run.state().time, progress.steps());
+    session.manifest.reach(run.state(), progress.steps());
     keep_state(session);
     if (!begins && progress.steps() == 0) {
         session.journal.say(fmt::format(
@@ -215,7 +216,7 @@ SessionEnd end_with_verdict(Session& session)
         session.journal.complain(reason);
         return SessionEnd::failed;
     }
-    session.journal.say(describe_verdict(findings));
+    session.journal.say(describe_verdict(findings, session.run.state().step_halvings));
     session.manifest.end(RunStatus::finished, "reached the end time");
     return SessionEnd::finished;
 }

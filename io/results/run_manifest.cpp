@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <ctime>
 #include <fstream>
 
@@ -71,6 +72,13 @@ double particle_steps_per_second(const RunManifest& manifest)
     return static_cast<double>(manifest.particles) * static_cast<double>(manifest.steps) / manifest.wall_time;
 }
 
+/// Discarded where the file is missing or damaged.
+nlohmann::json read_json(const std::filesystem::path& path)
+{
+    if (!std::filesystem::exists(path)) return nlohmann::json(nlohmann::json::value_t::discarded);
+    return nlohmann::json::parse(read_text(path), nullptr, false);
+}
+
 using Json = nlohmann::ordered_json;
 
 /// What stands in the file.
@@ -117,6 +125,7 @@ const std::array fields = {
     Field{"steps", "taken by this process", [](const RunManifest& m) { return Json(m.steps); }},
     Field{"particles", "computed", [](const RunManifest& m) { return Json(m.particles); }},
     Field{"particle_steps_per_s", "particles times steps over the wall time", [](const RunManifest& m) { return Json(particle_steps_per_second(m)); }},
+    Field{"step_halvings", "how often the watchdog has halved the step: 0 where the chosen one held", [](const RunManifest& m) { return Json(m.step_halvings); }},
     Field{"verdict", "good, usable or bad, by the largest errors; empty before the end", [](const RunManifest& m) { return Json(m.findings.empty() ? "" : name_of(worst_grade(m.findings))); }},
     Field{"largest_errors", "of the balances and checkerboards over the run", errors_of},
     Field{"compiler", "that built the program", [](const RunManifest&) { return Json(compiler_name()); }},
@@ -222,13 +231,19 @@ RunManifest begin_manifest(const Scene& scene, const std::vector<std::string>& o
 
 std::optional<RunStatus> read_run_status(const std::filesystem::path& path)
 {
-    if (!std::filesystem::exists(path)) return std::nullopt;
-    const auto json = nlohmann::json::parse(read_text(path), nullptr, false);
+    const auto json = read_json(path);
     if (!json.is_object() || !json.contains("status")) return std::nullopt;
     for (const RunStatus status :
          {RunStatus::running, RunStatus::finished, RunStatus::failed, RunStatus::stopped})
         if (json["status"] == name_of(status)) return status;
     return std::nullopt;
+}
+
+double read_step_halvings(const std::filesystem::path& path)
+{
+    const auto json = read_json(path);
+    const bool tells = json.is_object() && json.contains("step_halvings");
+    return tells && json["step_halvings"].is_number() ? json["step_halvings"].get<double>() : std::nan("");
 }
 
 void write_run_manifest(const std::filesystem::path& path, const RunManifest& manifest)

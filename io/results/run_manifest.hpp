@@ -63,6 +63,7 @@ struct RunManifest {
     double simulated_time = 0.0;      // t reached [s]
     std::int64_t steps = 0;           // taken by this process [-]
     std::size_t particles = 0;
+    std::int64_t step_halvings = 0;   // by the watchdog [-]
     std::vector<Finding> findings;    // of the verdict; none before the end
     std::vector<std::string> outputs; // relative to the results folder
 };
@@ -76,6 +77,9 @@ RunManifest begin_manifest(const Scene& scene, const std::vector<std::string>& o
 
 /// The status in the manifest, none where it is missing or damaged. Throws FileError when it cannot be read.
 std::optional<RunStatus> read_run_status(const std::filesystem::path& path);
+
+/// How often the watchdog has halved the step, NaN where the manifest does not tell it. Throws FileError.
+double read_step_halvings(const std::filesystem::path& path);
 
 /// Write the manifest as JSON, replacing a former one as a whole. Throws FileError.
 void write_run_manifest(const std::filesystem::path& path, const RunManifest& manifest);

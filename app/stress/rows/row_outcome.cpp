@@ -5,6 +5,7 @@
 #include "app/stress/rows/row_numbers.hpp"
 #include "geometry/drawing/text_file.hpp"
 #include "io/pictures/picture_table.hpp"
+#include "io/results/run_manifest.hpp"
 
 #include <fmt/format.h>
 
@@ -129,6 +130,7 @@ RowOutcome read_outcome(const StressRow& row, const RowFiles& files, const Proce
     outcome.seconds = process.seconds;
     outcome.end = end_of(process, files, outcome.reason);
     read_history(files, outcome);
+    outcome.halvings = read_step_halvings(ResultsFolder{files.results()}.manifest());
     if (fs::exists(files.margin())) {
         const PictureTable margin = read_picture_table(files.margin());
         outcome.margin = margin.find("margin")->back();

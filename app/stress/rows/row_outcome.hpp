@@ -28,6 +28,7 @@ struct RowOutcome {
     double displacement = NAN;      // at the end [m]
     double margin = NAN;            // largest stable step over the own one; NaN: not measured [-]
     double disagreement = NAN;      // of the displacement from the twin's; NaN without one [-]
+    double halvings = NAN;          // of the step by the watchdog; NaN: not told [-]
     double seconds = 0.0;           // wall time of the run [s]
     std::string bad_file;           // the first that holds what is no number; "" without any
 };

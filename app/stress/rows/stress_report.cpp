@@ -30,6 +30,7 @@ constexpr std::array measured = {
     Measured{"max v", "largest_velocity_m_s", &RowOutcome::velocity},
     Measured{"margin", "step_margin", &RowOutcome::margin},
     Measured{"twin", "disagreement", &RowOutcome::disagreement},
+    Measured{"halved", "step_halvings", &RowOutcome::halvings},
     Measured{"time s", "seconds", &RowOutcome::seconds},
 };
 
@@ -103,6 +104,7 @@ std::string describe_summary(const StressSummary& summary, std::size_t most)
     text += section_of("Files that hold no numbers", summary.unreadable, most);
     text += section_of("Failures at a step that the program chose", summary.failures, most);
     text += section_of("Faster than what acts on them can make them", summary.too_fast, most);
+    text += section_of("Steps that the program chose, and the watchdog halved", summary.halved, most);
     text += section_of(
         fmt::format("Largest stable step over the own one not within {} to {}", least_margin, most_margin),
         summary.poor_margins, most);

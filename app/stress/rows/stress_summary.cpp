@@ -36,6 +36,11 @@ bool is_failure(const RowOutcome& outcome)
     return outcome.row.step_factor <= 1.0 && !ended_well(outcome) && outcome.end != RowEnd::refused;
 }
 
+bool was_halved(const RowOutcome& outcome)
+{
+    return outcome.row.step_factor <= 1.0 && ended_well(outcome) && outcome.halvings > 0.0;
+}
+
 bool is_too_fast(const RowOutcome& outcome)
 {
     return outcome.velocity > outcome.row.most_velocity;
@@ -81,6 +86,8 @@ StressSummary summarize(const std::vector<RowOutcome>& outcomes)
             summary.too_fast.push_back(
                 line_of(outcome, fmt::format("{} m/s, at most {}", short_number(outcome.velocity, 2),
                                              short_number(outcome.row.most_velocity))));
+        if (was_halved(outcome))
+            summary.halved.push_back(line_of(outcome, fmt::format("{} times", outcome.halvings)));
         if (has_poor_margin(outcome))
             summary.poor_margins.push_back(line_of(outcome, short_number(outcome.margin, 3)));
         if (outcome.disagreement > most_disagreement)

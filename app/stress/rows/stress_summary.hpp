@@ -25,6 +25,9 @@ bool is_silent(const RowOutcome& outcome);
 /// It stopped, crashed or went on for too long, or its balances are bad, at a step that the program chose.
 bool is_failure(const RowOutcome& outcome);
 
+/// It reached its end with a shorter step than the one that the program chose.
+bool was_halved(const RowOutcome& outcome);
+
 /// Faster than its boundaries can make it: at rest for most of the rows that have a limit.
 bool is_too_fast(const RowOutcome& outcome);
 
@@ -36,7 +39,8 @@ void compare_twins(std::vector<RowOutcome>& outcomes);
 struct StressSummary {
     std::size_t rows = 0;
     std::vector<std::size_t> ends; // rows by RowEnd
-    std::vector<std::string> silent, failures, unreadable, too_fast, poor_margins, disagreeing; // "row: what"
+    std::vector<std::string> silent, failures, unreadable, too_fast, halved, poor_margins,
+        disagreeing; // "row: what"
 };
 
 StressSummary summarize(const std::vector<RowOutcome>& outcomes);

@@ -38,5 +38,15 @@ TEST(RunVerdict, CountsTheEnergyAtTheStart)
     EXPECT_EQ(worst_grade(verdict_on(head + "0,1,0,9,0\n1,0,10,0,0\n")), Grade::good);
 }
 
+TEST(RunVerdict, TellsHowOftenTheStepWasHalved)
+{
+    const std::vector<Finding> findings = verdict_on("time_s,energy_error\n0,0\n1,1e-4\n");
+    EXPECT_EQ(describe_verdict(findings, 0), "Verdict: good; largest energy error 0.0001");
+    EXPECT_EQ(describe_verdict(findings, 1),
+              "Verdict: good; largest energy error 0.0001\n  the step that was chosen "
+              "was too long: the watchdog has halved it once");
+    EXPECT_NE(describe_verdict(findings, 3).find("has halved it 3 times"), std::string::npos);
+}
+
 } // namespace
 } // namespace quicksand

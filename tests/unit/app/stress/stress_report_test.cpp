@@ -131,6 +131,7 @@ TEST(StressSummary, CountsWhatIsNotAsItShouldBe)
     outcomes[0].velocity = 1e-3;
     outcomes[5].row.twin = "well";
     outcomes[5].displacement = 0.9;
+    outcomes[5].halvings = 2.0;
     compare_twins(outcomes);
     const StressSummary summary = summarize(outcomes);
     EXPECT_EQ(summary.rows, 6u);
@@ -141,6 +142,7 @@ TEST(StressSummary, CountsWhatIsNotAsItShouldBe)
     EXPECT_EQ(summary.failures, std::vector<std::string>{"steps/stopped: stopped: "});
     EXPECT_EQ(summary.poor_margins, std::vector<std::string>{"steps/stopped: 0.9"});
     EXPECT_EQ(summary.too_fast, std::vector<std::string>{"steps/well: 0.001 m/s, at most 0.0001"});
+    EXPECT_EQ(summary.halved, std::vector<std::string>{"steps/twin: 2 times"});
     EXPECT_EQ(summary.disagreeing, std::vector<std::string>{"steps/twin: 10 % from well"});
 }
 
