@@ -9,6 +9,30 @@ namespace quicksand {
 
 namespace {
 
+/// Boxes whose edges lie on grid lines reach over them as soon as the soil moves. The nodes beyond have
+/// masses that go to zero with the square of the overlap, as their stiffness does: limits that do not depend
+/// on it.
+bool reaches_over_lines(const Problem& problem)
+{
+    return problem.strain == StrainForm::large &&
+           (problem.interpolation == Interpolation::gimp || problem.interpolation == Interpolation::cpgimp);
+}
+
+/// The limit of the nodes' vibration, of boxes a little beside where they are [s].
+double limit_of(const Problem& problem, const State& state, double largest)
+{
+    if (!reaches_over_lines(problem)) return vibration_limit(problem, state, largest).dt;
+    constexpr double overlap = 1e-3; // [cells]
+    for (const double side : {1.0, -1.0}) {
+        State moved = state;
+        const double way = side * overlap * problem.grid.cell_size;
+        for (double& x : moved.particles.position.x) x += way;
+        for (double& y : moved.particles.position.y) y += way;
+        largest = std::min(largest, vibration_limit(problem, moved, largest).dt);
+    }
+    return largest;
+}
+
 double measure_scale(const Problem& problem, const State& state)
 {
     if (problem.scheme == TimeScheme::implicit) return 1.0; // their inertia bears any step
@@ -19,7 +43,7 @@ double measure_scale(const Problem& problem, const State& state)
     whole.step_fraction = 1.0;
     whole.strain = StrainForm::small; // the motion does not limit the waves
     const double closed = stable_time_step(whole, state.particles).dt;
-    const double scale = margin * vibration_limit(problem, state, closed / margin).dt / closed;
+    const double scale = margin * limit_of(problem, state, closed / margin) / closed;
     return std::clamp(scale, least_step_scale, 1.0);
 }
 

@@ -146,5 +146,21 @@ TEST(StepBound, ShortensTheStepOfNearlyIncompressibleSoil)
                      state.step_scale * stable_time_step(problem, state.particles).dt);
 }
 
+// A box of length l that reaches over the last line with its edge gives the node there K/m = 2 M/(rho h l),
+// however small the overlap, and keeps nothing of its motion (F = 0): dt = sqrt(2)/omega = sqrt(l/h) h/c.
+TEST(StepBound, OfBoxesOnGridLinesIsThatOfBoxesThatReachOverThem)
+{
+    Problem problem = bar();
+    problem.interpolation = Interpolation::gimp;
+    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < 4.0; });
+    measure_bound(problem, state);
+    const double c = wave_speeds(stiff_sand(), std::nullopt, 0.43).skeleton;
+    const double limit = std::sqrt(1.0 / 3.0) * 0.1 / c;
+    EXPECT_NEAR(bounded_time_step(problem, state).dt, 0.9 * limit, 0.05 * limit);
+    problem.strain = StrainForm::small; // nothing moves over the lines
+    measure_bound(problem, state);
+    EXPECT_EQ(state.step_scale, 1.0);
+}
+
 } // namespace
 } // namespace quicksand
