@@ -209,6 +209,28 @@ Particles first_column(const Particles& particles, const Columns& columns)
     return narrow;
 }
 
+/// The pieces and slivers of the first column, with its numbers; false where a sliver is carried by another
+/// column.
+bool narrow_cut_domains(const Particles& particles, const Columns& columns, CutDomains& cut)
+{
+    std::map<std::int32_t, std::int32_t> number; // by that in the body
+    for (const std::size_t p : columns.particles)
+        number.emplace(particles.identifier[p], static_cast<std::int32_t>(number.size()));
+    CutDomains narrow;
+    for (const std::size_t p : columns.particles)
+        if (cut.has_pieces()) narrow.pieces.push_back(cut.is_piece(particles.identifier[p]) ? 1 : 0);
+    for (Sliver sliver : cut.slivers) {
+        const auto own = number.find(sliver.identifier), carrier = number.find(sliver.carrier);
+        if (own == number.end()) continue;
+        if (carrier == number.end()) return false;
+        sliver.identifier = own->second;
+        sliver.carrier = carrier->second;
+        narrow.slivers.push_back(sliver);
+    }
+    cut = std::move(narrow);
+    return true;
+}
+
 void narrow_problem(Problem& problem)
 {
     for (Boundary& boundary : problem.boundaries)
@@ -246,6 +268,10 @@ ColumnSearch find_soil_column(const Problem& problem, const State& state)
             return search;
         }
         boundary.pieces = std::move(*pieces);
+    }
+    if (!narrow_cut_domains(particles, columns, column.problem.cut_domains)) {
+        search.obstacle = "thin pieces of soil are carried by the column beside theirs";
+        return search;
     }
     narrow_problem(column.problem);
     column.state.particles = first_column(particles, columns);
