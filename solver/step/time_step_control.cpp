@@ -1,8 +1,8 @@
 #include "solver/step/time_step_control.hpp"
 
 #include "solver/base/failure.hpp"
-#include "solver/step/accuracy_control.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
+#include "solver/step/accuracy_control.hpp"
 #include "solver/step/cell_extremes.hpp"
 
 #include <algorithm>

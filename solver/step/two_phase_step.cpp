@@ -318,8 +318,7 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
             sum_moduli(problem, particles, work);
             together = is_long_step(problem, dt, work.sums, *work.inertia);
         });
-    timed(work.timers, Phase::pore_pressure,
-          [&] { expect_growth_of_turns(problem, dt, particles, work); });
+    timed(work.timers, Phase::pore_pressure, [&] { expect_growth_of_turns(problem, dt, particles, work); });
     if (together) {
         answer_together(problem, dt, velocity_dt, state, work);
     } else {
