@@ -115,10 +115,10 @@ TEST_F(SameBits, ForAnyNumberOfThreads)
     expect_same_files("single");
 }
 
-TEST_F(SameBits, AfterAStopAtAnOutputTimeAndAResume)
+TEST_F(SameBits, AfterAStopAtAFrameAndAResume)
 {
     const std::string results = (folder / "parts").string();
-    ASSERT_EQ(run_program(column_run + results + " --until 6e-4").code, 0);
+    ASSERT_EQ(run_program(column_run + results + " --until 2e-3").code, 0);
     const Outcome second = run_program(column_run + results + " --resume");
     ASSERT_EQ(second.code, 0) << second.output;
     expect_same_bits(final_state(folder / "whole"), final_state(results));

@@ -12,7 +12,7 @@ namespace {
 
 using namespace fixtures;
 
-/// The shaken ground's state after a while, computed from all columns of cells or from one.
+/// The ground's state after a cycle of shaking, computed from all columns of cells or from one.
 State shaken(const AssembledCase& ground, ColumnsComputed columns)
 {
     StagedRun run(ground.problem, ground.state, {0.05, columns, true});
@@ -36,6 +36,10 @@ soil = "tied"
 tied_to = "left"
 [sampling]
 particles_per_cell = [3, 3]
+[motion]
+kind = "sine"
+amplitude = "0.1 g"
+frequency = "20 Hz"
 )";
     const AssembledCase ground =
         assemble(scene_with(0.5, {0.0, 0.0}, 8, 6, elastic + walls), polygon_section(corners));

@@ -155,10 +155,10 @@ TEST(StressReport, APageAndATableHaveEveryRow)
     const std::string table = text_of(folder / "stress.csv");
     EXPECT_NE(table.find("group,row,end,energy_error,last_energy_error,numerical_loss,water_error,momentum_"
                          "error,checkerboard,"
-                         "largest_velocity_m_s,step_margin,disagreement,seconds,remark\n"),
+                         "largest_velocity_m_s,step_margin,disagreement,step_halvings,seconds,remark\n"),
               std::string::npos)
         << table;
-    EXPECT_NE(table.find("steps,silent,good,0.5,0.5,,,,,,,,0,\"SILENT FAILURE\"\n"), std::string::npos)
+    EXPECT_NE(table.find("steps,silent,good,0.5,0.5,,,,,,,,,0,\"SILENT FAILURE\"\n"), std::string::npos)
         << table;
     write_stress_page(folder / "stress.md", outcomes, {folder / "stress.png"});
     const std::string page = text_of(folder / "stress.md");
