@@ -210,16 +210,30 @@ double set_right_hand_side(const BackgroundGrid& grid, const CellLists& lists, d
     });
 }
 
-/// Conjugate gradients from the present increments; those of cells with cavities stay.
-bool iterate(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions, double dt,
-             double target, const PressureSolveControls& controls, PressureSolve& solve)
+/// What increments leave, of which lacking(cell) is asked; returns the measure of convergence.
+template <class Lacking>
+double begin_residual(const CellLists& lists, PressureSolve& solve, Lacking&& lacking)
+{
+    return set_residual(lists, solve, [&](std::size_t c) {
+        solve.residual[c] = is_held(solve, c) ? 0.0 : lacking(c);
+        if (is_held(solve, c)) solve.cavity.lacking[c] = lacking(c);
+    });
+}
+
+/// What the present increments leave.
+double residual_of_increments(const BackgroundGrid& grid, const CellLists& lists,
+                              const NodeConditions& conditions, double dt, PressureSolve& solve)
 {
     multiply(grid, lists, conditions, dt, solve.increment, solve);
-    double error = set_residual(lists, solve, [&](std::size_t c) {
-        const double lacking = solve.right_hand_side[c] - solve.product[c];
-        solve.residual[c] = is_held(solve, c) ? 0.0 : lacking;
-        if (is_held(solve, c)) solve.cavity.lacking[c] = lacking;
-    });
+    return begin_residual(lists, solve,
+                          [&](std::size_t c) { return solve.right_hand_side[c] - solve.product[c]; });
+}
+
+/// Conjugate gradients from the present increments, which leave the residual, and a measure of it; those of
+/// cells with cavities stay.
+bool iterate(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions, double dt,
+             double error, double target, const PressureSolveControls& controls, PressureSolve& solve)
+{
     double weight = 0.0; // residual . M^-1 residual
     for (bool first = true; error > target; first = false, ++solve.iterations) {
         if (solve.iterations == controls.max_iterations) return false;
@@ -277,7 +291,10 @@ bool revise_cavities(const CellLists& lists, PressureSolve& solve)
 bool converge(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions, double dt,
               double target, const PressureSolveControls& controls, PressureSolve& solve)
 {
-    const auto settle = [&] { return iterate(grid, lists, conditions, dt, target, controls, solve); };
+    const auto settle = [&] {
+        const double error = residual_of_increments(grid, lists, conditions, dt, solve);
+        return iterate(grid, lists, conditions, dt, error, target, controls, solve);
+    };
     if (solve.cavity.cavities.empty()) return settle();
     constexpr int most_sets = 30; // then the last is taken: a cell at the limit may belong to either
     begin_cavities(lists, solve);
@@ -327,8 +344,10 @@ bool answer_flux(const BackgroundGrid& grid, const CellLists& lists, const NodeC
     sum_to_roots(solve, solve.right_hand_side);
     std::fill(solve.increment.begin(), solve.increment.end(), 0.0);
     solve.iterations = 0;
-    return iterate(grid, lists, conditions, dt, controls.tolerance * controls.tolerance * scale, controls,
-                   solve);
+    const double error =
+        begin_residual(lists, solve, [&](std::size_t c) { return solve.right_hand_side[c]; });
+    return iterate(grid, lists, conditions, dt, error, controls.tolerance * controls.tolerance * scale,
+                   controls, solve);
 }
 
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,
