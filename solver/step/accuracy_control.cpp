@@ -18,6 +18,7 @@ constexpr double smoothed_cells = 1.0;     // over which accelerations are smoot
 constexpr double steps_per_period = 200.0; // of a sine
 constexpr double growth = 1.1;             // of the step when nothing moves the soil any more
 constexpr double pressure_change = 0.02;   // in a step, of the largest excess pressure
+constexpr double strain_change = 0.05;     // in a step, of the particle that is strained fastest
 constexpr double least_pressure = 0.005;   // that counts as the largest one, of the largest sigma'_v0
 
 /// Call visit(history) for the histories of all boundaries.
@@ -61,6 +62,19 @@ bool moves_on(const Boundary& boundary)
     return wall != nullptr && wall->motion.quantity == MotionQuantity::velocity;
 }
 
+/// The step in which no particle is strained more than it may: accelerations of grains that leave the body
+/// are resisted by the stiffness of cells that they do not fill [s].
+double strain_step(const Particles& particles)
+{
+    const Gradients& L = particles.affine_velocity_solid;
+    double fastest = 0.0; // squared
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double shear = L.xy[p] + L.yx[p];
+        fastest = std::max(fastest, L.xx[p] * L.xx[p] + L.yy[p] * L.yy[p] + 0.5 * shear * shear);
+    }
+    return strain_change / std::sqrt(fastest);
+}
+
 /// The step in which pore pressures change as much as they may [s].
 double pressure_step(const Particles& particles)
 {
@@ -96,15 +110,20 @@ double end_of_motion(const Problem& problem)
 TimeStep accurate_time_step(const Problem& problem, double time, double last_step, double wave_step,
                             const Particles& particles, const CellExtremes& extremes)
 {
+    const auto at_least_wave = [&](double dt, TimeStepLimiter limiter) {
+        return TimeStep{std::max(dt, wave_step), limiter, ""};
+    };
+    TimeStep step = at_least_wave(strain_step(particles), TimeStepLimiter::strain);
+    const auto limit = [&](const TimeStep& other) { step = other.dt < step.dt ? other : step; };
     if (time < end_of_motion(problem)) {
         const double reach = smoothed_cells * problem.grid.cell_size / std::sqrt(inertia_fraction);
-        const TimeStep smooth{reach / extremes.shear_speed, TimeStepLimiter::inertia, ""};
-        const TimeStep shaken{resolving_step(problem), TimeStepLimiter::shaking, ""};
-        return smooth.dt < shaken.dt ? smooth : shaken;
+        limit({reach / extremes.shear_speed, TimeStepLimiter::inertia, ""});
+        limit({resolving_step(problem), TimeStepLimiter::shaking, ""});
+    } else {
+        limit(at_least_wave(growth * last_step, TimeStepLimiter::growth));
+        limit(at_least_wave(pressure_step(particles), TimeStepLimiter::pressure));
     }
-    const TimeStep grown{std::max(growth * last_step, wave_step), TimeStepLimiter::growth, ""};
-    const TimeStep drained{std::max(pressure_step(particles), wave_step), TimeStepLimiter::pressure, ""};
-    return grown.dt < drained.dt ? grown : drained;
+    return step;
 }
 
 } // namespace quicksand

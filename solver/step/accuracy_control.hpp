@@ -2,9 +2,9 @@
 //
 // While something moves the soil (the base, loads, walls, water with a history) the step is at most
 //   h / (sqrt(beta) c_s)   accelerations are smoothed over sqrt(beta) c_s dt, which is then a cell; c_s the
-//   shear
-//                          wave speed of typical soil: root of the mean of G / density by volume
+//                          speed of shear waves of typical soil: root of the mean of G / density by volume
 //   1/200 of the period of a sine, the interval of a record
+//   0.05                   strain of the particle that is strained fastest, but not below the waves' step
 // After that, and in scenes where nothing moves the soil, it starts at the limit of the waves and grows by a
 // factor from step to step, as long as pore pressures change by a small part of the largest.
 #pragma once

@@ -5,7 +5,7 @@
 
 namespace quicksand {
 
-enum class TimeStepLimiter { wave, vibration, inertia, shaking, growth, pressure, motion, output };
+enum class TimeStepLimiter { wave, vibration, inertia, shaking, growth, pressure, strain, motion, output };
 
 struct TimeStep {
     double dt = 0.0;                                 // [s]

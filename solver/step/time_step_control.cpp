@@ -188,6 +188,8 @@ const char* name_of(TimeStepLimiter limiter)
         return "growth from step to step";
     case TimeStepLimiter::pressure:
         return "change of pore pressure";
+    case TimeStepLimiter::strain:
+        return "strain of a step";
     case TimeStepLimiter::motion:
         return "motion";
     case TimeStepLimiter::output:
