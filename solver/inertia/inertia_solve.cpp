@@ -2,6 +2,8 @@
 
 #include "solver/base/lanes.hpp"
 
+#include <algorithm>
+
 namespace quicksand {
 
 namespace {
@@ -96,7 +98,8 @@ bool solve_change(double factor, const NodeResponseOfStep& respond, const Inerti
 {
     respond(solve.residual, solve.answer);
     double error = dot(solve.residual, solve.answer, solve), before = 0.0;
-    const double target = controls.tolerance * controls.tolerance * error;
+    solve.scale = std::max(solve.scale, error);
+    const double target = controls.tolerance * controls.tolerance * solve.scale;
     for (solve.iterations = 0; error > target; ++solve.iterations) {
         if (solve.iterations == controls.max_iterations) return false;
         const double beta = solve.iterations == 0 ? 0.0 : error / before;

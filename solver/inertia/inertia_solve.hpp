@@ -48,13 +48,14 @@ struct InertiaSolve {
     Vectors impulse;             // R^-1 direction [N s/m]
     Vectors product;             // of the direction with b K [N s/m]
     Scalars partial;             // sums of the spans
+    double scale = 0.0;          // largest first residual of the step's solves, squared in the norm of R
     std::int32_t iterations = 0; // of the last solve [-]
 };
 
 inline constexpr double inertia_fraction = 0.5; // beta [-]
 
 struct InertiaControls {
-    /// Of the first residual in the norm of R: accelerations that are left [-].
+    /// Of the largest first residual of a step in the norm of R: accelerations that are left [-].
     double tolerance = 1e-4;
     std::int32_t max_iterations = 1000; // then the solve has failed
 };
@@ -91,7 +92,8 @@ void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
 /// of their masters. Returns field . product.
 double multiply_stiffness(double factor, Vectors& field, InertiaSolve& solve);
 
-/// Improve `change`, of which `residual` is left; `factor` is b [s2]. Returns whether it converged.
+/// Improve `change`, of which `residual` is left, to the tolerance of `scale`; `factor` is b [s2]. Returns
+/// whether it converged.
 bool solve_change(double factor, const NodeResponseOfStep& respond, const InertiaControls& controls,
                   InertiaSolve& solve);
 

@@ -56,7 +56,7 @@ void answer_forces(const Problem& still, double velocity_dt, SinglePhaseWorkspac
 bool answer_pressure(const Problem& still, double dt, double velocity_dt, SemiImplicitWorkspace& work)
 {
     // R of conjugate gradients must be the same for every vector
-    constexpr PressureSolveControls sharp{.tolerance = 1e-5};
+    constexpr PressureSolveControls sharp{.tolerance = 1e-4};
     const double step = set_fluxes(dt, velocity_dt, work);
     if (!answer_flux(still.grid, work.lists, work.conditions, step, sharp, work.pressure)) return false;
     add_increment_forces(still, work);
@@ -92,10 +92,15 @@ void resist(const Problem& problem, double dt, double velocity_dt, std::vector<S
     const double factor = inertia_fraction * dt * velocity_dt;
     multiply_stiffness(-factor, inertia.change, inertia); // what the change leaves
     inertia.residual = inertia.product;
-
     const auto carries_sums = [&](std::size_t i) {
         return known[i].active() && work.conditions.master[i] == i;
     };
+    for_each_index(known.size(), [&](std::size_t i) { // but for what the known forces resist already
+        if (!carries_sums(i)) return;
+        const std::size_t place = inertia.rows.place(i);
+        inertia.residual.x[place] -= velocity_dt * known[i].inertia_force_x;
+        inertia.residual.y[place] -= velocity_dt * known[i].inertia_force_y;
+    });
     const Problem& still = *work.weightless;
     const auto respond = [&](const Vectors& impulse, Vectors& velocity) {
         for_each_index(known.size(), [&](std::size_t i) {

@@ -67,6 +67,7 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
 void sum_moduli(const Problem& problem, const Particles& particles, StepWorkspace& work)
 {
     sum_cell_moduli(problem, particles, work.lists, work.stencils, work.inertia->rows, work.inertia->cells);
+    work.inertia->scale = 0.0;
 }
 
 void fail_to_resist(double dt, const StepWorkspace& work, const State& state)

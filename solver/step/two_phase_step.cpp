@@ -154,11 +154,20 @@ void answer(const Problem& problem, double dt, double velocity_dt, State& state,
     timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
     timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
     if (!work.inertia) return;
+    // inertia is found for given cells with cavities; they are others once it resists what closes or opens
+    // them
+    constexpr int most_sets = 5;
+    const std::vector<std::uint8_t>& cavities = work.pressure.cavity.cavities;
+    std::vector<std::uint8_t> before;
     timed(work.timers, Phase::inertia, [&] {
-        resist_acceleration(problem, dt, velocity_dt, std::move(known), state, work);
-        solve_velocities(problem, velocity_dt, state, work);
-        find_increments(problem, dt, velocity_dt, state, work);
-        solve_velocities(problem, velocity_dt, state, work);
+        for (int k = 0; k == 0 || (k < most_sets && before != cavities); ++k) {
+            before = cavities;
+            resist_acceleration(problem, dt, velocity_dt, known, state, work);
+            known = work.sums;
+            solve_velocities(problem, velocity_dt, state, work);
+            find_increments(problem, dt, velocity_dt, state, work);
+            solve_velocities(problem, velocity_dt, state, work);
+        }
     });
 }
 

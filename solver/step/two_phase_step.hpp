@@ -76,10 +76,10 @@ void solve_pressure(const Problem& problem, double dt, double velocity_dt, const
 /// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
 void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work);
 
-/// Let work.sums be `known`, the sums without the forces of the pressure's increments, with their inertia
-/// forces (skeleton_inertia.cpp). work.motion has the velocities that all other forces give over
-/// `velocity_dt`, those of the increments among them, and is not kept; the moduli of the cells and the
-/// pressure's equations are set up. The increments are left as they are. Throws NumericalError.
+/// Let work.sums be `known`, the sums without the forces of the pressure's increments, with new inertia
+/// forces (skeleton_inertia.cpp). work.motion has the velocities that the known forces, with the former
+/// inertia, give over `velocity_dt`, those of the increments among them, and is not kept; the moduli of the
+/// cells and the pressure's equations are set up. The increments are left as they are. Throws NumericalError.
 void resist_acceleration(const Problem& problem, double dt, double velocity_dt,
                          std::vector<TwoPhaseSums> known, const State& state, SemiImplicitWorkspace& work);
 

@@ -1,12 +1,14 @@
 // The implicit step: the equations of the other schemes with steps beyond the waves of the skeleton.
 #include "solver/base/threads.hpp"
 #include "solver/inertia/inertia_solve.hpp"
+#include "solver/inertia/node_masses.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/measure/monitors.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/step/single_phase_step.hpp"
 #include "solver/step/stepper.hpp"
 #include "solver/step/time_step_control.hpp"
+#include "solver/step/two_phase_step.hpp"
 #include "solver/verification/solutions/terzaghi.hpp"
 #include "tests/fixtures/restless_patch.hpp"
 #include "tests/fixtures/same_bits.hpp"
@@ -14,7 +16,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <numbers>
@@ -113,6 +117,70 @@ TEST(ImplicitStep, KeepsTheMomentumOfAFreeBody)
         EXPECT_NEAR(errors.momentum_error_y / scale, 0.0, 1e-12) << saturated;
         EXPECT_LT(std::abs(errors.energy_error), saturated ? 0.1 : 1e-12);
     }
+}
+
+/// Inertia forces of the last step beside those of its change of velocity: largest difference over the
+/// largest force [-].
+double inertia_apart(const Problem& problem, double dt, SemiImplicitWorkspace& work)
+{
+    InertiaSolve& inertia = *work.inertia;
+    const auto before = velocities_before(problem, work.conditions, work.walls, work.sums);
+    for (std::size_t i = 0; i < work.sums.size(); ++i)
+        inertia.change.set(inertia.rows.place(i), {work.motion[i].solid_x - before[i].solid_x,
+                                                   work.motion[i].solid_y - before[i].solid_y});
+    multiply_stiffness(-inertia_fraction * dt, inertia.change, inertia);
+    double apart = 0.0, largest = 0.0;
+    for (std::size_t i = 0; i < work.sums.size(); ++i) {
+        const Vector2 force(work.sums[i].inertia_force_x, work.sums[i].inertia_force_y);
+        apart = std::max(apart, (inertia.product[inertia.rows.place(i)] - force).norm());
+        largest = std::max(largest, force.norm());
+    }
+    return apart / largest;
+}
+
+TEST(ImplicitStep, FindsItsInertiaWithTheCavitiesThatItLeaves)
+{
+    Problem problem = patch(1e-4, true);
+    problem.grid = {{-0.03, -0.03}, 0.0075, 20, 20};
+    problem.boundaries = {};
+    problem.scheme = TimeScheme::implicit;
+    problem.water->cavitation_pressure = 2e3;
+    State state = restless(problem);
+    state = fill(problem, 3,
+                 [](const Vector2& x) { return x.x() > 0.0 && x.x() < 0.05 && x.y() > 0.0 && x.y() < 0.04; });
+    for (std::size_t p = 0; p < state.particles.size(); ++p) { // torn in the middle, pressed at the sides
+        const Vector2 v(std::sin(2.0 * pi * (state.particles.position.x[p] - 0.025) / 0.05), 0.0);
+        state.particles.velocity_solid.set(p, v);
+        state.particles.velocity_fluid.set(p, v);
+    }
+    SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
+    constexpr double dt = 2e-5;
+    std::size_t cavities = 0;
+    for (int k = 0; k < 20; ++k) {
+        advance_semi_implicit_step(problem, dt, state, work);
+        for (const std::uint8_t cavity : work.pressure.cavity.cavities) cavities += cavity;
+        EXPECT_LT(inertia_apart(problem, dt, work), 0.05) << k;
+    }
+    EXPECT_GT(cavities, 50U);
+}
+
+TEST(ImplicitStep, IsNoLongerThanTheFastestStrainAllows)
+{
+    Problem problem = patch(1e-4, true);
+    problem.scheme = TimeScheme::implicit;
+    State state = restless(problem);
+    state.last_step = 1.0;
+    for (Scalars* part :
+         {&state.particles.affine_velocity_solid.xx, &state.particles.affine_velocity_solid.xy,
+          &state.particles.affine_velocity_solid.yx, &state.particles.affine_velocity_solid.yy})
+        part->assign(state.particles.size(), 0.0);
+    EXPECT_NE(stable_time_step(problem, state).limiter, TimeStepLimiter::strain);
+    state.particles.affine_velocity_solid.xx[0] = -100.0;
+    const TimeStep strained = stable_time_step(problem, state);
+    EXPECT_EQ(strained.limiter, TimeStepLimiter::strain);
+    EXPECT_NEAR(strained.dt, 0.05 / 100.0, 1e-12);
+    state.particles.affine_velocity_solid.xx[0] = -1e9;
+    EXPECT_GT(stable_time_step(problem, state).dt, 1e-6) << "not below the step of the waves";
 }
 
 TEST(ImplicitStep, RandomMotionDoesNotGrowAtAnyStep)
