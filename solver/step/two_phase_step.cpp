@@ -162,7 +162,7 @@ void answer(const Problem& problem, double dt, double velocity_dt, State& state,
     timed(work.timers, Phase::inertia, [&] {
         for (int k = 0; k == 0 || (k < most_sets && before != cavities); ++k) {
             before = cavities;
-            resist_acceleration(problem, dt, velocity_dt, known, state, work);
+            resist_acceleration(problem, dt, velocity_dt, std::move(known), state, work);
             known = work.sums;
             solve_velocities(problem, velocity_dt, state, work);
             find_increments(problem, dt, velocity_dt, state, work);

@@ -215,8 +215,9 @@ template <class Lacking>
 double begin_residual(const CellLists& lists, PressureSolve& solve, Lacking&& lacking)
 {
     return set_residual(lists, solve, [&](std::size_t c) {
-        solve.residual[c] = is_held(solve, c) ? 0.0 : lacking(c);
-        if (is_held(solve, c)) solve.cavity.lacking[c] = lacking(c);
+        const double left = lacking(c);
+        solve.residual[c] = is_held(solve, c) ? 0.0 : left;
+        if (is_held(solve, c)) solve.cavity.lacking[c] = left;
     });
 }
 
