@@ -36,7 +36,7 @@ public:
     void reach(const State& state, std::int64_t steps)
     {
         manifest_.simulated_time = state.time;
-        manifest_.step_halvings = state.step_halvings;
+        manifest_.step_halvings = state.times_halved;
         manifest_.steps = steps;
     }
     void judge(const std::vector<Finding>& findings) { manifest_.findings = findings; }
@@ -216,7 +216,7 @@ SessionEnd end_with_verdict(Session& session)
         session.journal.complain(reason);
         return SessionEnd::failed;
     }
-    session.journal.say(describe_verdict(findings, session.run.state().step_halvings));
+    session.journal.say(describe_verdict(findings, session.run.state().times_halved));
     session.manifest.end(RunStatus::finished, "reached the end time");
     return SessionEnd::finished;
 }

@@ -12,11 +12,12 @@ struct Moduli {
     double constrained, shear;
 };
 
-Moduli mean_moduli(const Material& material, const Particles& particles, std::size_t first, std::size_t last)
+Moduli mean_moduli(const Material& material, double dt, const Particles& particles, std::size_t first,
+                   std::size_t last)
 {
     return std::visit(
         [&](const auto& law) {
-            const double M = particle_moduli(law, first, last, particles).mean;
+            const double M = expected_moduli(law, dt, first, last, particles).mean;
             return Moduli{M, M * shear_modulus(law) / constrained_modulus(law)};
         },
         material.law);
@@ -62,8 +63,8 @@ std::size_t end_of_run(const Particles& particles, const CellLists& lists, std::
     return k;
 }
 
-void add_tile(const Problem& problem, const Particles& particles, const CellLists& lists, const Tile& tile,
-              const StencilStore& store, const NodeRows& rows, CellModuli& cells)
+void add_tile(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,
+              const Tile& tile, const StencilStore& store, const NodeRows& rows, CellModuli& cells)
 {
     const double per_cell = 1.0 / (problem.grid.cell_size * problem.grid.cell_size);
     const std::size_t first_entry = lists.first_entry(tile);
@@ -73,7 +74,7 @@ void add_tile(const Problem& problem, const Particles& particles, const CellList
             const std::size_t end = end_of_run(particles, lists, k, last);
             const auto p = static_cast<std::size_t>(lists.order[k]);
             const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-            const Moduli moduli = mean_moduli(material, particles, p, p + (end - k));
+            const Moduli moduli = mean_moduli(material, dt, particles, p, p + (end - k));
             for (std::size_t q = p; k < end; ++k, ++q) {
                 const StoredStencil& stencil = store.stencils[k - first_entry];
                 add_volume(stencil, store.value.data() + stencil.first, per_cell * particles.volume[q],
@@ -85,13 +86,13 @@ void add_tile(const Problem& problem, const Particles& particles, const CellList
 
 } // namespace
 
-void sum_cell_moduli(const Problem& problem, const Particles& particles, const CellLists& lists,
+void sum_cell_moduli(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,
                      const std::vector<StencilStore>& stencils, const NodeRows& rows, CellModuli& cells)
 {
     cells.constrained.assign(rows.size(), 0.0);
     cells.shear.assign(rows.size(), 0.0);
     for_each_tile_by_colour(lists, [&](const Tile& tile) {
-        add_tile(problem, particles, lists, tile, stencils[static_cast<std::size_t>(tile.number)], rows,
+        add_tile(problem, dt, particles, lists, tile, stencils[static_cast<std::size_t>(tile.number)], rows,
                  cells);
     });
 }

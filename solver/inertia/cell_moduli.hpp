@@ -16,10 +16,11 @@ struct CellModuli {
     Scalars shear;       // G
 };
 
-/// Sum them up from the particles. A particle counts in every cell to whose opposite corners it gives weight,
+/// Sum them up from the particles, as they are expected after a step of dt: grains that meet are soft before
+/// and stiff after it. A particle counts in every cell to whose opposite corners it gives weight,
 /// in proportion to their products: a node then has stiffness in proportion to its mass. A cell with a corner
 /// that no particle reaches has none.
-void sum_cell_moduli(const Problem& problem, const Particles& particles, const CellLists& lists,
+void sum_cell_moduli(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,
                      const std::vector<StencilStore>& stencils, const NodeRows& rows, CellModuli& cells);
 
 } // namespace quicksand

@@ -12,19 +12,16 @@
 // long, and nothing is damped. Accelerations are smoothed over sqrt(b/m K)/k, while forces, velocities and
 // strains are not: rest, steady flow and constant velocities are exact; translations and small turns meet no
 // force, so that momentum is.
-//
-// Solver: conjugate gradients with R as preconditioner. R^-1 of the directions follows from the residuals, so
-// that R alone is applied.
+// The response without R's pressure is factorised (stiff_response.hpp); the pressure is solved for with it.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
 #include "solver/inertia/cell_moduli.hpp"
 #include "solver/inertia/node_rows.hpp"
 #include "solver/inertia/node_stiffness.hpp"
+#include "solver/inertia/stiff_response.hpp"
 
 #include <cstddef>
-#include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace quicksand {
@@ -41,27 +38,15 @@ struct InertiaSolve {
     CellModuli cells;
     NodeStiffness stiffness;
     std::vector<TiedPlaces> tied;
-    Vectors change;              // w: the solution [m/s]
-    Vectors residual;            // forces that w leaves, times dt_v [N s/m]
-    Vectors answer;              // R residual [m/s]
-    Vectors direction;           // of the conjugate gradients [m/s]
-    Vectors impulse;             // R^-1 direction [N s/m]
-    Vectors product;             // of the direction with b K [N s/m]
-    Scalars partial;             // sums of the spans
-    double scale = 0.0;          // largest first residual of the step's solves, squared in the norm of R
-    std::int32_t iterations = 0; // of the last solve [-]
+    StiffResponse response;
+    Vectors before;  // velocities before the step [m/s]
+    Vectors change;  // w [m/s]
+    Vectors product; // of a field with K
+    Vectors answer;  // of the nodes to impulses [m/s]
+    Scalars partial; // sums of the spans
 };
 
-inline constexpr double inertia_fraction = 0.5; // beta [-]
-
-struct InertiaControls {
-    /// Of the largest first residual of a step in the norm of R: accelerations that are left [-].
-    double tolerance = 1e-4;
-    std::int32_t max_iterations = 1000; // then the solve has failed
-};
-
-/// velocity = R impulse at the nodes with soil; tied nodes are zero in both.
-using NodeResponseOfStep = std::function<void(const Vectors& impulse, Vectors& velocity)>;
+inline constexpr double inertia_fraction = 0.25; // beta [-]
 
 InertiaSolve make_inertia_solve(const BackgroundGrid& grid, const NodeConditions& conditions);
 
@@ -81,8 +66,7 @@ void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
         }
     }
     solve.stiffness.assemble(solve.rows, solve.cells, solve.spans);
-    for (Vectors* field :
-         {&solve.change, &solve.residual, &solve.answer, &solve.direction, &solve.impulse, &solve.product}) {
+    for (Vectors* field : {&solve.change, &solve.product}) {
         field->x.assign(solve.rows.size(), 0.0);
         field->y.assign(solve.rows.size(), 0.0);
     }
@@ -91,10 +75,5 @@ void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
 /// product = factor K field, with that of tied nodes at their masters; the field of tied nodes becomes that
 /// of their masters. Returns field . product.
 double multiply_stiffness(double factor, Vectors& field, InertiaSolve& solve);
-
-/// Improve `change`, of which `residual` is left, to the tolerance of `scale`; `factor` is b [s2]. Returns
-/// whether it converged.
-bool solve_change(double factor, const NodeResponseOfStep& respond, const InertiaControls& controls,
-                  InertiaSolve& solve);
 
 } // namespace quicksand

@@ -8,8 +8,8 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::size_t lanes = 4, around = 9, entries = 4; // entries of a block: xx, xy, yx, yy
-constexpr std::size_t per_node = around * entries;
+constexpr std::size_t lanes = NodeStiffness::lanes, entries = NodeStiffness::entries,
+                      per_node = NodeStiffness::per_node;
 
 // integrals over [0, 1] of the functions 1 - t and t of the ends 0 and 1: products, of derivatives, and of
 // the derivative of the first with the second
@@ -96,9 +96,10 @@ void NodeStiffness::assemble(const NodeRows& rows, const CellModuli& cells,
 
 Eigen::Matrix2d NodeStiffness::block(std::size_t place, std::size_t a, std::size_t b) const
 {
-    const double* entry =
-        &blocks_[place / lanes * lanes * per_node + (b * 3 + a) * entries * lanes + place % lanes];
-    return (Eigen::Matrix2d() << entry[0], entry[lanes], entry[2 * lanes], entry[3 * lanes]).finished();
+    const std::size_t k = b * 3 + a;
+    return (Eigen::Matrix2d() << entry(place, k, 0, 0), entry(place, k, 0, 1), entry(place, k, 1, 0),
+            entry(place, k, 1, 1))
+        .finished();
 }
 
 double NodeStiffness::multiply(const NodeSpan& span, double factor, const Vectors& velocity,

@@ -17,12 +17,23 @@ namespace quicksand {
 /// A node's row of K: blocks of 2 x 2 on the nodes of the 3 x 3 around it, four nodes side by side.
 class NodeStiffness {
 public:
+    static constexpr std::size_t lanes = NodeRows::lanes;
+    static constexpr std::size_t entries = 4;            // of a block: xx, xy, yx, yy
+    static constexpr std::size_t per_node = 9 * entries; // of blocks
+
     /// Set up the rows of the nodes of the spans.
     void assemble(const NodeRows& rows, const CellModuli& cells, const std::vector<NodeSpan>& spans);
 
     /// force = factor K velocity on the nodes of a span; returns their sum of velocity . force. The velocity
     /// is read one node beyond the span on all sides.
     double multiply(const NodeSpan& span, double factor, const Vectors& velocity, Vectors& force) const;
+
+    /// K(row, column) of that block, with a + 3 b = `neighbour`.
+    double entry(std::size_t place, std::size_t neighbour, std::size_t row, std::size_t column) const
+    {
+        return blocks_[place / lanes * lanes * per_node + (neighbour * entries + row * 2 + column) * lanes +
+                       place % lanes];
+    }
 
     /// The block of the node at a place and of that to the right by a - 1 and up by b - 1.
     Eigen::Matrix2d block(std::size_t place, std::size_t a, std::size_t b) const;

@@ -67,6 +67,7 @@ struct State {
     /// Part of the closed forms' step that the vibration of the nodes leaves (vibration/step_bound.hpp) [-].
     double step_scale = 1.0;
     std::int64_t step_halvings = 0; // of this step, by the watchdog (run/watchdog.hpp) [-]
+    std::int64_t times_halved = 0;  // by the watchdog since the shaking began [-]
     Particles particles;
     Vectors reactions; // forces held at viscous boundaries, piece by piece; none without [N/m]
     std::optional<BalanceTerms> balance_terms; // none: a run without balances

@@ -48,8 +48,9 @@ double energy_held(const Problem& problem, const Particles& particles)
 
 } // namespace
 
-void Watchdog::keep(const Problem& problem, const State& state)
+void Watchdog::keep(const Problem& problem, State& state)
 {
+    if (problem.scheme == TimeScheme::implicit) state.step_halvings = 0;
     kept_ = state;
     if (state.balance_terms) {
         kinetic_energy_ = kinetic_energy(problem, state.particles);
@@ -93,6 +94,7 @@ void Watchdog::go_back(const NumericalError& error, State& state)
     ++halvings_;
     failed_time_ = std::max(failed_time_, error.record.time);
     kept_.step_halvings = std::max(kept_.step_halvings, state.step_halvings) + 1;
+    kept_.times_halved = std::max(kept_.times_halved, state.times_halved) + 1;
     state = kept_;
 }
 

@@ -10,15 +10,17 @@
 namespace quicksand {
 
 /// Keeps the state of the last restart point. A run that fails, or whose steps make energy, goes on from
-/// there with half the step; at the third time in a row it ends.
+/// there with half the step; at the third time in a row it ends. Steps that waves limit stay halved, for
+/// their limit was wrong; implicit ones, whose limits are those of accuracy, until the next restart point.
 class Watchdog {
 public:
     static constexpr int most_halvings = 3;
 
-    Watchdog(const Problem& problem, const State& state) { keep(problem, state); }
+    Watchdog(const Problem& problem, State& state) { keep(problem, state); }
 
-    /// Keep the state of a restart point to go back to: the run can go on from it with the same bits.
-    void keep(const Problem& problem, const State& state);
+    /// Keep the state of a restart point to go back to: the run can go on from it with the same bits. Ends
+    /// the halvings of implicit steps.
+    void keep(const Problem& problem, State& state);
 
     /// Throws NumericalError where the steps since keep() have made energy: the balances are off by a tenth
     /// of what was turned over, and the kinetic energy has grown fourfold. Costs a sum over the particles.

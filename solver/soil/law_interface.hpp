@@ -9,6 +9,7 @@
 // keys.
 #pragma once
 
+#include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
 #include "solver/soil/law_key.hpp"
 
@@ -58,6 +59,14 @@ template <class Law>
 std::span<const LawKey<Law>> keys_of(const Law&)
 {
     return {};
+}
+
+/// The moduli of the particles [first, last) after a step of dt, as far as they can be told before it.
+template <class Law>
+ParticleModuli expected_moduli(const Law& law, double, std::size_t first, std::size_t last,
+                               const Particles& particles)
+{
+    return particle_moduli(law, first, last, particles);
 }
 
 /// Whether the soil flows at constant volume: its strain is then best averaged over the cell, which keeps it

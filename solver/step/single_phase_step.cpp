@@ -94,8 +94,9 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
         solve_velocities(problem, velocity_dt, acceleration, damping, work);
         if (work.inertia) {
-            sum_moduli(problem, particles, work);
-            resist_acceleration(problem, dt, velocity_dt, state, work);
+            sum_moduli(problem, dt, particles, work);
+            set_up_inertia(problem, dt, velocity_dt, work);
+            resist_acceleration(dt, velocity_dt, work);
             solve_velocities(problem, velocity_dt, acceleration, damping, work);
         }
         if (state.balance_terms)

@@ -31,9 +31,8 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
 void advance_single_phase_step(const Problem& problem, double dt, double damping, State& state,
                                SinglePhaseWorkspace& work);
 
-/// Set the inertia forces of the sums, as in a step of two phases; the moduli of the cells are set up.
-/// work.motion is not kept. Throws NumericalError.
-void resist_acceleration(const Problem& problem, double dt, double velocity_dt, const State& state,
-                         SinglePhaseWorkspace& work);
+/// As in a step of two phases; the moduli of the cells are set up.
+void set_up_inertia(const Problem& problem, double dt, double velocity_dt, SinglePhaseWorkspace& work);
+void resist_acceleration(double dt, double velocity_dt, SinglePhaseWorkspace& work);
 
 } // namespace quicksand

@@ -59,23 +59,19 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     work.null_space_time = null_space_time(problem);
     if (stage != Stage::shaking || problem.scheme != TimeScheme::implicit) return;
     work.inertia = make_inertia_solve(problem.grid, work.conditions);
-    Problem weightless = problem;
-    weightless.gravity = 0.0;
-    work.weightless = std::make_shared<const Problem>(std::move(weightless));
 }
 
-void sum_moduli(const Problem& problem, const Particles& particles, StepWorkspace& work)
+void sum_moduli(const Problem& problem, double dt, const Particles& particles, StepWorkspace& work)
 {
-    sum_cell_moduli(problem, particles, work.lists, work.stencils, work.inertia->rows, work.inertia->cells);
-    work.inertia->scale = 0.0;
+    sum_cell_moduli(problem, dt, particles, work.lists, work.stencils, work.inertia->rows,
+                    work.inertia->cells);
 }
 
-void fail_to_resist(double dt, const StepWorkspace& work, const State& state)
+void fail_to_resist(double dt, const State& state)
 {
     FailureRecord record = failure_at(dt, state, fastest_particle(state.particles));
     record.phase = "inertia";
-    record.what = "the accelerations of the grains are not found within " +
-                  std::to_string(work.inertia->iterations) + " iterations; the particle below is the fastest";
+    record.what = "the accelerations of the grains are not found; the particle below is the fastest";
     record.causes = causes_of_instability;
     throw NumericalError(record);
 }

@@ -41,7 +41,6 @@ struct StepWorkspace {
     std::vector<Dashpot> dashpots;             // of viscous boundaries
     Vectors grid_velocity;                     // sum phi v_i of the grains [m/s]
     std::optional<InertiaSolve> inertia;       // none: nodes have their masses alone
-    std::shared_ptr<const Problem> weightless; // for answers to single forces; with inertia
     std::vector<std::uint8_t> wall_kinds;      // of the nodes for the balances, without dashpots
     std::vector<std::uint8_t> balance_nodes;   // with the dashpots of the step, see balances.hpp
     double null_space_time = 0.0;              // tau of the velocity filter, see grid_to_particle.hpp [s]
@@ -85,10 +84,10 @@ void assemble_walls(const Problem& problem, double velocity_dt, const std::vecto
 }
 
 /// Sum up the moduli of the cells that resist accelerations, from the weights of the particles.
-void sum_moduli(const Problem& problem, const Particles& particles, StepWorkspace& work);
+void sum_moduli(const Problem& problem, double dt, const Particles& particles, StepWorkspace& work);
 
 /// The force that resists accelerations was not found.
-[[noreturn]] void fail_to_resist(double dt, const StepWorkspace& work, const State& state);
+[[noreturn]] void fail_to_resist(double dt, const State& state);
 
 /// Clear the sums of all nodes.
 template <class Sums>

@@ -150,25 +150,48 @@ void find_increments(const Problem& problem, double dt, double velocity_dt, cons
 /// Velocities and pressures of a step.
 void answer(const Problem& problem, double dt, double velocity_dt, State& state, SemiImplicitWorkspace& work)
 {
-    std::vector<TwoPhaseSums> known = work.inertia ? work.sums : std::vector<TwoPhaseSums>();
     timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
     timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
-    if (!work.inertia) return;
-    // inertia is found for given cells with cavities; they are others once it resists what closes or opens
-    // them
-    constexpr int most_sets = 5;
-    const std::vector<std::uint8_t>& cavities = work.pressure.cavity.cavities;
-    std::vector<std::uint8_t> before;
-    timed(work.timers, Phase::inertia, [&] {
-        for (int k = 0; k == 0 || (k < most_sets && before != cavities); ++k) {
-            before = cavities;
-            resist_acceleration(problem, dt, velocity_dt, std::move(known), state, work);
-            known = work.sums;
-            solve_velocities(problem, velocity_dt, state, work);
-            find_increments(problem, dt, velocity_dt, state, work);
-            solve_velocities(problem, velocity_dt, state, work);
-        }
+}
+
+/// The stiffness of the cells for the preconditioner of the pressure: where grains resist a change of volume
+/// more by their stiffness than by their mass, the pressure answers beta M / V to an inflow. A fifth of it
+/// takes the fewest iterations in dikes, 4 and 8 for each 6 and 11 with all of it.
+void set_stiffness_of_cells(const BackgroundGrid& grid, SemiImplicitWorkspace& work)
+{
+    const InertiaSolve& inertia = *work.inertia;
+    constexpr double part = 0.2;
+    const double per_area = part * inertia_fraction / (grid.cell_size * grid.cell_size);
+    const auto cells_x = static_cast<std::size_t>(grid.all_cells_x());
+    Scalars& stiffness = work.pressure.stiffness;
+    stiffness.resize(work.lists.cell_of_slot.size());
+    for_each_index(stiffness.size(), [&](std::size_t slot) {
+        const auto cell = static_cast<std::size_t>(work.lists.cell_of_slot[slot]);
+        stiffness[slot] =
+            per_area * inertia.cells.constrained[inertia.rows.place(cell % cells_x, cell / cells_x)];
     });
+}
+
+/// The same with the inertia of the skeleton's stiffness.
+void answer_with_inertia(const Problem& problem, double dt, double velocity_dt, State& state,
+                         SemiImplicitWorkspace& work)
+{
+    const auto resist = [&] {
+        timed(work.timers, Phase::inertia, [&] { resist_acceleration(dt, velocity_dt, work); });
+        timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
+    };
+    timed(work.timers, Phase::inertia, [&] {
+        set_up_inertia(problem, dt, velocity_dt, work);
+        set_stiffness_of_cells(problem.grid, work);
+    });
+    work.pressure.stiff_response = [&](const Scalars& force_x, const Scalars& force_y, Scalars& flux_x,
+                                       Scalars& flux_y) {
+        work.inertia->response.answer_pressure(force_x, force_y, flux_x, flux_y);
+    };
+    resist();
+    answer(problem, dt, velocity_dt, state, work);
+    resist();
+    work.pressure.stiff_response = nullptr;
 }
 
 /// The same of a long step, in which stiffness and pressure are factorised together.
@@ -181,7 +204,7 @@ void answer_together(const Problem& problem, double dt, double velocity_dt, Stat
     timed(work.timers, Phase::inertia, [&] {
         if (!move_coupled(problem, work.conditions, dt, velocity_dt, work.dashpots, work.walls, work.sums,
                           work.motion, *work.inertia, pressure, work.coupled))
-            fail_to_resist(dt, work, state);
+            fail_to_resist(dt, state);
         if (!pressure.cavity.cavities.empty()) pressure.cavity.water_increment = pressure.increment;
         set_changes(work.lists, pressure);
         add_increment_forces(problem, work);
@@ -324,12 +347,14 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     bool together = false;
     if (work.inertia)
         timed(work.timers, Phase::inertia, [&] {
-            sum_moduli(problem, particles, work);
+            sum_moduli(problem, dt, particles, work);
             together = is_long_step(problem, dt, work.sums, *work.inertia);
         });
     timed(work.timers, Phase::pore_pressure, [&] { expect_growth_of_turns(problem, dt, particles, work); });
     if (together) {
         answer_together(problem, dt, velocity_dt, state, work);
+    } else if (work.inertia) {
+        answer_with_inertia(problem, dt, velocity_dt, state, work);
     } else {
         answer(problem, dt, velocity_dt, state, work);
     }

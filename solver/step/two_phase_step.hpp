@@ -76,11 +76,12 @@ void solve_pressure(const Problem& problem, double dt, double velocity_dt, const
 /// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
 void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work);
 
-/// Let work.sums be `known`, the sums without the forces of the pressure's increments, with new inertia
-/// forces (skeleton_inertia.cpp). work.motion has the velocities that the known forces, with the former
-/// inertia, give over `velocity_dt`, those of the increments among them, and is not kept; the moduli of the
-/// cells and the pressure's equations are set up. The increments are left as they are. Throws NumericalError.
-void resist_acceleration(const Problem& problem, double dt, double velocity_dt,
-                         std::vector<TwoPhaseSums> known, const State& state, SemiImplicitWorkspace& work);
+/// Factorise the response of nodes whose stiffness resists accelerations, from the moduli of the cells and
+/// the sums, tied nodes gathered (skeleton_inertia.cpp).
+void set_up_inertia(const Problem& problem, double dt, double velocity_dt, SemiImplicitWorkspace& work);
+
+/// Set the inertia forces of work.sums to those of the velocities that the sums' other forces give with them.
+/// work.motion has the velocities that the sums, with the former inertia forces, give over `velocity_dt`.
+void resist_acceleration(double dt, double velocity_dt, SemiImplicitWorkspace& work);
 
 } // namespace quicksand

@@ -21,6 +21,8 @@
 
 namespace quicksand {
 
+struct Gradients;
+
 UbcSand make_ubcsand(const UbcSandParameters& parameters);
 
 /// Start of the dynamic stage: the present stress is the last peak, and nothing has dilated yet.
@@ -97,5 +99,12 @@ void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, 
 /// Constrained moduli of the points [first, last) by their stresses [Pa] and volumes [m3/m].
 ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
                                const double* stress_xx, const double* stress_yy, const double* volume);
+
+/// The same at the largest stress that the velocity gradient L can lead to over dt, by contraction and by
+/// dilation at the failure limit, which the water holds back: moduli that grow with the root of the mean
+/// stress s grow by (K'/s) / 2 times the strain, for d s = K' d eps_v.
+ParticleModuli expected_moduli(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                               const Gradients& L, const double* stress_xx, const double* stress_yy,
+                               const double* volume);
 
 } // namespace quicksand

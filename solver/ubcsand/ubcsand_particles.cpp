@@ -150,6 +150,13 @@ ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_
                            particles.volume.data());
 }
 
+ParticleModuli expected_moduli(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                               const Particles& particles)
+{
+    return expected_moduli(law, dt, first, last, particles.affine_velocity_solid, particles.stress.xx.data(),
+                           particles.stress.yy.data(), particles.volume.data());
+}
+
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles)
 {
     ENSURE(particles.memory.size() >= memory.size());

@@ -23,6 +23,10 @@ double shear_modulus_at(const UbcSand& law, std::size_t p, const Particles& part
 ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
                                const Particles& particles);
 
+/// The same at the largest stress that their present motion can lead to over dt.
+ParticleModuli expected_moduli(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                               const Particles& particles);
+
 /// Add the stress of the strain L dt to the particles [first, last) and advance their memory, rotated stress
 /// and memory given. Pre: start_memory.
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles);

@@ -23,46 +23,110 @@ Singles sums_of(const Singles (&s)[8])
            __builtin_shufflevector(low, high, 4, 5, 6, 7, 12, 13, 14, 15);
 }
 
-/// Row by row, each from its first column on; the rows are those of BandedCholesky, with 1/L(r, r) on the
-/// diagonal.
-VECTOR_KERNEL
-void factorise_rows(std::size_t rows, std::size_t band, float least_pivot, float* lower)
+constexpr std::size_t lanes = BandedCholesky::lanes;
+
+/// Eight rows of a block: row i from `rows + i stride` on.
+struct RowBlock {
+    float* rows;
+    std::size_t stride;
+
+    float& operator()(std::size_t i, std::size_t k) const { return rows[i * stride + k]; }
+};
+
+/// The products of eight rows with another, over `count` numbers.
+inline Singles products_of(const RowBlock& a, const float* b, std::size_t count)
 {
-    constexpr std::size_t lanes = BandedCholesky::lanes;
-    const std::size_t stride = band + lanes;
-    for (std::size_t r = 0; r < rows; ++r) {
-        const std::size_t block = r / lanes * lanes;
-        float* row = lower + r * stride; // column c is number c + band - block
-        for (std::size_t c = r < band ? 0 : r - band; c < r; ++c) {
-            const std::size_t before = c + band - block; // columns left of c
-            const std::size_t block_of_c = c / lanes * lanes;
-            const float* row_of_c = lower + c * stride + block - block_of_c;
-            row[before] = (row[before] - dot(row, row_of_c, before)) * row_of_c[before];
+    Singles sums[lanes] = {};
+    for (std::size_t k = 0; k < count; k += lanes) {
+        const Singles x = load(b + k);
+        for (std::size_t i = 0; i < lanes; ++i) sums[i] += load(&a(i, k)) * x;
+    }
+    return sums_of(sums);
+}
+
+/// Columns of a block of 8 x 8 from its rows, or the other way round.
+inline void transpose(const RowBlock& rows, std::size_t first, Singles (&columns)[lanes])
+{
+    for (std::size_t j = 0; j < lanes; ++j)
+        for (std::size_t i = 0; i < lanes; ++i) columns[j][i] = rows(i, first + j);
+}
+
+/// L J of the block `own` in the columns of an earlier block, `before` being the numbers left of them:
+///   L_RC J_C = (A_RC - sum_k L_Rk J_k L_Ck^T) L_CC^-T.
+inline void solve_columns(const RowBlock& own, const RowBlock& earlier, std::size_t before, std::size_t band)
+{
+    Singles columns[lanes];
+    transpose(own, before, columns);
+    for (std::size_t j = 0; j < lanes; ++j)
+        columns[j] -= products_of(own, &earlier(j, band - before), before);
+    for (std::size_t j = 0; j < lanes; ++j) {
+        Singles solved = {};
+        for (std::size_t k = 0; k <= j; ++k) solved += columns[k] * earlier(j, band + k);
+        for (std::size_t i = 0; i < lanes; ++i) own(i, before + j) = solved[i];
+    }
+}
+
+/// Factorise the triangle T of a block with the signs of its pivots; 1/L(r, r) on the diagonal.
+void factorise_triangle(const RowBlock& own, std::size_t band, const float* signs, float least_pivot)
+{
+    for (std::size_t r = 0; r < lanes; ++r) {
+        float* row = &own(r, band);
+        float pivot = signs[r] * row[r];
+        for (std::size_t c = 0; c < r; ++c) {
+            const float* row_of_c = &own(c, band);
+            float sum = row[c];
+            for (std::size_t k = 0; k < c; ++k) sum -= row[k] * signs[k] * row_of_c[k];
+            row[c] = sum * row_of_c[c] * signs[c];
+            pivot -= signs[r] * signs[c] * row[c] * row[c];
         }
-        const std::size_t before = r + band - block;
-        const float pivot = std::max(least_pivot, row[before] - dot(row, row, before));
-        row[before] = 1.0f / std::sqrt(pivot);
+        row[r] = 1.0f / std::sqrt(std::max(least_pivot, pivot));
     }
 }
 
 /// Replace the triangle T of a block, its diagonal inverted already, by T^-1:
 ///   T^-1(i, j) = - T^-1(i, i) sum_k T(i, k) T^-1(k, j), k from j to i - 1.
-void invert_triangle(std::size_t stride, float* triangle)
+void invert_triangle(const RowBlock& own, std::size_t band)
 {
-    for (std::size_t i = 0; i < BandedCholesky::lanes; ++i) {
-        float* row = triangle + i * stride;
+    for (std::size_t i = 0; i < lanes; ++i) {
         for (std::size_t j = 0; j < i; ++j) {
             float sum = 0.0f;
-            for (std::size_t k = j; k < i; ++k) sum += row[k] * triangle[k * stride + j];
-            row[j] = -row[i] * sum;
+            for (std::size_t k = j; k < i; ++k) sum += own(i, band + k) * own(k, band + j);
+            own(i, band + j) = -own(i, band + i) * sum;
         }
+    }
+}
+
+/// Block by block, each from its first column on. `signs` are those of the pivots, `signed_rows` room for
+/// eight rows without their last eight columns.
+VECTOR_KERNEL
+void factorise_blocks(std::size_t rows, std::size_t band, const float* signs, float least_pivot, float* lower,
+                      float* signed_rows)
+{
+    const std::size_t stride = band + lanes;
+    for (std::size_t r = 0; r < rows; r += lanes) {
+        const RowBlock own{lower + r * stride, stride}; // column c is number c + band - r
+        for (std::size_t before = r < band ? band - r : 0; before < band; before += lanes)
+            solve_columns(own, {lower + (r + before - band) * stride, stride}, before, band);
+        const RowBlock with_signs{signed_rows, band};
+        for (std::size_t i = 0; i < lanes; ++i) {
+            for (std::size_t k = 0; k < band; k += lanes)
+                store(r + k < band ? Singles{} : load(&own(i, k)) * load(signs + (r + k - band)),
+                      &with_signs(i, k)); // L
+        }
+        for (std::size_t j = 0; j < lanes; ++j) {
+            const Singles sums = products_of(own, &with_signs(j, 0), band);
+            for (std::size_t i = j; i < lanes; ++i) own(i, band + j) -= sums[i];
+        }
+        for (std::size_t i = 0; i < lanes; ++i)
+            for (std::size_t k = 0; k < band; k += lanes) store(load(&with_signs(i, k)), &own(i, k));
+        factorise_triangle(own, band, signs + r, least_pivot);
+        invert_triangle(own, band);
     }
 }
 
 /// The eight rows of a block of L y = b, from the solved ones before; returns their y.
 inline Singles solve_lower_block(std::size_t r, std::size_t band, const float* lower, float* vector)
 {
-    constexpr std::size_t lanes = BandedCholesky::lanes;
     const std::size_t stride = band + lanes;
     const float* block = lower + r * stride;
     float* own = vector + band + r;
@@ -89,7 +153,6 @@ VECTOR_KERNEL
 std::size_t solve_lower_blocks(std::size_t first, std::size_t last, std::size_t rows, std::size_t band,
                                float least, const float* lower, float* vector)
 {
-    constexpr std::size_t lanes = BandedCholesky::lanes;
     std::size_t small = 0; // numbers in turn
     std::size_t r = first / lanes * lanes;
     for (; r < rows && (r < last || small < band); r += lanes) {
@@ -100,12 +163,13 @@ std::size_t solve_lower_blocks(std::size_t first, std::size_t last, std::size_t 
 }
 
 VECTOR_KERNEL
-void solve_blocks(std::size_t rows, std::size_t band, const float* lower, float* vector)
+void solve_blocks(std::size_t rows, std::size_t band, const float* signs, const float* lower, float* vector)
 {
-    constexpr std::size_t lanes = BandedCholesky::lanes;
     const std::size_t stride = band + lanes;
     for (std::size_t r = 0; r < rows; r += lanes) solve_lower_block(r, band, lower, vector); // L y = b
-    for (std::size_t r = rows; r > 0;) {                                                     // L^T x = y
+    for (std::size_t r = 0; r < rows; r += lanes)
+        store(load(vector + band + r) * load(signs + r), vector + band + r);
+    for (std::size_t r = rows; r > 0;) { // L^T x = J y
         r -= lanes;
         const float* block = lower + r * stride;
         float* own = vector + band + r;
@@ -126,20 +190,21 @@ void BandedCholesky::reset(std::size_t rows, std::size_t band)
 {
     rows_ = rows;
     band_ = (band + lanes - 1) / lanes * lanes;
+    signs_.clear();
     lower_.assign(padded_rows() * (band_ + lanes), 0.0f);
     for (std::size_t row = rows_; row < padded_rows(); ++row) add(row, row, 1.0);
 }
 
 void BandedCholesky::factorise(float least_pivot)
 {
-    factorise_rows(padded_rows(), band_, least_pivot, lower_.data());
-    const std::size_t stride = band_ + lanes;
-    for (std::size_t r = 0; r < rows_; r += lanes) invert_triangle(stride, &lower_[r * stride + band_]);
+    signs_.resize(padded_rows(), 1.0f);
+    std::vector<float> signed_rows(lanes * band_);
+    factorise_blocks(padded_rows(), band_, signs_.data(), least_pivot, lower_.data(), signed_rows.data());
 }
 
 void BandedCholesky::solve(float* vector) const
 {
-    solve_blocks(padded_rows(), band_, lower_.data(), vector);
+    solve_blocks(padded_rows(), band_, signs_.data(), lower_.data(), vector);
 }
 
 std::size_t BandedCholesky::solve_lower(std::size_t first, std::size_t last, float least, float* vector) const

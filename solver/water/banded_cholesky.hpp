@@ -1,5 +1,5 @@
-// Cholesky factor of a symmetric positive definite matrix whose numbers lie near its diagonal, in single
-// precision: a preconditioner needs no more, and it is half the bytes and twice the lanes.
+// Cholesky factor of a symmetric matrix whose numbers lie near its diagonal, in single precision: half the
+// bytes and twice the lanes. The matrix is positive definite, or the signs of its pivots are known.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace quicksand {
 
-/// L of A = L L^T in blocks of eight rows, which are solved together: their triangle on the diagonal is kept
-/// as its inverse.
+/// L of A = L J L^T, J = diag(+-1), in blocks of eight rows, which are solved together: their triangle on the
+/// diagonal is kept as its inverse.
 class BandedCholesky {
 public:
     static constexpr std::size_t lanes = 8; // rows of a block
@@ -25,7 +25,15 @@ public:
         lower_[row * (band_ + lanes) + band_ + column - first] += static_cast<float>(value);
     }
 
-    /// Pivots that rounding or left-out numbers have brought below `least_pivot` are set to it.
+    /// Let the pivot of a row be negative. Before factorise() only.
+    void set_negative(std::size_t row)
+    {
+        signs_.resize(padded_rows(), 1.0f);
+        signs_[row] = -1.0f;
+    }
+
+    /// Pivots that rounding or left-out numbers have brought below `least_pivot`, apart from their signs,
+    /// are set to it.
     void factorise(float least_pivot);
 
     /// Of the vectors of solve(): band() zeros, rows() numbers, and zeros to whole blocks.
@@ -43,6 +51,7 @@ private:
     std::size_t padded_rows() const { return (rows_ + lanes - 1) / lanes * lanes; }
 
     std::size_t rows_ = 0, band_ = 0;
+    std::vector<float> signs_; // of the pivots
     std::vector<float> lower_; // of a row the columns from band_ before its block to the block's last
 };
 

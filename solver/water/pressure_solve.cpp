@@ -77,10 +77,9 @@ void sum_to_roots(const PressureSolve& solve, Scalars& values)
     }
 }
 
-/// flux = W force at the nodes, tied nodes with the flux of their masters; the forces are zero afterwards.
-void respond(const NodeConditions& conditions, PressureSolve& solve)
+/// The nodes' own answer, and that of the rows where there are some.
+void respond_by_nodes(PressureSolve& solve)
 {
-    gather_tied_forces(conditions, solve);
     if (solve.rows != nullptr) note_row_forces(solve);
     const NodeCompliances& W = solve.compliance;
     for_each_index(solve.force_x.size(), [&](std::size_t i) {
@@ -91,6 +90,19 @@ void respond(const NodeConditions& conditions, PressureSolve& solve)
         solve.force_y[i] = 0.0;
     });
     if (solve.rows != nullptr) respond_by_rows(solve);
+}
+
+/// flux = W force at the nodes, tied nodes with the flux of their masters; the forces are zero afterwards.
+void respond(const NodeConditions& conditions, PressureSolve& solve)
+{
+    gather_tied_forces(conditions, solve);
+    if (solve.stiff_response) {
+        solve.stiff_response(solve.force_x, solve.force_y, solve.flux_x, solve.flux_y);
+        std::fill(solve.force_x.begin(), solve.force_x.end(), 0.0);
+        std::fill(solve.force_y.begin(), solve.force_y.end(), 0.0);
+    } else {
+        respond_by_nodes(solve);
+    }
     for (const TiedNodes& tie : conditions.tied) {
         solve.flux_x[tie.node] = solve.flux_x[tie.master];
         solve.flux_y[tie.node] = solve.flux_y[tie.master];
@@ -175,6 +187,7 @@ double answer_residual(const CellLists& lists, PressureSolve& solve)
         double sum = 0.0;
         for_each_stencil(solve, tile, [&](const TileDivergence&, const CellStencil&, std::size_t c) {
             if (solve.blocks.blocks_of_slot[c] == 0) solve.answer[c] = solve.residual[c] / solve.diagonal[c];
+            if (!solve.stiffness.empty()) solve.answer[c] += solve.stiffness[c] * solve.residual[c];
             if (is_held(solve, c)) solve.answer[c] = 0.0;
             sum += solve.residual[c] * solve.answer[c];
         });
@@ -335,20 +348,6 @@ bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const 
     }
     solve.iterations_lost += std::max(0, solve.iterations - solve.iterations_when_new);
     return converged;
-}
-
-bool answer_flux(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
-                 double dt, const PressureSolveControls& controls, PressureSolve& solve)
-{
-    const auto nothing = [](std::size_t) { return 0.0; };
-    const double scale = set_right_hand_side(grid, lists, dt, nothing, solve);
-    sum_to_roots(solve, solve.right_hand_side);
-    std::fill(solve.increment.begin(), solve.increment.end(), 0.0);
-    solve.iterations = 0;
-    const double error =
-        begin_residual(lists, solve, [&](std::size_t c) { return solve.right_hand_side[c]; });
-    return iterate(grid, lists, conditions, dt, error, controls.tolerance * controls.tolerance * scale,
-                   controls, solve);
 }
 
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,

@@ -32,6 +32,7 @@
 #include "solver/water/pressure_blocks.hpp"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace quicksand {
@@ -45,6 +46,10 @@ struct CavitySolve {
     Scalars lacking;                    // of a cell with cavities: what its water does not fill [m3/m]
 };
 
+/// flux = that of the nodes per time by forces of the pressure on them, where it is not a node's own matter.
+using FluxResponse =
+    std::function<void(const Scalars& force_x, const Scalars& force_y, Scalars& flux_x, Scalars& flux_y)>;
+
 /// Unknowns and work arrays, by slot of the cell lists (only cells with soil are touched) and by node.
 struct PressureSolve : PressureEquations {
     PressureBlocks blocks;
@@ -53,16 +58,18 @@ struct PressureSolve : PressureEquations {
     std::int32_t iterations_when_new = 0;        // of the first solve with the blocks [-]
     std::int32_t iterations_lost = 0;            // of all since, beyond those [-]
     const VelocityRows* rows = nullptr;          // of walls and followers, none without
+    FluxResponse stiff_response;                 // in the place of compliance and rows, none without inertia
     std::vector<Vector2> row_forces, row_fluxes; // at the nodes of the rows
-    Scalars expected;                            // b dt r [Pa]
-    Scalars increment;                           // x: the guess, then the solution [Pa]
-    Scalars change;                              // dp, of pressure and deficit together with a limit [Pa]
-    Scalars flux_x, flux_y;                      // of the nodes, flux* at first [m/s]
-    Scalars force_x, force_y;   // of the increments on the nodes, zero before and after a solve [N/m]
-    Scalars growth;             // of the cells by turns in the step; empty: none [m3/m]
-    Scalars right_hand_side;    // [m3/m]
-    Scalars residual;           // of the equations [m3/m]
-    Scalars answer;             // of the preconditioner to the residual [Pa]
+    Scalars stiffness;        // of the cells against a change of volume, with the former; else empty [Pa/m2]
+    Scalars expected;         // b dt r [Pa]
+    Scalars increment;        // x: the guess, then the solution [Pa]
+    Scalars change;           // dp, of pressure and deficit together with a limit [Pa]
+    Scalars flux_x, flux_y;   // of the nodes, flux* at first [m/s]
+    Scalars force_x, force_y; // of the increments on the nodes, zero before and after a solve [N/m]
+    Scalars growth;           // of the cells by turns in the step; empty: none [m3/m]
+    Scalars right_hand_side;  // [m3/m]
+    Scalars residual;         // of the equations [m3/m]
+    Scalars answer;           // of the preconditioner to the residual [Pa]
     Scalars direction, product; // of the conjugate gradients, and L direction [Pa, m3/m]
     Scalars partial;            // sums of the tiles [of what is summed]
     CavitySolve cavity;
@@ -105,11 +112,6 @@ void aggregate_pressures(const std::vector<AggregatedCell>& aggregated, Pressure
 /// tension for `cavity` as well. Returns whether it converged.
 bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                       double dt, const PressureSolveControls& controls, PressureSolve& solve);
-
-/// Solve for the increments that answer to the flux alone, from zero. Cells with cavities keep their
-/// pressure. Between two steps' solves, with the same equations.
-bool answer_flux(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
-                 double dt, const PressureSolveControls& controls, PressureSolve& solve);
 
 /// Set the forces to those of the increments; masters of tied nodes have theirs, too.
 void set_increment_forces(const BackgroundGrid& grid, const CellLists& lists,

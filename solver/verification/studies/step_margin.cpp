@@ -63,7 +63,7 @@ bool grows(Problem problem, const State& start, double share)
             const double end = k * portion_steps * dt;
             run(problem, end, {}, calm);
             run(problem, end, {}, stirred);
-            if (calm.step_halvings + stirred.step_halvings > 0) return true; // by the watchdog
+            if (calm.times_halved + stirred.times_halved > 0) return true; // by the watchdog
             if (!(distance(stirred.particles, calm.particles) < growth * size)) return true;
         }
     } catch (const NumericalError&) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
 #include <random>
 
@@ -51,6 +52,34 @@ double largest_error(Eigen::Index rows, Eigen::Index band)
 TEST(BandedCholesky, SolvesToSinglePrecision)
 {
     for (const Eigen::Index band : {1, 7, 8, 9, 30, 100}) EXPECT_LT(largest_error(150, band), 3e-6) << band;
+}
+
+/// Conditions on the unknowns before them, as rows of a quasi-definite matrix.
+TEST(BandedCholesky, SolvesWithPivotsOfKnownSigns)
+{
+    constexpr Eigen::Index rows = 150, band = 20;
+    Eigen::MatrixXd A = random_matrix(rows, band);
+    BandedCholesky factor;
+    factor.reset(static_cast<std::size_t>(rows), static_cast<std::size_t>(band));
+    for (Eigen::Index row = 9; row < rows; row += 14) {
+        A(row, row) = row % 4 == 1 ? 0.0 : -0.5;
+        for (Eigen::Index k = 1; k < 6; ++k) A(row, row - k) = A(row - k, row) = 0.4;
+        factor.set_negative(static_cast<std::size_t>(row));
+    }
+    for (Eigen::Index row = 0; row < rows; ++row)
+        for (Eigen::Index column = std::max<Eigen::Index>(0, row - band); column <= row; ++column)
+            factor.add(static_cast<std::size_t>(row), static_cast<std::size_t>(column), A(row, column));
+    factor.factorise(1e-6f);
+    const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(rows, -1.0, 2.0);
+    const Eigen::VectorXd x = A.partialPivLu().solve(b);
+    std::vector<float> vector(factor.vector_length(), 0.0f);
+    std::transform(b.begin(), b.end(), vector.begin() + static_cast<std::ptrdiff_t>(factor.band()),
+                   [](double value) { return static_cast<float>(value); });
+    factor.solve(vector.data());
+    for (Eigen::Index row = 0; row < rows; ++row)
+        EXPECT_NEAR(static_cast<double>(vector[factor.band() + static_cast<std::size_t>(row)]), x[row],
+                    1e-5 * x.cwiseAbs().maxCoeff())
+            << row;
 }
 
 TEST(BandedCholesky, SolvesTheLowerHalfAsFarAsItIsNotSmall)

@@ -1,0 +1,287 @@
+#include "solver/inertia/stiff_response.hpp"
+
+#include "solver/inertia/node_masses.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+constexpr float least_pivot = 1e-5f; // of a diagonal of ones
+
+/// The smallest rectangle of nodes around those with soil.
+struct Extent {
+    std::size_t x0, x1, y0, y1; // [x0, x1) x [y0, y1)
+};
+
+template <class IsActive>
+Extent extent_of(const NodeRows& grid, IsActive&& is_active)
+{
+    Extent extent{grid.nodes_x, 0, grid.nodes_y, 0};
+    for (std::size_t y = 0; y < grid.nodes_y; ++y)
+        for (std::size_t x = 0; x < grid.nodes_x; ++x) {
+            if (!is_active(y * grid.nodes_x + x)) continue;
+            extent = {std::min(extent.x0, x), std::max(extent.x1, x + 1), std::min(extent.y0, y), y + 1};
+        }
+    return extent;
+}
+
+/// [0, count) from the first to the last, or by turns from both ends, so that the ends become neighbours.
+std::vector<std::size_t> sequence(std::size_t count, bool folded)
+{
+    std::vector<std::size_t> numbers;
+    for (std::size_t k = 0; k < count; ++k)
+        numbers.push_back(!folded ? k : k % 2 == 0 ? k / 2 : count - 1 - k / 2);
+    return numbers;
+}
+
+/// Whether nodes at the far ends of the soil's longer side are tied.
+bool ties_ends(const NodeConditions& conditions, const NodeRows& grid, bool wide)
+{
+    constexpr std::size_t near = 8; // nodes beyond a wall are tied to those on it
+    return std::any_of(conditions.tied.begin(), conditions.tied.end(), [&](const TiedNodes& tie) {
+        const auto along = [&](std::size_t node) { return wide ? node % grid.nodes_x : node / grid.nodes_x; };
+        const std::size_t a = along(tie.node), b = along(tie.master);
+        return std::max(a, b) - std::min(a, b) > near;
+    });
+}
+
+std::vector<std::size_t> nodes_in_order(const Extent& extent, const NodeConditions& conditions,
+                                        const NodeRows& grid)
+{
+    if (extent.x0 >= extent.x1) return {};
+    const std::size_t width = extent.x1 - extent.x0, height = extent.y1 - extent.y0;
+    const bool wide = width > height;
+    std::vector<std::size_t> nodes;
+    for (const std::size_t along : sequence(wide ? width : height, ties_ends(conditions, grid, wide)))
+        for (std::size_t across = 0; across < (wide ? height : width); ++across)
+            nodes.push_back((extent.y0 + (wide ? across : along)) * grid.nodes_x + extent.x0 +
+                            (wide ? along : across));
+    return nodes;
+}
+
+} // namespace
+
+void StiffResponse::note_parts(const VelocityRows& rows)
+{
+    parts_.clear();
+    multipliers_.assign(rows.size(), 0);
+    rows.for_each_coefficient([&](std::size_t row, std::size_t node, const NodeVelocities& c) {
+        parts_.push_back({node, row, c});
+    });
+    std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) {
+        return a.node != b.node ? a.node < b.node : a.row < b.row;
+    });
+    std::size_t last = 0;
+    for (std::size_t k = 1; k < parts_.size(); ++k) {
+        if (parts_[k].node == parts_[last].node && parts_[k].row == parts_[last].row)
+            parts_[last].coefficients += parts_[k].coefficients;
+        else
+            parts_[++last] = parts_[k];
+    }
+    if (!parts_.empty()) parts_.resize(last + 1);
+}
+
+void StiffResponse::number_equations(const NodeConditions& conditions, const NodeRows& grid)
+{
+    const auto is_active = [&](std::size_t i) { return share(i, 0).mass > 0.0 || share(i, 1).mass > 0.0; };
+    const std::vector<std::size_t> nodes = nodes_in_order(extent_of(grid, is_active), conditions, grid);
+    // multipliers after the last node of their rows
+    std::vector<std::size_t> place(shares_.size() / 2, 0);
+    for (std::size_t k = 0; k < nodes.size(); ++k) place[nodes[k]] = k;
+    std::vector<std::size_t> last(multipliers_.size(), 0);
+    for (const Part& part : parts_) last[part.row] = std::max(last[part.row], place[part.node]);
+    std::vector<std::pair<std::size_t, std::size_t>> ends; // of the rows, and their numbers
+    for (std::size_t r = 0; r < last.size(); ++r) ends.emplace_back(last[r], r);
+    std::sort(ends.begin(), ends.end());
+
+    unknowns_.assign(shares_.size() / 2, {-1, -1});
+    list_.clear();
+    std::size_t equations = 0, next = 0;
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            if (!(share(nodes[k], axis).mass > 0.0)) continue;
+            unknowns_[nodes[k]][axis] = static_cast<std::int32_t>(list_.size());
+            list_.push_back({nodes[k], axis, equations++, 0.0, 0.0});
+        }
+        for (; next < ends.size() && ends[next].first <= k; ++next)
+            multipliers_[ends[next].second] = equations++;
+    }
+    for (; next < ends.size(); ++next) multipliers_[ends[next].second] = equations++;
+    for (const TiedNodes& tie : conditions.tied) unknowns_[tie.node] = unknowns_[tie.master];
+}
+
+/// Call visit(row, column, value) for the numbers that dashpots have in the matrix.
+template <class Visit>
+void StiffResponse::for_each_of_dashpots(double velocity_dt, const std::vector<Dashpot>& dashpots,
+                                         Visit&& visit) const
+{
+    for (const Dashpot& dashpot : dashpots) {
+        const Eigen::Matrix2d half = half_braking(dashpot, velocity_dt);
+        const Unknown *x = unknown(dashpot.node, 0), *y = unknown(dashpot.node, 1);
+        if (x != nullptr) visit(x->equation, x->equation, half(0, 0));
+        if (y != nullptr) visit(y->equation, y->equation, half(1, 1));
+        if (x != nullptr && y != nullptr) visit(y->equation, x->equation, half(1, 0));
+    }
+}
+
+/// The same of the stiffness on and below the diagonal; nodes that are tied to one have several in one place.
+template <class Visit>
+void StiffResponse::for_each_of_stiffness(double factor, const NodeRows& grid, const NodeStiffness& stiffness,
+                                          Visit&& visit) const
+{
+    const std::size_t nodes_x = grid.nodes_x;
+    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+        const std::array<std::int32_t, 2>& of = unknowns_[i];
+        if (of[0] < 0 && of[1] < 0) continue;
+        const std::size_t place = grid.place(i), first = i - nodes_x - 1;
+        for (std::size_t k = 0; k < 9; ++k) {
+            const std::array<std::int32_t, 2>& other = unknowns_[first + k / 3 * nodes_x + k % 3];
+            for (std::size_t row = 0; row < 2; ++row)
+                for (std::size_t column = 0; column < 2; ++column)
+                    if (other[column] >= 0 && of[row] >= other[column])
+                        visit(list_[static_cast<std::size_t>(of[row])].equation,
+                              list_[static_cast<std::size_t>(other[column])].equation,
+                              factor * stiffness.entry(place, k, row, column));
+        }
+    }
+}
+
+/// The same of the rows at walls and of followers.
+template <class Visit>
+void StiffResponse::for_each_of_rows(Visit&& visit) const
+{
+    const auto add = [&](std::size_t a, std::size_t b, double value) {
+        visit(std::max(a, b), std::min(a, b), value);
+    };
+    for (std::size_t k = 0; k < parts_.size(); ++k) {
+        const Part& part = parts_[k];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const auto d = static_cast<int>(axis);
+            const AxisShare& of = share(part.node, axis);
+            const double c_w = part.coefficients[d + 2];
+            if (const Unknown* u = unknown(part.node, axis); u != nullptr)
+                add(multipliers_[part.row], u->equation, part.coefficients[d] + of.carried * c_w);
+            if (c_w == 0.0 || of.mobility == 0.0) continue;
+            for (std::size_t m = k; m < parts_.size() && parts_[m].node == part.node; ++m)
+                add(multipliers_[part.row], multipliers_[parts_[m].row],
+                    -c_w * of.mobility * parts_[m].coefficients[d + 2]);
+        }
+    }
+}
+
+void StiffResponse::factorise(const NodeConditions& conditions, double velocity_dt, double factor,
+                              const std::vector<Dashpot>& dashpots, const VelocityRows& walls,
+                              const NodeRows& grid, const NodeStiffness& stiffness)
+{
+    note_parts(walls);
+    number_equations(conditions, grid);
+    const std::size_t equations = list_.size() + multipliers_.size();
+    std::size_t band = 0;
+    Scalars diagonal(equations, 0.0);
+    for (const Unknown& u : list_) diagonal[u.equation] = share(u.node, u.axis).mass;
+    const auto sum_diagonal = [&](std::size_t row, std::size_t column, double value) {
+        band = std::max(band, row - column);
+        if (row == column) diagonal[row] += std::abs(value);
+    };
+    for_each_of_dashpots(velocity_dt, dashpots, sum_diagonal);
+    for_each_of_stiffness(factor, grid, stiffness, sum_diagonal);
+    for_each_of_rows(sum_diagonal);
+    // a row has the scale of what its nodes answer
+    std::vector<std::uint8_t> is_multiplier(equations, 0);
+    for (const std::size_t m : multipliers_) is_multiplier[m] = 1;
+    for_each_of_rows([&](std::size_t row, std::size_t column, double value) {
+        if (is_multiplier[row] == is_multiplier[column]) return;
+        const auto [m, u] = is_multiplier[row] != 0 ? std::pair(row, column) : std::pair(column, row);
+        diagonal[m] += value * value / diagonal[u];
+    });
+
+    scale_.resize(equations);
+    for (std::size_t k = 0; k < equations; ++k)
+        scale_[k] = diagonal[k] > 0.0 ? 1.0 / std::sqrt(diagonal[k]) : 0.0;
+    factor_.reset(equations, band);
+    const auto fill = [&](std::size_t row, std::size_t column, double value) {
+        factor_.add(row, column, scale_[row] * scale_[column] * value);
+    };
+    for (const Unknown& u : list_) fill(u.equation, u.equation, share(u.node, u.axis).mass);
+    for_each_of_dashpots(velocity_dt, dashpots, fill);
+    for_each_of_stiffness(factor, grid, stiffness, fill);
+    for_each_of_rows(fill);
+    for (const std::size_t m : multipliers_) {
+        factor_.set_negative(m);
+        if (scale_[m] == 0.0) factor_.add(m, m, -1.0);
+    }
+    factor_.factorise(least_pivot);
+    vector_.assign(factor_.vector_length(), 0.0f);
+    for (Unknown& u : list_) u.scale = scale_[u.equation];
+}
+
+void StiffResponse::answer_impulses(const NodeRows& grid, const Vectors& impulse, Vectors& answer)
+{
+    std::fill(vector_.begin(), vector_.end(), 0.0f);
+    for (const Unknown& u : list_) {
+        const Scalars& part = u.axis == 0 ? impulse.x : impulse.y;
+        number(u.equation) = static_cast<float>(u.scale * part[grid.place(u.node)]);
+    }
+    factor_.solve(vector_.data());
+    for (Scalars* part : {&answer.x, &answer.y}) part->assign(grid.size(), 0.0);
+    for (const Unknown& u : list_) {
+        Scalars& part = u.axis == 0 ? answer.x : answer.y;
+        part[grid.place(u.node)] = u.scale * static_cast<double>(number(u.equation));
+    }
+}
+
+void StiffResponse::set_porosities(Scalars porosities)
+{
+    porosities_ = std::move(porosities);
+    for (Unknown& u : list_) {
+        const double n = porosities_[u.node];
+        u.gain = 1.0 - n + n * share(u.node, u.axis).carried;
+    }
+    own_x_.resize(porosities_.size());
+    own_y_.resize(porosities_.size());
+    for (std::size_t i = 0; i < porosities_.size(); ++i) {
+        const double n = porosities_[i];
+        own_x_[i] = n * n * share(i, 0).mobility;
+        own_y_[i] = n * n * share(i, 1).mobility;
+    }
+}
+
+void StiffResponse::answer_pressure(const Scalars& force_x, const Scalars& force_y, Scalars& flux_x,
+                                    Scalars& flux_y)
+{
+    std::fill(vector_.begin(), vector_.end(), 0.0f);
+    for (const Unknown& u : list_) {
+        const Scalars& force = u.axis == 0 ? force_x : force_y;
+        number(u.equation) = static_cast<float>(u.scale * u.gain * force[u.node]);
+    }
+    const auto for_each_moved = [&](auto&& visit) { // parts whose multipliers move the water of their node
+        for (const Part& part : parts_)
+            for (std::size_t axis = 0; axis < 2; ++axis) {
+                const double moved = porosities_[part.node] * share(part.node, axis).mobility *
+                                     part.coefficients[static_cast<int>(axis) + 2];
+                if (moved != 0.0) visit(part, axis, scale_[multipliers_[part.row]] * moved);
+            }
+    };
+    for_each_moved([&](const Part& part, std::size_t axis, double moved) {
+        const Scalars& force = axis == 0 ? force_x : force_y;
+        number(multipliers_[part.row]) -= static_cast<float>(moved * force[part.node]);
+    });
+    factor_.solve(vector_.data());
+    for (std::size_t i = 0; i < own_x_.size(); ++i) {
+        flux_x[i] = own_x_[i] * force_x[i];
+        flux_y[i] = own_y_[i] * force_y[i];
+    }
+    for (const Unknown& u : list_) {
+        Scalars& flux = u.axis == 0 ? flux_x : flux_y;
+        flux[u.node] += u.gain * u.scale * static_cast<double>(number(u.equation));
+    }
+    for_each_moved([&](const Part& part, std::size_t axis, double moved) {
+        Scalars& flux = axis == 0 ? flux_x : flux_y;
+        flux[part.node] -= moved * static_cast<double>(number(multipliers_[part.row]));
+    });
+}
+
+} // namespace quicksand

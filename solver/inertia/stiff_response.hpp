@@ -1,0 +1,114 @@
+// Response of nodes whose grains have the inertia of their stiffness besides their masses.
+//
+// The water of a node is eliminated: its velocity is u = e v + w f_w, v that of the grains, f_w the impulse
+// on the water, e the part of the grains' velocity that drag and seals hand on. The grains then answer
+//   (M + b K) v + C^T l = f_s + e f_w            M: mass of the grains with what they carry along
+//   C v - C_w w C_w^T l = - C_w w f_w            C = C_s + C_w e: rows of walls and followers
+// with b K of inertia_solve.hpp. The matrix is quasi-definite: it has a factor of single precision with the
+// signs of its rows as long as a multiplier comes after the nodes of its row. The nodes are counted along the
+// shorter side of the soil, so that the factor is narrow.
+#pragma once
+
+#include "solver/boundaries/boundary_conditions.hpp"
+#include "solver/boundaries/node_response.hpp"
+#include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/inertia/node_rows.hpp"
+#include "solver/inertia/node_stiffness.hpp"
+#include "solver/walls/velocity_rows.hpp"
+#include "solver/water/banded_cholesky.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// What a node has along an axis, the water eliminated.
+struct AxisShare {
+    double mass = 0.0;     // M, 0: held [kg/m]
+    double carried = 0.0;  // e [-]
+    double mobility = 0.0; // w [m/kg]
+};
+
+inline AxisShare axis_share(const NodeResponse& response)
+{
+    if (response.solid == 0.0) return {0.0, 0.0, response.fluid};
+    const double carried = response.exchange / response.solid;
+    return {1.0 / response.solid, carried, response.fluid - carried * response.exchange};
+}
+
+class StiffResponse {
+public:
+    /// Find the shares of the nodes from sums with tied nodes gathered; `velocity_dt` is the time over which
+    /// forces act [s].
+    template <class Sums>
+    void set_shares(const NodeConditions& conditions, double velocity_dt, const std::vector<Sums>& sums)
+    {
+        shares_.resize(2 * sums.size());
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            const bool carries_sums = sums[i].active() && conditions.master[i] == i;
+            for (int axis = 0; axis < 2; ++axis)
+                shares_[2 * i + static_cast<std::size_t>(axis)] =
+                    carries_sums ? axis_share(response(sums[i], velocity_dt, conditions.of_node[i], axis))
+                                 : AxisShare{};
+        }
+    }
+
+    /// Factorise the equations of the nodes with shares; `factor` is b [s2].
+    void factorise(const NodeConditions& conditions, double velocity_dt, double factor,
+                   const std::vector<Dashpot>& dashpots, const VelocityRows& walls, const NodeRows& grid,
+                   const NodeStiffness& stiffness);
+
+    /// answer = v to impulses on the grains alone, by place; zero at tied nodes.
+    void answer_impulses(const NodeRows& grid, const Vectors& impulse, Vectors& answer);
+
+    /// Porosities of the nodes with soil, for answer_pressure(); zero without water.
+    void set_porosities(Scalars porosities);
+    /// flux = that of the nodes per time by forces of the pressure on the mixture; tied nodes excepted.
+    void answer_pressure(const Scalars& force_x, const Scalars& force_y, Scalars& flux_x, Scalars& flux_y);
+
+private:
+    /// An unknown velocity of the grains.
+    struct Unknown {
+        std::size_t node = 0, axis = 0;
+        std::size_t equation = 0;
+        double scale = 0.0; // 1 / sqrt(diagonal)
+        double gain = 0.0;  // 1-n + n e: flux per velocity of the grains [-]
+    };
+    /// What a row has at a node.
+    struct Part {
+        std::size_t node = 0, row = 0;
+        NodeVelocities coefficients;
+    };
+    void note_parts(const VelocityRows& rows);
+    void number_equations(const NodeConditions& conditions, const NodeRows& grid);
+    template <class Visit>
+    void for_each_of_rows(Visit&& visit) const;
+    template <class Visit>
+    void for_each_of_dashpots(double velocity_dt, const std::vector<Dashpot>& dashpots, Visit&& visit) const;
+    template <class Visit>
+    void for_each_of_stiffness(double factor, const NodeRows& grid, const NodeStiffness& stiffness,
+                               Visit&& visit) const;
+    float& number(std::size_t equation) { return vector_[factor_.band() + equation]; }
+    const AxisShare& share(std::size_t node, std::size_t axis) const { return shares_[2 * node + axis]; }
+    const Unknown* unknown(std::size_t node, std::size_t axis) const
+    {
+        const std::int32_t u = unknowns_[node][axis];
+        return u < 0 ? nullptr : &list_[static_cast<std::size_t>(u)];
+    }
+
+    std::vector<AxisShare> shares_;                     // two of each node
+    std::vector<std::array<std::int32_t, 2>> unknowns_; // of each node, those of ties; -1: held, no soil
+    std::vector<Unknown> list_;                         // in the order of the equations
+    std::vector<Part> parts_;                           // node by node, each row once
+    std::vector<std::size_t> multipliers_;              // equations of the rows
+    std::vector<double> scale_;                         // of the equations; 0: a row that acts on nothing
+    Scalars porosities_;                                // of the nodes [-]
+    Scalars own_x_, own_y_;                             // n^2 w: flux of the water alone per force [m/kg]
+    BandedCholesky factor_;
+    std::vector<float> vector_; // of its solutions
+};
+
+} // namespace quicksand
