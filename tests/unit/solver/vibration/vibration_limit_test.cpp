@@ -96,6 +96,28 @@ TEST(VibrationLimit, OfExplicitStepsDoesNotFallWithTheWaterAboveAGridLine)
     }
 }
 
+// Boxes that have moved over the line above them by less than a millionth of a cell: the node there has a
+// stiffness as small as its mass, and follows the nodes below however small both are.
+TEST(VibrationLimit, OfBoxesBesideASlantedWallDoesNotFallWithTheirOverlap)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.1, 5, 6};
+    problem.materials = {stiff_sand()};
+    problem.gravity = 0.0;
+    problem.boundaries = rectangle(0.0, 0.0, 0.4, 0.4, FixedWall{}, RollerWall{}, FreeFace{});
+    problem.boundaries[1].segments = {{{0.4, 0.0}, {0.41, 0.4}}};
+    for (const Interpolation interpolation : {Interpolation::gimp, Interpolation::cpgimp}) {
+        problem.interpolation = interpolation;
+        const auto limit = [&](double overlap) {
+            State state = fill(problem, 2, [](const Vector2& x) { return x.x() < 0.4 && x.y() < 0.4; });
+            for (double& y : state.particles.position.y) y += 0.1 * overlap;
+            return vibration_limit(problem, state, long_step).dt;
+        };
+        for (const double overlap : {1e-8, 1e-6, 1e-5})
+            EXPECT_NEAR(limit(overlap), limit(1e-3), 0.03 * limit(1e-3)) << overlap;
+    }
+}
+
 TEST(VibrationLimit, ScalesWithLengthAndFallsWithTheRootOfTheModulus)
 {
     Problem problem = patch(1e-4, false);
