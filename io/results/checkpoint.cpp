@@ -1,8 +1,8 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
-// memory_columns, last_step, step_scale, step_halvings, particles, reactions. The last 16 bytes are the
-// FNV-1a hash of all before them, which HDF5 does not look at: the file is checked before HDF5 opens it,
-// since it copes badly with damaged tables. HDF5 keeps no times of its objects, so that equal states make
+// memory_columns, last_step, step_scale, step_halvings, explicit_end, particles, reactions. The last 16 bytes
+// are the FNV-1a hash of all before them, which HDF5 does not look at: the file is checked before HDF5 opens
+// it, since it copes badly with damaged tables. HDF5 keeps no times of its objects, so that equal states make
 // equal files.
 #include "io/results/checkpoint.hpp"
 
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 8;
+constexpr std::int64_t format_version = 9;
 constexpr hsize_t chunk_entries = 8192;
 
 /// An HDF5 call failed; the caller knows the file and makes a FileError of it.
@@ -212,6 +212,7 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
     write_number(file, "last_step", state.last_step);
     write_number(file, "step_scale", state.step_scale);
     write_number(file, "step_halvings", state.step_halvings);
+    write_number(file, "explicit_end", state.explicit_end);
     write_number(file, "particles", static_cast<std::int64_t>(state.particles.size()));
     write_number(file, "memory_columns", static_cast<std::int64_t>(state.particles.memory.size()));
     if (state.balance_terms)
@@ -238,6 +239,7 @@ State read_state(const Handle& file)
     state.last_step = read_number<double>(file, "last_step");
     state.step_scale = read_number<double>(file, "step_scale");
     state.step_halvings = read_number<std::int64_t>(file, "step_halvings");
+    state.explicit_end = read_number<std::int64_t>(file, "explicit_end");
     const auto count = static_cast<std::size_t>(read_number<std::int64_t>(file, "particles"));
     state.particles.memory.resize(
         static_cast<std::size_t>(read_number<std::int64_t>(file, "memory_columns")));
