@@ -97,8 +97,8 @@ void Watchdog::check(const Problem& problem, double dt, const State& state) cons
     check_sound(problem, dt, state);
     const double loss = balance(problem, state).numerical_loss;
     double given = energy_put_in(*state.balance_terms);
-    if (loss <= energy_lost * given) return; // as a rule
-    given += energy_held(problem, state.particles);
+    if (loss <= energy_lost * given) return;        // as a rule
+    given += energy_held(problem, kept_.particles); // stresses of steps that are too long have grown since
     if (loss <= energy_lost * given || loss - numerical_loss_ <= lost_at_once * given) return;
     fail("the steps have made energy that is lost again between particles and grid, " +
              percentage((loss - numerical_loss_) / given) + " of all that was put in",

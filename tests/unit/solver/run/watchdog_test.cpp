@@ -143,6 +143,18 @@ TEST(Watchdog, CountsTheLossSinceTheLastRestartPoint)
     EXPECT_THROW(watchdog.check(patch.problem, 1e-6, patch.state), NumericalError);
 }
 
+// What holds it has grown with the motion itself.
+TEST(Watchdog, DoesNotCountTheStressThatTheStepsHaveMade)
+{
+    Patch patch(1.0);
+    const Watchdog watchdog(patch.problem, patch.state);
+    patch.state.step = 1;
+    BalanceTerms& terms = *patch.state.balance_terms;
+    terms.wall_loss = 2.2 * energy_put_in(terms);
+    std::fill(patch.state.particles.stress.xx.begin(), patch.state.particles.stress.xx.end(), 1e9);
+    EXPECT_THROW(watchdog.check(patch.problem, 1e-6, patch.state), NumericalError);
+}
+
 TEST(Watchdog, SumsTheKineticEnergyAsTheMonitorsDo)
 {
     Patch patch(1.0);
