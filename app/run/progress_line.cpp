@@ -58,11 +58,13 @@ void ProgressLine::after_step(const StepReport& report)
 void ProgressLine::went_back(const FailureRecord& record, const State& state)
 {
     clear();
+    const char* remedy =
+        record.remedy == Remedy::explicit_steps ? "explicit steps for a while" : "half the step";
     journal_.say(fmt::format("The run went bad in step {}, t = {} s, at ({}, {}) m ({}): {}\n"
-                             "  It goes on from t = {} s with half the step.",
+                             "  It goes on from t = {} s with {}.",
                              record.step, short_number(record.time), short_number(record.position.x()),
                              short_number(record.position.y()), record.phase, record.what,
-                             short_number(state.time)));
+                             short_number(state.time), remedy));
 }
 
 void ProgressLine::show_relaxation(std::int64_t steps, double out_of_balance, double tolerance)

@@ -68,10 +68,23 @@ std::vector<double> energy_put_in(const PictureTable& table)
     return sum;
 }
 
+/// Kinetic energy of a body that moves with 1e-6 sqrt(g H), as one does that is at rest: m g H / 2 1e-12,
+/// with the side of a square of its size for H. What it loses is rounding [J].
+double energy_at_rest(const PictureTable& table)
+{
+    const auto first = [&](const char* name) {
+        const std::vector<double>* values = table.find(name);
+        return values == nullptr || values->empty() || !(values->front() > 0.0) ? 0.0 : values->front();
+    };
+    const double mass = first("mass_solid_kg") + first("mass_fluid_kg");
+    return 0.5e-12 * mass * standard_gravity * std::sqrt(first("volume_m3"));
+}
+
 /// The loss of each row over the energy put in; 0 where there is none.
 std::vector<double> loss_ratios(const PictureTable& table, const std::vector<double>& losses)
 {
-    const std::vector<double> given = energy_put_in(table);
+    std::vector<double> given = energy_put_in(table);
+    for (double& energy : given) energy += energy_at_rest(table);
     std::vector<double> ratios(losses.size(), 0.0);
     for (std::size_t row = 0; row < std::min(given.size(), losses.size()); ++row)
         if (given[row] > 0.0) ratios[row] = losses[row] / given[row];

@@ -1,9 +1,9 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
-// memory_columns, last_step, step_scale, step_halvings, times_halved, particles, reactions. The last 16 bytes
-// are the FNV-1a hash of all before them, which HDF5 does not look at: the file is checked before HDF5 opens
-// it, since it copes badly with damaged tables. HDF5 keeps no times of its objects, so that equal states make
-// equal files.
+// memory_columns, last_step, step_scale, step_halvings, times_halved, explicit_end, particles, reactions. The
+// last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look at: the file is checked
+// before HDF5 opens it, since it copes badly with damaged tables. HDF5 keeps no times of its objects, so that
+// equal states make equal files.
 #include "io/results/checkpoint.hpp"
 
 #include "io/files/atomic_file.hpp"
@@ -213,6 +213,7 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
     write_number(file, "step_scale", state.step_scale);
     write_number(file, "step_halvings", state.step_halvings);
     write_number(file, "times_halved", state.times_halved);
+    write_number(file, "explicit_end", state.explicit_end);
     write_number(file, "particles", static_cast<std::int64_t>(state.particles.size()));
     write_number(file, "memory_columns", static_cast<std::int64_t>(state.particles.memory.size()));
     if (state.balance_terms)
@@ -240,6 +241,7 @@ State read_state(const Handle& file)
     state.step_scale = read_number<double>(file, "step_scale");
     state.step_halvings = read_number<std::int64_t>(file, "step_halvings");
     state.times_halved = read_number<std::int64_t>(file, "times_halved");
+    state.explicit_end = read_number<std::int64_t>(file, "explicit_end");
     const auto count = static_cast<std::size_t>(read_number<std::int64_t>(file, "particles"));
     state.particles.memory.resize(
         static_cast<std::size_t>(read_number<std::int64_t>(file, "memory_columns")));

@@ -19,6 +19,12 @@ public:
     using std::runtime_error::runtime_error;
 };
 
+/// What helps a run that went bad from its last restart point on.
+enum class Remedy : std::uint8_t {
+    shorter_steps,
+    explicit_steps // of a semi-implicit run: they do not damp the sound of the water
+};
+
 /// Where and why a run failed.
 struct FailureRecord {
     std::string phase;                  // phase of the step, e.g. "gather"
@@ -30,6 +36,7 @@ struct FailureRecord {
     double time_step = 0.0;             // dt [s]
     std::int64_t identifier = -1;       // the particle's lasting number [-], -1 when no particle is involved
     Vector2 position = Vector2::Zero(); // [m]
+    Remedy remedy = Remedy::shorter_steps;
 };
 
 /// Why a run becomes unstable, the most likely cause first.

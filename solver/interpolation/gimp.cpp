@@ -7,16 +7,21 @@ namespace quicksand {
 
 namespace {
 
-/// The hat function around 0 in cells, and its primitive from -infinity.
+/// The hat function around 0 in cells.
 double hat(double z)
 {
     return std::max(0.0, 1.0 - std::abs(z));
 }
 
-double hat_primitive(double z)
+/// Its integral from `low` to `high`. Each side by its distances from the foot: what just reaches over the
+/// foot has the square of the overlap, without the rounding of what lies between.
+double hat_integral(double low, double high)
 {
-    const double inside = std::clamp(z, -1.0, 1.0);
-    return inside < 0.0 ? 0.5 * (1.0 + inside) * (1.0 + inside) : 1.0 - 0.5 * (1.0 - inside) * (1.0 - inside);
+    const auto flank = [](double from_foot, double to_top) { // a slope of 1 from the foot on
+        const double a = std::clamp(from_foot, 0.0, 1.0), b = std::clamp(to_top, 0.0, 1.0);
+        return 0.5 * (b * b - a * a);
+    };
+    return flank(1.0 + low, 1.0 + high) + flank(1.0 - high, 1.0 - low);
 }
 
 /// Weights of one direction.
@@ -36,7 +41,7 @@ LineWeights line_weights(double cells, double length_in_cells, double cell_size)
     line.count = static_cast<int>(high - rounding) - line.first + 2;
     for (int a = 0; a < line.count; ++a) {
         const double node = line.first + a;
-        line.value[a] = (hat_primitive(high - node) - hat_primitive(low - node)) / length_in_cells;
+        line.value[a] = hat_integral(low - node, high - node) / length_in_cells;
         line.slope[a] = (hat(high - node) - hat(low - node)) / (length_in_cells * cell_size);
     }
     return line;

@@ -298,13 +298,13 @@ BalanceErrors balance(const Problem& problem, const State& state)
             result.water_error =
                 (content + terms.outflow - terms.opening_water_content) / terms.opening_water_content;
     }
-    const double error = kinetic + result.numerical_loss + terms.skeleton_work + stored + terms.inertia_work +
-                         terms.drag_dissipation - outside;
-    const double turnover =
-        sums.kinetic_energy + terms.opening_kinetic_energy + std::abs(terms.skeleton_work) + storage +
-        terms.opening_storage_energy + std::abs(terms.inertia_work) + std::abs(terms.drag_dissipation) +
-        std::abs(terms.gravity_work) + std::abs(terms.base_work) + std::abs(terms.boundary_work);
-    result.energy_error = turnover > 0.0 ? error / turnover : 0.0;
+    result.energy_residual = kinetic + result.numerical_loss + terms.skeleton_work + stored +
+                             terms.inertia_work + terms.drag_dissipation - outside;
+    result.turnover = sums.kinetic_energy + terms.opening_kinetic_energy + std::abs(terms.skeleton_work) +
+                      storage + terms.opening_storage_energy + std::abs(terms.inertia_work) +
+                      std::abs(terms.drag_dissipation) + std::abs(terms.gravity_work) +
+                      std::abs(terms.base_work) + std::abs(terms.boundary_work);
+    result.energy_error = result.turnover > 0.0 ? result.energy_residual / result.turnover : 0.0;
     result.momentum_error_x = sums.momentum_x - terms.opening_momentum_x - terms.impulse_x - terms.exchange_x;
     result.momentum_error_y = sums.momentum_y - terms.opening_momentum_y - terms.impulse_y - terms.exchange_y;
     return result;

@@ -53,7 +53,9 @@ void enter_exchange(const Problem& problem, double dt, const Particles& particle
 /// Residuals of the balances at the present state, and the numerical dissipation.
 struct BalanceErrors {
     double numerical_loss = 0.0;   // kinetic energy lost between particles and nodes and at walls [J/m]
-    double energy_error = 0.0;     // residual / sum of the sizes of all terms [-]
+    double energy_residual = 0.0;  // below zero where energy is missing [J/m]
+    double turnover = 0.0;         // sum of the sizes of all terms [J/m]
+    double energy_error = 0.0;     // their ratio [-]
     double momentum_error_x = 0.0; // momentum less initial momentum, impulses and exchange [N s/m]
     double momentum_error_y = 0.0;
     double water_error = 0.0; // (water content - initial content + outflow) / initial content [-]

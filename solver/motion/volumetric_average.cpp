@@ -36,13 +36,28 @@ void average_tile(const VolumetricAverage& average, const CellLists& lists, cons
     }
 }
 
+/// Whether the soil grows as it flows.
+bool dilates(const SkeletonLaw& any)
+{
+    return std::visit(
+        [](const auto& law) {
+            if constexpr (requires { law.dilation_angle; }) {
+                return law.dilation_angle > 0.0;
+            } else {
+                return false;
+            }
+        },
+        any);
+}
+
 } // namespace
 
 VolumetricAverage make_volumetric_average(const Problem& problem)
 {
     VolumetricAverage average;
     for (const Material& material : problem.materials)
-        average.asked_for.push_back(material.volumetric_strain == VolumetricStrain::cell ? 1 : 0);
+        average.asked_for.push_back(
+            material.volumetric_strain == VolumetricStrain::cell && !dilates(material.law) ? 1 : 0);
     if (std::find(average.asked_for.begin(), average.asked_for.end(), 1) == average.asked_for.end())
         average.asked_for.clear();
     return average;

@@ -5,7 +5,9 @@
 // rate of volume change at a particle is replaced by that of its cell, weighted by volume (the mean dilation
 // of Nagtegaal, Parks and Rice 1974):
 //   L <- L + (mean tr L - tr L) I / 2
-// Only the stress uses this L; shear strain, motion and velocities stay.
+// Soil that dilates keeps its own rates: its particles' mean stresses go different ways, and nodal forces
+// that work on the own rates would make energy, sum V s (tr L - mean tr L) of the mean stresses s in the
+// plane. Only the stress uses this L; shear strain, motion and velocities stay.
 #pragma once
 
 #include "solver/particles/cell_lists.hpp"

@@ -68,6 +68,8 @@ struct State {
     double step_scale = 1.0;
     std::int64_t step_halvings = 0; // of this step, by the watchdog (run/watchdog.hpp) [-]
     std::int64_t times_halved = 0;  // by the watchdog since the shaking began [-]
+    /// Steps before this one are explicit in a semi-implicit run (run/watchdog.hpp) [-].
+    std::int64_t explicit_end = 0;
     Particles particles;
     Vectors reactions; // forces held at viscous boundaries, piece by piece; none without [N/m]
     std::optional<BalanceTerms> balance_terms; // none: a run without balances

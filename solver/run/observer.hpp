@@ -34,7 +34,7 @@ public:
     /// The state stands at next_time(); the observer moves its next_time() on.
     virtual void observe(const Problem& problem, const State& state, const StepReport& report) = 0;
     virtual void after_step(const StepReport&) {}
-    /// The run failed and goes on from `state`, earlier, with half the step.
+    /// The run failed and goes on from `state`, earlier, with the remedy of the record.
     virtual void went_back(const FailureRecord&, const State&) {}
     /// The run has come to its end or was stopped: wait for what is still under way, and throw its failure.
     virtual void finish() {}

@@ -37,9 +37,62 @@ bool marks_restart(const std::vector<Observer*>& observers, const State& state)
 /// The step to the next time that an observer waits for, or to the end.
 TimeStep choose_step(const Problem& problem, double event, State& state)
 {
-    if (state.step % steps_between_bounds == 0) measure_bound(problem, state);
+    if (state.step % steps_between_bounds == 0 || state.step == state.explicit_end)
+        measure_bound(problem, state);
     return divide_evenly(bounded_time_step(problem, state), event - state.time);
 }
+
+/// The steps of a problem and of its form with explicit steps, which the watchdog may ask for.
+class Steps {
+public:
+    explicit Steps(const Problem& problem) : problem_(problem), explicit_form_(problem)
+    {
+        explicit_form_.scheme = TimeScheme::explicit_steps;
+        begin_anew();
+    }
+
+    /// From nothing, as a run that begins with the state would.
+    void begin_anew() { stepper_ = make_stepper(form()); }
+
+    /// Measure the bound of the explicit steps that are to follow.
+    void measure(State& state) const
+    {
+        if (state.step < state.explicit_end) measure_bound(explicit_form_, state);
+    }
+
+    /// Choose the step that is due, and its kind.
+    TimeStep choose(double event, State& state)
+    {
+        if (state.step >= state.explicit_end) {
+            change_over(false);
+            return choose_step(problem_, event, state);
+        }
+        TimeStep step = choose_step(explicit_form_, event, state);
+        if (step.limiter == TimeStepLimiter::wave) step.limiter = TimeStepLimiter::sound;
+        // forces act from the middle of the last step on: over a long interval pressures have to be implicit
+        constexpr double most_shrinking = 0.5;
+        const double least = most_shrinking * state.last_step;
+        change_over(step.dt >= least);
+        if (step.dt < least) step.dt = std::min(least, event - state.time);
+        return step;
+    }
+
+    const Problem& form() const { return are_explicit_ ? explicit_form_ : problem_; }
+    Stepper& stepper() { return *stepper_; }
+
+private:
+    void change_over(bool to_explicit)
+    {
+        if (are_explicit_ == to_explicit) return;
+        are_explicit_ = to_explicit;
+        begin_anew();
+    }
+
+    const Problem& problem_;
+    Problem explicit_form_;
+    bool are_explicit_ = false;
+    std::unique_ptr<Stepper> stepper_;
+};
 
 /// One step; true where it arrives at the event.
 bool take_step(const Problem& problem, double dt, double event, Stepper& stepper, State& state)
@@ -58,7 +111,7 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
          const StopRule& stop)
 {
     if (state.step == 0) hold_reactions(problem, state);
-    std::unique_ptr<Stepper> stepper = make_stepper(problem);
+    Steps steps(problem);
     StepReport report{state.step, state.time, {}, 0, true};
     observe_due(problem, observers, state, report);
     Watchdog watchdog(problem, state);
@@ -66,26 +119,27 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
         bool arrives = false;
         try {
             const double event = next_event(observers, end_time);
-            report.time_step = choose_step(problem, event, state);
-            arrives = take_step(problem, report.time_step.dt, event, *stepper, state);
+            report.time_step = steps.choose(event, state);
+            arrives = take_step(steps.form(), report.time_step.dt, event, steps.stepper(), state);
             report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
                                       state.step % steps_between_restarts == 0;
             if (report.is_restart_point) watchdog.check(problem, report.time_step.dt, state);
             if (arrives) watchdog.check_growth(problem, report.time_step.dt, state); // before it is looked at
         } catch (const NumericalError& error) {
             watchdog.go_back(error, state);
-            stepper = make_stepper(problem);
+            steps.begin_anew();
+            steps.measure(state);
             for (Observer* observer : observers) observer->went_back(error.record, state);
             continue;
         }
         report.step = state.step;
         report.time = state.time;
-        report.limited_domains = stepper->limited_domains();
+        report.limited_domains = steps.stepper().limited_domains();
         for (Observer* observer : observers) observer->after_step(report);
         if (report.is_restart_point) watchdog.keep(problem, state);
         if (arrives) observe_due(problem, observers, state, report);
         if (!report.is_restart_point) continue;
-        stepper->restart();
+        steps.stepper().restart();
         if (stop && stop()) break;
     }
     for (Observer* observer : observers) observer->finish();

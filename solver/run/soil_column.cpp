@@ -337,6 +337,7 @@ void widen(const SoilColumn& column, const State& narrow, State& wide)
     wide.step_scale = narrow.step_scale;
     wide.step_halvings = narrow.step_halvings;
     wide.times_halved = narrow.times_halved;
+    wide.explicit_end = narrow.explicit_end;
     wide.balance_terms = narrow.balance_terms;
     if (wide.balance_terms)
         for_each_number(*wide.balance_terms, [&](const char*, double& value) { value *= column.columns; });

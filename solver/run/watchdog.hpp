@@ -11,10 +11,13 @@ namespace quicksand {
 
 /// Keeps the state of the last restart point. A run that fails, or whose steps make energy, goes on from
 /// there with half the step; at the third time in a row it ends. Steps that waves limit stay halved, for
-/// their limit was wrong; implicit ones, whose limits are those of accuracy, until the next restart point.
+/// their limit was wrong; implicit ones, whose limits are those of accuracy, until the next restart point. A
+/// run whose semi-implicit steps damp the sound of the water too much goes on with explicit ones for a while.
 class Watchdog {
 public:
     static constexpr int most_halvings = 3;
+    /// In one go: a tenth of the time is lost where semi-implicit steps are tried again in vain [-].
+    static constexpr std::int64_t explicit_steps = 512;
 
     Watchdog(const Problem& problem, State& state) { keep(problem, state); }
 
@@ -27,19 +30,24 @@ public:
     void check_growth(const Problem& problem, double dt, const State& state) const;
 
     /// The same, and where the energy that they made is lost again between particles and grid: a tenth of all
-    /// that was ever put in, or is held by stress and water, since keep(), and twice of it in all.
+    /// that was ever put in, or is held by stress and water at keep(), since then, and twice of it in all.
+    /// Likewise where semi-implicit steps have lost energy since keep(), and 2 % of what was turned over in
+    /// all.
     void check(const Problem& problem, double dt, const State& state) const;
 
-    /// Bring the state back with half the step; throws `error`, with what was tried, where that has not
-    /// helped three times.
+    /// Bring the state back with the remedy of `error`; throws it, with what was tried, where half the step
+    /// has not helped three times.
     void go_back(const NumericalError& error, State& state);
 
 private:
+    void check_sound(const Problem& problem, double dt, const State& state) const;
+
     State kept_;
-    double kinetic_energy_ = 0.0; // of the kept state [J/m]
-    double numerical_loss_ = 0.0; // up to it [J/m]
-    int halvings_ = 0;            // in a row [-]
-    double failed_time_ = -1.0;   // of the latest failure [s]
+    double energy_residual_ = 0.0; // of the kept state [J/m]
+    double kinetic_energy_ = 0.0;  // of the kept state [J/m]
+    double numerical_loss_ = 0.0;  // up to it [J/m]
+    int halvings_ = 0;             // in a row [-]
+    double failed_time_ = -1.0;    // of the latest failure [s]
 };
 
 } // namespace quicksand

@@ -5,7 +5,18 @@
 
 namespace quicksand {
 
-enum class TimeStepLimiter { wave, vibration, inertia, shaking, growth, pressure, strain, motion, output };
+enum class TimeStepLimiter {
+    wave,
+    sound,
+    vibration,
+    inertia,
+    shaking,
+    growth,
+    pressure,
+    strain,
+    motion,
+    output
+};
 
 struct TimeStep {
     double dt = 0.0;                                 // [s]

@@ -178,6 +178,8 @@ const char* name_of(TimeStepLimiter limiter)
     switch (limiter) {
     case TimeStepLimiter::wave:
         return "wave";
+    case TimeStepLimiter::sound:
+        return "sound of the water";
     case TimeStepLimiter::vibration:
         return "vibration of the nodes";
     case TimeStepLimiter::inertia:

@@ -12,9 +12,16 @@ namespace quicksand {
 
 namespace {
 
-/// Of the mass of a node with a good cell: a corner that touches a grid line by rounding makes no follower
-/// [-].
-constexpr double least_mass = 1e-9;
+/// Of a cell, beyond a grid line: what reaches over it by rounding makes no follower [-].
+constexpr double least_overlap = 1e-9;
+
+/// The same of the mass of a node with a good cell: weights of corners go with the overlap, those of boxes
+/// with its square. Their stiffness does, too, so that the step would be too long for such a node alone [-].
+double least_mass(Interpolation interpolation)
+{
+    const bool is_box = interpolation == Interpolation::gimp || interpolation == Interpolation::cpgimp;
+    return is_box ? least_overlap * least_overlap : least_overlap;
+}
 constexpr double least_row = 1e-6; // sum of a row's parts below which no soil touches the wall there [-]
 
 /// What a row holds of each node.
@@ -144,7 +151,8 @@ void for_each_follower(const Problem& problem, const NodeConditions& conditions,
         if (!sums[k].active()) continue;
         follow(problem.grid, roots, k, followed);
         if (followed.empty()) continue;
-        const double least = least_mass * mass(sums[conditions.master[followed[0].node]]);
+        const double least =
+            least_mass(problem.interpolation) * mass(sums[conditions.master[followed[0].node]]);
         if (mass(sums[k]) > 0.0 && mass(sums[k]) >= least) add(k, followed);
     }
 }

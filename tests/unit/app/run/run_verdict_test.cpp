@@ -38,6 +38,14 @@ TEST(RunVerdict, CountsTheEnergyAtTheStart)
     EXPECT_EQ(worst_grade(verdict_on(head + "0,1,0,9,0\n1,0,10,0,0\n")), Grade::good);
 }
 
+// A body at rest whose rounding works on nothing: 1e5 kg and 49 m2, m g H / 2 1e-12 = 3.4e-6 J.
+TEST(RunVerdict, IsNotBadWhereABodyAtRestLosesWhatIsRounding)
+{
+    const std::string head = "time_s,numerical_loss_J,gravity_work_J,mass_solid_kg,volume_m3\n";
+    EXPECT_EQ(worst_grade(verdict_on(head + "0,0,0,1e5,49\n1,5e-7,-3e-8,1e5,49\n")), Grade::good);
+    EXPECT_EQ(worst_grade(verdict_on(head + "0,0,0,1e5,49\n1,5e-5,-3e-8,1e5,49\n")), Grade::bad);
+}
+
 TEST(RunVerdict, TellsHowOftenTheStepWasHalved)
 {
     const std::vector<Finding> findings = verdict_on("time_s,energy_error\n0,0\n1,1e-4\n");

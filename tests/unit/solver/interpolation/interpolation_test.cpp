@@ -215,6 +215,29 @@ TEST(Cpdi2, CornersThatMoveKeepThePartOfTheAreaThatTheParticleCarries)
     EXPECT_EQ(advance_quadrilaterals(wide, 0.1, away, particles), 0) << "a corner outside the grid";
 }
 
+// A box of length l that reaches over a line by o gives the node beyond o^2/(2 l), on either side: its force
+// goes with o, and must find the mass that belongs to it.
+TEST(Gimp, WhatJustReachesOverALineHasTheSquareOfTheOverlap)
+{
+    const BackgroundGrid unit{{0.0, 0.0}, 1.0, 8, 6};
+    constexpr double l = 0.5, o = 1e-8;
+    Particles particles;
+    resize(particles, 1, std::nullopt);
+    particles.reference_edge_1.set(0, {0.5 * l, 0.0});
+    particles.reference_edge_2.set(0, {0.0, 0.5 * l});
+    for (const double side : {-1.0, 1.0}) {
+        const double edge = 3.0 + side * o; // of the box, beyond the line at 3
+        particles.position.set(0, {1.5, edge - side * 0.5 * l});
+        NodeStencil stencil;
+        UniformGimp::evaluate(unit, particles, 0, stencil);
+        ASSERT_EQ(stencil.height, 3);
+        const NodeWeight* row = stencil.weights + (side > 0.0 ? 2 : 0) * stencil.width;
+        double beyond = 0.0;
+        for (int k = 0; k < stencil.width; ++k) beyond += row[k].value;
+        EXPECT_NEAR(beyond, 0.5 * o * o / l, 1e-6 * o * o) << side;
+    }
+}
+
 TEST(Cpdi2, ALostCornerEndsTheRun)
 {
     State state;

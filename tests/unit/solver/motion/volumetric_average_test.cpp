@@ -1,4 +1,5 @@
 // The cell's rate of volume change in place of the particle's, where a material asks for it.
+#include "solver/measure/balances.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/volumetric_average.hpp"
 #include "tests/fixtures/soil_block.hpp"
@@ -83,6 +84,31 @@ TEST(VolumetricAverage, CostsNothingWhereNoMaterialAsks)
     EXPECT_TRUE(make_volumetric_average(problem).asked_for.empty());
     const Particles particles = stressed(problem);
     EXPECT_GT(std::abs(mean_stress(particles, 0)), 1e4);
+}
+
+// A block of sand that falls apart on its base: it was free of stress, so that it has nothing to give. Its
+// skeleton dissipates; with the cell's rate of volume change it gave back more than the weight did.
+TEST(VolumetricAverage, MakesNoEnergyInSoilThatDilates)
+{
+    Problem problem;
+    problem.grid = {{-4.0, 0.0}, 1.0, 12, 8};
+    Material sand = fixtures::stiff_sand();
+    constexpr double degree = 0.017453292519943295;
+    sand.law = MohrCoulomb{.shear_modulus = 25e6,
+                           .poisson_ratio = 0.45,
+                           .friction_angle = 30.0 * degree,
+                           .dilation_angle = 25.0 * degree};
+    sand.volumetric_strain = VolumetricStrain::cell;
+    problem.materials = {sand};
+    problem.boundaries = fixtures::rectangle(0.0, 0.0, 4.0, 4.0, FixedWall{}, FreeFace{}, FreeFace{});
+    EXPECT_EQ(make_volumetric_average(problem).asked_for.size(), 0U);
+    State state = fixtures::fill(problem, 3,
+                                 [](const Vector2& x) { return x.x() > 0.0 && x.x() < 4.0 && x.y() < 4.0; });
+    open_balances(problem, state);
+    EXPECT_TRUE(run(problem, 0.25, {}, state));
+    EXPECT_GT(state.balance_terms->gravity_work, 0.0);
+    EXPECT_GT(state.balance_terms->skeleton_work, 0.0);
+    EXPECT_LT(balance(problem, state).numerical_loss, 0.5 * state.balance_terms->gravity_work);
 }
 
 TEST(VolumetricAverage, PassesOverTheParticlesOfOtherMaterials)

@@ -3,11 +3,14 @@
 #include "solver/measure/monitors.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/run/watchdog.hpp"
+#include "solver/step/stepper.hpp"
 #include "tests/fixtures/restless_patch.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <memory>
 #include <string>
 
 namespace quicksand {
@@ -140,12 +143,103 @@ TEST(Watchdog, CountsTheLossSinceTheLastRestartPoint)
     EXPECT_THROW(watchdog.check(patch.problem, 1e-6, patch.state), NumericalError);
 }
 
+// What holds it has grown with the motion itself.
+TEST(Watchdog, DoesNotCountTheStressThatTheStepsHaveMade)
+{
+    Patch patch(1.0);
+    const Watchdog watchdog(patch.problem, patch.state);
+    patch.state.step = 1;
+    BalanceTerms& terms = *patch.state.balance_terms;
+    terms.wall_loss = 2.2 * energy_put_in(terms);
+    std::fill(patch.state.particles.stress.xx.begin(), patch.state.particles.stress.xx.end(), 1e9);
+    EXPECT_THROW(watchdog.check(patch.problem, 1e-6, patch.state), NumericalError);
+}
+
 TEST(Watchdog, SumsTheKineticEnergyAsTheMonitorsDo)
 {
     Patch patch(1.0);
     EXPECT_NEAR(kinetic_energy(patch.problem, patch.state.particles) /
                     monitor(patch.problem, patch.state, {}).kinetic_energy,
                 1.0, 1e-13);
+}
+
+/// The shortest step over the one before.
+class Shrinking : public Observer {
+public:
+    double next_time() const override { return std::numeric_limits<double>::infinity(); }
+    void observe(const Problem&, const State&, const StepReport&) override {}
+    void after_step(const StepReport& report) override
+    {
+        if (last > 0.0) least = std::min(least, report.time_step.dt / last);
+        last = report.time_step.dt;
+    }
+    void went_back(const FailureRecord& record, const State& state) override
+    {
+        remedies += record.remedy == Remedy::explicit_steps;
+        last = state.last_step;
+    }
+
+    double last = 0.0, least = 1.0;
+    int remedies = 0;
+};
+
+/// The same patch of loose drag, whose pressure is let go at the top: a front that semi-implicit steps damp.
+struct LoudPatch : Patch {
+    LoudPatch() : Patch(1.0)
+    {
+        problem.scheme = TimeScheme::semi_implicit;
+        problem.materials[0].hydraulic_conductivity = 1.0;
+        std::fill(state.particles.pore_pressure.begin(), state.particles.pore_pressure.end(), 1e3);
+        open_balances(problem, state);
+    }
+};
+
+TEST(Watchdog, TakesExplicitStepsWhereSemiImplicitOnesDampTheSound)
+{
+    LoudPatch patch;
+    const double dt = stable_time_step(patch.problem, patch.state.particles).dt;
+    State damped = patch.state;
+    const std::unique_ptr<Stepper> stepper = make_stepper(patch.problem);
+    for (int k = 0; k < 20; ++k) stepper->advance(patch.problem, dt, damped);
+    EXPECT_LT(balance(patch.problem, damped).energy_error, -0.1);
+
+    Shrinking steps;
+    EXPECT_TRUE(run(patch.problem, 20.0 * dt, {&steps}, patch.state));
+    EXPECT_EQ(steps.remedies, 1);
+    EXPECT_EQ(patch.state.step_halvings, 0);
+    EXPECT_EQ(patch.state.explicit_end, Watchdog::explicit_steps);
+    EXPECT_GT(balance(patch.problem, patch.state).energy_error, -0.02);
+}
+
+// Over the long interval from the middle of a semi-implicit step an explicit one would be unstable.
+TEST(Watchdog, ShortensStepsByHalvesBeforeTheyAreExplicit)
+{
+    LoudPatch patch;
+    const double dt = stable_time_step(patch.problem, patch.state.particles).dt;
+    patch.state.explicit_end = 100000;
+    patch.state.last_step = dt;
+    patch.state.step = 32;
+    Shrinking steps;
+    steps.last = dt;
+    EXPECT_TRUE(run(patch.problem, 3.0 * dt, {&steps}, patch.state));
+    EXPECT_GE(steps.least, 0.5 - 1e-9);
+    Problem explicit_form = patch.problem;
+    explicit_form.scheme = TimeScheme::explicit_steps;
+    EXPECT_NEAR(steps.last, stable_time_step(explicit_form, patch.state.particles).dt, 0.1 * steps.last);
+    EXPECT_GT(balance(patch.problem, patch.state).energy_error, -0.1);
+}
+
+TEST(Watchdog, ExplicitStepsGoOnWithTheSameBitsWhereARunIsStopped)
+{
+    LoudPatch whole, parts;
+    const double end = 30.0 * stable_time_step(whole.problem, whole.state.particles).dt;
+    EXPECT_TRUE(run(whole.problem, end, {}, whole.state));
+    const auto in_the_middle = [&] { return parts.state.step < parts.state.explicit_end; };
+    EXPECT_FALSE(run(parts.problem, end, {}, parts.state, in_the_middle));
+    EXPECT_TRUE(run(parts.problem, end, {}, parts.state));
+    EXPECT_EQ(whole.state.step, parts.state.step);
+    EXPECT_EQ(whole.state.particles.velocity_solid.x, parts.state.particles.velocity_solid.x);
+    EXPECT_EQ(whole.state.particles.pore_pressure, parts.state.particles.pore_pressure);
 }
 
 } // namespace

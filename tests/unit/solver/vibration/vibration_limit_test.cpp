@@ -1,4 +1,6 @@
 // The limit of the step by the nodes' vibration, against closed forms and other drawings of the same body.
+#include "solver/measure/monitors.hpp"
+#include "solver/run/simulation.hpp"
 #include "solver/vibration/step_bound.hpp"
 #include "solver/vibration/vibration_limit.hpp"
 #include "tests/fixtures/restless_patch.hpp"
@@ -96,6 +98,28 @@ TEST(VibrationLimit, OfExplicitStepsDoesNotFallWithTheWaterAboveAGridLine)
     }
 }
 
+// Boxes that have moved over the line above them by less than a millionth of a cell: the node there has a
+// stiffness as small as its mass, and follows the nodes below however small both are.
+TEST(VibrationLimit, OfBoxesBesideASlantedWallDoesNotFallWithTheirOverlap)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.1, 5, 6};
+    problem.materials = {stiff_sand()};
+    problem.gravity = 0.0;
+    problem.boundaries = rectangle(0.0, 0.0, 0.4, 0.4, FixedWall{}, RollerWall{}, FreeFace{});
+    problem.boundaries[1].segments = {{{0.4, 0.0}, {0.41, 0.4}}};
+    for (const Interpolation interpolation : {Interpolation::gimp, Interpolation::cpgimp}) {
+        problem.interpolation = interpolation;
+        const auto limit = [&](double overlap) {
+            State state = fill(problem, 2, [](const Vector2& x) { return x.x() < 0.4 && x.y() < 0.4; });
+            for (double& y : state.particles.position.y) y += 0.1 * overlap;
+            return vibration_limit(problem, state, long_step).dt;
+        };
+        for (const double overlap : {1e-8, 1e-6, 1e-5})
+            EXPECT_NEAR(limit(overlap), limit(1e-3), 0.03 * limit(1e-3)) << overlap;
+    }
+}
+
 TEST(VibrationLimit, ScalesWithLengthAndFallsWithTheRootOfTheModulus)
 {
     Problem problem = patch(1e-4, false);
@@ -144,6 +168,26 @@ TEST(StepBound, ShortensTheStepOfNearlyIncompressibleSoil)
     EXPECT_EQ(bounded_time_step(problem, state).limiter, TimeStepLimiter::vibration);
     EXPECT_DOUBLE_EQ(bounded_time_step(problem, state).dt,
                      state.step_scale * stable_time_step(problem, state.particles).dt);
+}
+
+// The faster these waves are than the shear wave of the closed form, the shorter is the step: without a floor
+// that they reach.
+TEST(StepBound, IsAsShortAsTheWavesOfNearlyIncompressibleSoilNeed)
+{
+    for (const double nu : {0.49, 0.497, 0.499}) {
+        Problem problem = patch(1e-6, true);
+        problem.scheme = TimeScheme::semi_implicit;
+        std::get<LinearElastic>(problem.materials[0].law).poisson_ratio = nu;
+        State state = restless(problem);
+        const double closed = stable_time_step(problem, state.particles).dt;
+        measure_bound(problem, state);
+        const double dt = bounded_time_step(problem, state).dt;
+        EXPECT_NEAR(dt, 0.9 * vibration_limit(problem, state, closed).dt, 0.02 * dt) << nu;
+        const double energy = monitor(problem, state, {}).kinetic_energy;
+        EXPECT_TRUE(run(problem, 300.0 * dt, {}, state));
+        EXPECT_EQ(state.step_halvings, 0) << nu;
+        EXPECT_LT(monitor(problem, state, {}).kinetic_energy, energy) << nu;
+    }
 }
 
 // A box of length l that reaches over the last line with its edge gives the node there K/m = 2 M/(rho h l),
