@@ -203,6 +203,31 @@ auto wetness(const Problem& problem, const Particles& particles)
     };
 }
 
+/// With the kinetic energy that a sum over the particles has found.
+EnergyBalance balance_energy(const Problem& problem, const State& state, double kinetic_energy)
+{
+    const BalanceTerms& terms = *state.balance_terms;
+    EnergyBalance result;
+    result.kinetic = kinetic_energy;
+    const double kinetic = kinetic_energy - terms.opening_kinetic_energy;
+    result.numerical_loss = terms.kinetic_change - kinetic + terms.wall_loss;
+    const double outside = terms.gravity_work + terms.base_work + terms.boundary_work;
+    double stored = 0.0, storage = 0.0;
+    if (problem.water) {
+        storage = storage_energy(problem, state.particles);
+        // undrained, the skeleton's work is that of the total stress and includes the water's part
+        if (water_flow(problem) == WaterFlow::coupled)
+            stored = storage - terms.late_pressure_work - terms.opening_storage_energy;
+    }
+    result.residual = kinetic + result.numerical_loss + terms.skeleton_work + stored + terms.inertia_work +
+                      terms.drag_dissipation - outside;
+    result.turnover = kinetic_energy + terms.opening_kinetic_energy + std::abs(terms.skeleton_work) +
+                      storage + terms.opening_storage_energy + std::abs(terms.inertia_work) +
+                      std::abs(terms.drag_dissipation) + std::abs(terms.gravity_work) +
+                      std::abs(terms.base_work) + std::abs(terms.boundary_work);
+    return result;
+}
+
 } // namespace
 
 std::vector<std::uint8_t> balance_nodes(const NodeConditions& conditions)
@@ -283,31 +308,23 @@ BalanceErrors balance(const Problem& problem, const State& state)
     if (!state.balance_terms) return result;
     const BalanceTerms& terms = *state.balance_terms;
     const Monitors sums = monitor(problem, state, {});
-    const double kinetic = sums.kinetic_energy - terms.opening_kinetic_energy;
-    result.numerical_loss = terms.kinetic_change - kinetic + terms.wall_loss;
-    const double outside = terms.gravity_work + terms.base_work + terms.boundary_work;
-    double stored = 0.0, storage = 0.0;
-    if (problem.water) {
-        storage = storage_energy(problem, state.particles);
-        // undrained, the skeleton's work is that of the total stress and includes the water's part
-        if (water_flow(problem) == WaterFlow::coupled)
-            stored = storage - terms.late_pressure_work - terms.opening_storage_energy;
-        const double content = water_content(problem, state.particles);
-        // drained water comes and goes uncounted
-        if (water_flow(problem) != WaterFlow::drained && terms.opening_water_content > 0.0)
-            result.water_error =
-                (content + terms.outflow - terms.opening_water_content) / terms.opening_water_content;
-    }
-    result.energy_residual = kinetic + result.numerical_loss + terms.skeleton_work + stored +
-                             terms.inertia_work + terms.drag_dissipation - outside;
-    result.turnover = sums.kinetic_energy + terms.opening_kinetic_energy + std::abs(terms.skeleton_work) +
-                      storage + terms.opening_storage_energy + std::abs(terms.inertia_work) +
-                      std::abs(terms.drag_dissipation) + std::abs(terms.gravity_work) +
-                      std::abs(terms.base_work) + std::abs(terms.boundary_work);
-    result.energy_error = result.turnover > 0.0 ? result.energy_residual / result.turnover : 0.0;
+    const EnergyBalance energy = balance_energy(problem, state, sums.kinetic_energy);
+    result.numerical_loss = energy.numerical_loss;
+    result.energy_error = energy.error();
+    // drained water comes and goes uncounted
+    if (problem.water && water_flow(problem) != WaterFlow::drained && terms.opening_water_content > 0.0)
+        result.water_error =
+            (water_content(problem, state.particles) + terms.outflow - terms.opening_water_content) /
+            terms.opening_water_content;
     result.momentum_error_x = sums.momentum_x - terms.opening_momentum_x - terms.impulse_x - terms.exchange_x;
     result.momentum_error_y = sums.momentum_y - terms.opening_momentum_y - terms.impulse_y - terms.exchange_y;
     return result;
+}
+
+EnergyBalance energy_balance(const Problem& problem, const State& state)
+{
+    if (!state.balance_terms) return {};
+    return balance_energy(problem, state, kinetic_energy(problem, state.particles));
 }
 
 double energy_put_in(const BalanceTerms& terms)

@@ -58,52 +58,62 @@ void Watchdog::keep(const Problem& problem, State& state)
 {
     if (problem.scheme == TimeScheme::implicit) state.step_halvings = 0;
     kept_ = state;
-    if (state.balance_terms) {
-        kinetic_energy_ = kinetic_energy(problem, state.particles);
-        const BalanceErrors errors = balance(problem, state);
-        numerical_loss_ = errors.numerical_loss;
-        energy_residual_ = errors.energy_residual;
-    }
+    energy_ = energy_balance(problem, state);
     if (state.time > failed_time_) halvings_ = 0;
 }
 
-void Watchdog::check_growth(const Problem& problem, double dt, const State& state) const
+void Watchdog::check_growth(const EnergyBalance& energy, double dt, const State& state) const
 {
-    if (!state.balance_terms || state.step == kept_.step) return;
-    if (kinetic_energy(problem, state.particles) <= growth * kinetic_energy_) return;
-    const double made = balance(problem, state).energy_error;
-    if (made <= energy_made) return;
-    fail("the steps have made energy, " + percentage(made) + " of what was turned over, and the motion grows",
+    if (energy.kinetic <= growth * energy_.kinetic || energy.error() <= energy_made) return;
+    fail("the steps have made energy, " + percentage(energy.error()) +
+             " of what was turned over, and the motion grows",
          dt, state);
 }
 
-void Watchdog::check_sound(const Problem& problem, double dt, const State& state) const
+void Watchdog::check_sound(const Problem& problem, const EnergyBalance& energy, double dt,
+                           const State& state) const
 {
     if (problem.scheme != TimeScheme::semi_implicit || water_flow(problem) != WaterFlow::coupled) return;
-    if (kept_.step < state.explicit_end) return; // the steps since then were explicit
-    const BalanceErrors errors = balance(problem, state);
-    const double lost_at_once = energy_residual_ - errors.energy_residual;
-    if (errors.energy_residual >= -energy_damped * errors.turnover ||
-        lost_at_once <= damped_at_once * errors.turnover)
-        return;
-    fail("semi-implicit steps have damped the sound of the water by " + percentage(-errors.energy_error) +
+    if (kept_.step < state.explicit_end) return;              // the steps since then were explicit
+    const double damped = energy_.residual - energy.residual; // since then
+    if (energy.error() >= -energy_damped || damped <= damped_at_once * energy.turnover) return;
+    fail("semi-implicit steps have damped the sound of the water by " + percentage(-energy.error()) +
              " of the energy that was turned over",
          dt, state, Remedy::explicit_steps);
 }
 
-void Watchdog::check(const Problem& problem, double dt, const State& state) const
+void Watchdog::check_loss(const Problem& problem, const EnergyBalance& energy, double dt,
+                          const State& state) const
 {
-    check_growth(problem, dt, state);
-    if (!state.balance_terms || state.step == kept_.step) return;
-    check_sound(problem, dt, state);
-    const double loss = balance(problem, state).numerical_loss;
+    const double loss = energy.numerical_loss;
     double given = energy_put_in(*state.balance_terms);
     if (loss <= energy_lost * given) return;        // as a rule
     given += energy_held(problem, kept_.particles); // stresses of steps that are too long have grown since
-    if (loss <= energy_lost * given || loss - numerical_loss_ <= lost_at_once * given) return;
+    const double at_once = loss - energy_.numerical_loss;
+    if (loss <= energy_lost * given || at_once <= lost_at_once * given) return;
     fail("the steps have made energy that is lost again between particles and grid, " +
-             percentage((loss - numerical_loss_) / given) + " of all that was put in",
+             percentage(at_once / given) + " of all that was put in",
          dt, state);
+}
+
+void Watchdog::check_growth(const Problem& problem, double dt, const State& state) const
+{
+    if (has_nothing_to_check(state)) return;
+    check_growth(energy_balance(problem, state), dt, state);
+}
+
+void Watchdog::check(const Problem& problem, double dt, const State& state) const
+{
+    if (has_nothing_to_check(state)) return;
+    const EnergyBalance energy = energy_balance(problem, state);
+    check_growth(energy, dt, state);
+    check_sound(problem, energy, dt, state);
+    check_loss(problem, energy, dt, state);
+}
+
+bool Watchdog::has_nothing_to_check(const State& state) const
+{
+    return !state.balance_terms || state.step == kept_.step;
 }
 
 void Watchdog::go_back(const NumericalError& error, State& state)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/base/failure.hpp"
+#include "solver/measure/balances.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 
@@ -40,14 +41,16 @@ public:
     void go_back(const NumericalError& error, State& state);
 
 private:
-    void check_sound(const Problem& problem, double dt, const State& state) const;
+    bool has_nothing_to_check(const State& state) const;
+    void check_growth(const EnergyBalance& energy, double dt, const State& state) const;
+    void check_sound(const Problem& problem, const EnergyBalance& energy, double dt,
+                     const State& state) const;
+    void check_loss(const Problem& problem, const EnergyBalance& energy, double dt, const State& state) const;
 
     State kept_;
-    double energy_residual_ = 0.0; // of the kept state [J/m]
-    double kinetic_energy_ = 0.0;  // of the kept state [J/m]
-    double numerical_loss_ = 0.0;  // up to it [J/m]
-    int halvings_ = 0;             // in a row [-]
-    double failed_time_ = -1.0;    // of the latest failure [s]
+    EnergyBalance energy_;      // of the kept state
+    int halvings_ = 0;          // in a row [-]
+    double failed_time_ = -1.0; // of the latest failure [s]
 };
 
 } // namespace quicksand
