@@ -46,7 +46,7 @@ struct InertiaSolve {
     Scalars partial; // sums of the spans
 };
 
-inline constexpr double inertia_fraction = 0.25; // beta [-]
+inline constexpr double inertia_fraction = 0.5; // beta [-]
 
 InertiaSolve make_inertia_solve(const BackgroundGrid& grid, const NodeConditions& conditions);
 

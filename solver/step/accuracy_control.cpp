@@ -14,7 +14,7 @@ namespace {
 
 // Of the dike under 20 g, steps twice as long take a quarter off the crest's settlement: sand in failure is
 // far softer than the elastic stiffness that resists its accelerations.
-constexpr double smoothed_cells = 0.7;     // over which accelerations are smoothed [-]
+constexpr double smoothed_cells = 1.0;     // over which accelerations are smoothed [-]
 constexpr double steps_per_period = 200.0; // of a sine
 constexpr double growth = 1.1;             // of the step when nothing moves the soil any more
 constexpr double pressure_change = 0.02;   // in a step, of the largest excess pressure

@@ -34,17 +34,17 @@ struct StepWorkspace {
     AggregatedLists aggregated_lists, aggregated_wet_lists; // where soil ends within cells
     NodeConditions conditions;
     WallRows walls;
-    std::vector<StencilStore> stencils;        // per tile
-    bool stencils_are_kept = false;            // small strain: they hold for all steps
-    VolumetricAverage average;                 // of the materials that ask for it
-    ParticlePlaces places;                     // of the particles that carry boundaries
-    std::vector<Dashpot> dashpots;             // of viscous boundaries
-    Vectors grid_velocity;                     // sum phi v_i of the grains [m/s]
-    std::optional<InertiaSolve> inertia;       // none: nodes have their masses alone
-    std::vector<std::uint8_t> wall_kinds;      // of the nodes for the balances, without dashpots
-    std::vector<std::uint8_t> balance_nodes;   // with the dashpots of the step, see balances.hpp
-    double null_space_time = 0.0;              // tau of the velocity filter, see grid_to_particle.hpp [s]
-    std::int64_t limited_domains = 0;          // domains scaled down in the last step [-]
+    std::vector<StencilStore> stencils;      // per tile
+    bool stencils_are_kept = false;          // small strain: they hold for all steps
+    VolumetricAverage average;               // of the materials that ask for it
+    ParticlePlaces places;                   // of the particles that carry boundaries
+    std::vector<Dashpot> dashpots;           // of viscous boundaries
+    Vectors grid_velocity;                   // sum phi v_i of the grains [m/s]
+    std::optional<InertiaSolve> inertia;     // none: nodes have their masses alone
+    std::vector<std::uint8_t> wall_kinds;    // of the nodes for the balances, without dashpots
+    std::vector<std::uint8_t> balance_nodes; // with the dashpots of the step, see balances.hpp
+    double null_space_time = 0.0;            // tau of the velocity filter, see grid_to_particle.hpp [s]
+    std::int64_t limited_domains = 0;        // domains scaled down in the last step [-]
     PhaseTimers timers;
 
     /// The lists by which cells have one change of volume: badly filled cells with their roots.
