@@ -11,7 +11,8 @@ using namespace testing_program;
 TEST(Stress, ShortRowsGiveATableAPageAndAFigure)
 {
     const WorkFolder folder;
-    const Outcome outcome = run_program("stress steps/dry-0.5 steps/semi_implicit-2 --random 0 -o " + folder.string());
+    const Outcome outcome =
+        run_program("stress steps/dry-0.5 steps/semi_implicit-2 --random 0 -o " + folder.string());
     EXPECT_EQ(outcome.code, 0) << outcome.output;
     EXPECT_NE(outcome.output.find("steps/dry-0.5"), std::string::npos) << outcome.output;
     EXPECT_NE(outcome.output.find("2 rows: 1 good 1 bad"), std::string::npos) << outcome.output;
@@ -23,8 +24,9 @@ TEST(Stress, ShortRowsGiveATableAPageAndAFigure)
     EXPECT_TRUE(std::filesystem::exists(folder / "steps/dry-0.5/scene.toml"));
     EXPECT_FALSE(std::filesystem::exists(folder / "steps/dry-0.5/results"));
     EXPECT_TRUE(std::filesystem::exists(folder / "steps/semi_implicit-2/results/history.csv"));
-    EXPECT_NE(read_file(folder / "steps/semi_implicit-2/messages.txt").find("the balances of the run do not close"),
-              std::string::npos);
+    EXPECT_NE(
+        read_file(folder / "steps/semi_implicit-2/messages.txt").find("the balances of the run do not close"),
+        std::string::npos);
 }
 
 TEST(Stress, ARandomSceneRunsAgainByHand)
