@@ -38,7 +38,7 @@ void stir(State& state)
 // One factor has grains, water, walls and followers; the momentum balance has them node by node.
 TEST(DrawnInertia, IsThatOfTheChangeOfVelocityAtAnyAngle)
 {
-    for (const double degrees : {0.0, 30.0, -75.0}) {
+    for (const double degrees : {0.0, 30.0, 75.0}) {
         for (const double conductivity : {1e-2, 1e-4}) {
             AssembledCase assembled = column_at(degrees, conductivity);
             const Problem& problem = assembled.problem;
