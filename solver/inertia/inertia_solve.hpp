@@ -43,7 +43,6 @@ struct InertiaSolve {
     Vectors change;  // w [m/s]
     Vectors product; // of a field with K
     Vectors answer;  // of the nodes to impulses [m/s]
-    Scalars partial; // sums of the spans
 };
 
 inline constexpr double inertia_fraction = 0.5; // beta [-]
@@ -73,7 +72,7 @@ void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
 }
 
 /// product = factor K field, with that of tied nodes at their masters; the field of tied nodes becomes that
-/// of their masters. Returns field . product.
-double multiply_stiffness(double factor, Vectors& field, InertiaSolve& solve);
+/// of their masters.
+void multiply_stiffness(double factor, Vectors& field, InertiaSolve& solve);
 
 } // namespace quicksand

@@ -56,10 +56,9 @@ void assemble_span(std::size_t stride, const double* M, const double* G, std::si
 }
 
 VECTOR_KERNEL
-double multiply_span(std::size_t stride, const double* blocks, std::size_t first, std::size_t last,
-                     double factor, const double* x, const double* y, double* force_x, double* force_y)
+void multiply_span(std::size_t stride, const double* blocks, std::size_t first, std::size_t last,
+                   double factor, const double* x, const double* y, double* force_x, double* force_y)
 {
-    Lanes powers = all_lanes(0.0);
     const Lanes factors = all_lanes(factor);
     for (std::size_t i = first; i < last; i += lanes) {
         Lanes sum_x = all_lanes(0.0), sum_y = sum_x;
@@ -76,9 +75,7 @@ double multiply_span(std::size_t stride, const double* blocks, std::size_t first
         sum_y *= factors;
         store_lanes(sum_x, force_x + i);
         store_lanes(sum_y, force_y + i);
-        powers += load_lanes(x + i) * sum_x + load_lanes(y + i) * sum_y;
     }
-    return (powers[0] + powers[1]) + (powers[2] + powers[3]);
 }
 
 } // namespace
@@ -102,11 +99,11 @@ Eigen::Matrix2d NodeStiffness::block(std::size_t place, std::size_t a, std::size
         .finished();
 }
 
-double NodeStiffness::multiply(const NodeSpan& span, double factor, const Vectors& velocity,
-                               Vectors& force) const
+void NodeStiffness::multiply(const NodeSpan& span, double factor, const Vectors& velocity,
+                             Vectors& force) const
 {
-    return multiply_span(stride_, blocks_.data(), span.first, span.last, factor, velocity.x.data(),
-                         velocity.y.data(), force.x.data(), force.y.data());
+    multiply_span(stride_, blocks_.data(), span.first, span.last, factor, velocity.x.data(),
+                  velocity.y.data(), force.x.data(), force.y.data());
 }
 
 } // namespace quicksand

@@ -24,9 +24,9 @@ public:
     /// Set up the rows of the nodes of the spans.
     void assemble(const NodeRows& rows, const CellModuli& cells, const std::vector<NodeSpan>& spans);
 
-    /// force = factor K velocity on the nodes of a span; returns their sum of velocity . force. The velocity
-    /// is read one node beyond the span on all sides.
-    double multiply(const NodeSpan& span, double factor, const Vectors& velocity, Vectors& force) const;
+    /// force = factor K velocity on the nodes of a span. The velocity is read one node beyond it on all
+    /// sides.
+    void multiply(const NodeSpan& span, double factor, const Vectors& velocity, Vectors& force) const;
 
     /// K(row, column) of that block, with a + 3 b = `neighbour`.
     double entry(std::size_t place, std::size_t neighbour, std::size_t row, std::size_t column) const

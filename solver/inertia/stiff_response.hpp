@@ -1,9 +1,9 @@
 // Response of nodes whose grains have the inertia of their stiffness besides their masses.
 //
-// The water of a node is eliminated: its velocity is u = e v + w f_w, v that of the grains, f_w the impulse
+// The water of a node is eliminated: its velocity is u = e v + q f_w, v that of the grains, f_w the impulse
 // on the water, e the part of the grains' velocity that drag and seals hand on. The grains then answer
 //   (M + b K) v + C^T l = f_s + e f_w            M: mass of the grains with what they carry along
-//   C v - C_w w C_w^T l = - C_w w f_w            C = C_s + C_w e: rows of walls and followers
+//   C v - C_w q C_w^T l = - C_w q f_w            C = C_s + C_w e: rows of walls and followers
 // with b K of inertia_solve.hpp. The matrix is quasi-definite: it has a factor of single precision with the
 // signs of its rows as long as a multiplier comes after the nodes of its row. The nodes are counted along the
 // shorter side of the soil, so that the factor is narrow.
@@ -29,7 +29,7 @@ namespace quicksand {
 struct AxisShare {
     double mass = 0.0;     // M, 0: held [kg/m]
     double carried = 0.0;  // e [-]
-    double mobility = 0.0; // w [m/kg]
+    double mobility = 0.0; // q [m/kg]
 };
 
 inline AxisShare axis_share(const NodeResponse& response)
@@ -82,6 +82,7 @@ private:
         std::size_t node = 0, row = 0;
         NodeVelocities coefficients;
     };
+
     void note_parts(const VelocityRows& rows);
     void number_equations(const NodeConditions& conditions, const NodeRows& grid);
     template <class Visit>
@@ -106,7 +107,7 @@ private:
     std::vector<std::size_t> multipliers_;              // equations of the rows
     std::vector<double> scale_;                         // of the equations; 0: a row that acts on nothing
     Scalars porosities_;                                // of the nodes [-]
-    Scalars own_x_, own_y_;                             // n^2 w: flux of the water alone per force [m/kg]
+    Scalars own_x_, own_y_;                             // n^2 q: flux of the water alone per force [m/kg]
     BandedCholesky factor_;
     std::vector<float> vector_; // of its solutions
 };
