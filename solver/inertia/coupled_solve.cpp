@@ -78,20 +78,20 @@ void add_masses(const std::vector<CoupledNode>& nodes, CoupledSolve& solve)
 void add_stiffness(double factor, const InertiaSolve& inertia, CoupledSolve& solve)
 {
     const std::size_t nodes_x = inertia.rows.nodes_x;
-    for (std::size_t i = 0; i < solve.unknowns.size(); ++i) {
+    inertia.stiffness.for_each_node([&](std::size_t i, std::size_t place) {
         const std::array<std::int32_t, 4>& of = solve.unknowns[i];
-        if (of[0] < 0 && of[1] < 0) continue;
+        if (of[0] < 0 && of[1] < 0) return;
         for (std::size_t b = 0; b < 3; ++b)
             for (std::size_t a = 0; a < 3; ++a) {
                 const std::array<std::int32_t, 4>& other = solve.unknowns[i + b * nodes_x + a - nodes_x - 1];
-                const Eigen::Matrix2d block = inertia.stiffness.block(inertia.rows.place(i), a, b);
+                const Eigen::Matrix2d block = inertia.stiffness.block(place, a, b);
                 for (int row = 0; row < 2; ++row)
                     for (int column = 0; column < 2; ++column)
                         if (of[static_cast<std::size_t>(row)] >= other[static_cast<std::size_t>(column)])
                             add(of[static_cast<std::size_t>(row)], other[static_cast<std::size_t>(column)],
                                 factor * block(row, column), solve);
             }
-    }
+    });
 }
 
 /// Call visit(slot, node, D) for the cells of the pressure and the nodes that they touch.

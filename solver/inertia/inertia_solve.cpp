@@ -17,9 +17,7 @@ void multiply_stiffness(double factor, Vectors& field, InertiaSolve& solve)
         field.x[tie.tied] = field.x[tie.master];
         field.y[tie.tied] = field.y[tie.master];
     }
-    for_each_span(solve.spans, [&](std::size_t k) {
-        solve.stiffness.multiply(solve.spans[k], factor, field, solve.product);
-    });
+    solve.stiffness.multiply(factor, field, solve.product);
     for (const TiedPlaces& tie : solve.tied) {
         solve.product.x[tie.master] += solve.product.x[tie.tied];
         solve.product.y[tie.master] += solve.product.y[tie.tied];

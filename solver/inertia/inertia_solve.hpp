@@ -22,6 +22,7 @@
 #include "solver/inertia/stiff_response.hpp"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace quicksand {
@@ -34,7 +35,6 @@ struct TiedPlaces {
 /// The equations, and work arrays; fields are by place, zero where there is no soil.
 struct InertiaSolve {
     NodeRows rows;
-    std::vector<NodeSpan> spans; // with soil
     CellModuli cells;
     NodeStiffness stiffness;
     std::vector<TiedPlaces> tied;
@@ -43,6 +43,7 @@ struct InertiaSolve {
     Vectors change;  // w [m/s]
     Vectors product; // of a field with K
     Vectors answer;  // of the nodes to impulses [m/s]
+    Vectors moving;  // impulses that move the nodes as they do, without K [N s/m]
 };
 
 inline constexpr double inertia_fraction = 0.5; // beta [-]
@@ -54,7 +55,8 @@ InertiaSolve make_inertia_solve(const BackgroundGrid& grid, const NodeConditions
 template <class IsActive>
 void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
 {
-    find_spans(solve.rows, is_active, solve.spans);
+    std::vector<NodeSpan> spans;
+    find_spans(solve.rows, is_active, spans);
     const std::size_t stride = solve.rows.stride;
     for (std::size_t node = 0; node < solve.rows.nodes_x * solve.rows.nodes_y; ++node) {
         if (is_active(node)) continue;
@@ -64,8 +66,8 @@ void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
             solve.cells.constrained[place - before] = solve.cells.shear[place - before] = 0.0;
         }
     }
-    solve.stiffness.assemble(solve.rows, solve.cells, solve.spans);
-    for (Vectors* field : {&solve.change, &solve.product}) {
+    solve.stiffness.assemble(solve.rows, solve.cells, std::move(spans));
+    for (Vectors* field : {&solve.change, &solve.product, &solve.moving}) {
         field->x.assign(solve.rows.size(), 0.0);
         field->y.assign(solve.rows.size(), 0.0);
     }

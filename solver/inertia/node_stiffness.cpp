@@ -3,6 +3,7 @@
 #include "solver/base/lanes.hpp"
 
 #include <array>
+#include <utility>
 
 namespace quicksand {
 
@@ -80,14 +81,14 @@ void multiply_span(std::size_t stride, const double* blocks, std::size_t first, 
 
 } // namespace
 
-void NodeStiffness::assemble(const NodeRows& rows, const CellModuli& cells,
-                             const std::vector<NodeSpan>& spans)
+void NodeStiffness::assemble(const NodeRows& rows, const CellModuli& cells, std::vector<NodeSpan> spans)
 {
-    stride_ = rows.stride;
+    rows_ = rows;
+    spans_ = std::move(spans);
     blocks_.resize(rows.size() * per_node);
-    for_each_span(spans, [&](std::size_t k) {
-        assemble_span(stride_, cells.constrained.data(), cells.shear.data(), spans[k].first, spans[k].last,
-                      blocks_.data());
+    for_each_span(spans_, [&](std::size_t k) {
+        assemble_span(rows_.stride, cells.constrained.data(), cells.shear.data(), spans_[k].first,
+                      spans_[k].last, blocks_.data());
     });
 }
 
@@ -99,11 +100,12 @@ Eigen::Matrix2d NodeStiffness::block(std::size_t place, std::size_t a, std::size
         .finished();
 }
 
-void NodeStiffness::multiply(const NodeSpan& span, double factor, const Vectors& velocity,
-                             Vectors& force) const
+void NodeStiffness::multiply(double factor, const Vectors& velocity, Vectors& force) const
 {
-    multiply_span(stride_, blocks_.data(), span.first, span.last, factor, velocity.x.data(),
-                  velocity.y.data(), force.x.data(), force.y.data());
+    for_each_span(spans_, [&](std::size_t k) {
+        multiply_span(rows_.stride, blocks_.data(), spans_[k].first, spans_[k].last, factor,
+                      velocity.x.data(), velocity.y.data(), force.x.data(), force.y.data());
+    });
 }
 
 } // namespace quicksand

@@ -9,6 +9,7 @@
 
 #include "solver/inertia/cell_moduli.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -21,12 +22,24 @@ public:
     static constexpr std::size_t entries = 4;            // of a block: xx, xy, yx, yy
     static constexpr std::size_t per_node = 9 * entries; // of blocks
 
-    /// Set up the rows of the nodes of the spans.
-    void assemble(const NodeRows& rows, const CellModuli& cells, const std::vector<NodeSpan>& spans);
+    /// Set up the rows of the nodes of the spans; the others have none.
+    void assemble(const NodeRows& rows, const CellModuli& cells, std::vector<NodeSpan> spans);
 
-    /// force = factor K velocity on the nodes of a span. The velocity is read one node beyond it on all
+    /// force = factor K velocity on the nodes of the spans. The velocity is read one node beyond them on all
     /// sides.
-    void multiply(const NodeSpan& span, double factor, const Vectors& velocity, Vectors& force) const;
+    void multiply(double factor, const Vectors& velocity, Vectors& force) const;
+
+    /// Call visit(node, place) for the nodes that have a row.
+    template <class Visit>
+    void for_each_node(Visit&& visit) const
+    {
+        for (const NodeSpan& span : spans_) {
+            const std::size_t row = (span.first - NodeRows::lanes) / rows_.stride;
+            const std::size_t start = rows_.place(0, row);
+            for (std::size_t k = span.first; k < std::min(span.last, start + rows_.nodes_x); ++k)
+                visit(row * rows_.nodes_x + k - start, k);
+        }
+    }
 
     /// K(row, column) of that block, with a + 3 b = `neighbour`.
     double entry(std::size_t place, std::size_t neighbour, std::size_t row, std::size_t column) const
@@ -39,7 +52,8 @@ public:
     Eigen::Matrix2d block(std::size_t place, std::size_t a, std::size_t b) const;
 
 private:
-    std::size_t stride_ = 0;
+    NodeRows rows_;
+    std::vector<NodeSpan> spans_;
     std::vector<double> blocks_; // [N/m2]
 };
 

@@ -132,13 +132,12 @@ template <class Visit>
 void StiffResponse::for_each_of_stiffness(double factor, const NodeRows& grid, const NodeStiffness& stiffness,
                                           Visit&& visit) const
 {
-    const std::size_t nodes_x = grid.nodes_x;
-    for (std::size_t i = 0; i < unknowns_.size(); ++i) {
+    stiffness.for_each_node([&](std::size_t i, std::size_t place) {
         const std::array<std::int32_t, 2>& of = unknowns_[i];
-        if (of[0] < 0 && of[1] < 0) continue;
-        const std::size_t place = grid.place(i), first = i - nodes_x - 1;
+        if (of[0] < 0 && of[1] < 0) return;
+        const std::size_t first = i - grid.nodes_x - 1;
         for (std::size_t k = 0; k < 9; ++k) {
-            const std::array<std::int32_t, 2>& other = unknowns_[first + k / 3 * nodes_x + k % 3];
+            const std::array<std::int32_t, 2>& other = unknowns_[first + k / 3 * grid.nodes_x + k % 3];
             for (std::size_t row = 0; row < 2; ++row)
                 for (std::size_t column = 0; column < 2; ++column)
                     if (other[column] >= 0 && of[row] >= other[column])
@@ -146,7 +145,7 @@ void StiffResponse::for_each_of_stiffness(double factor, const NodeRows& grid, c
                               list_[static_cast<std::size_t>(other[column])].equation,
                               factor * stiffness.entry(place, k, row, column));
         }
-    }
+    });
 }
 
 /// The same of the rows at walls and of followers.
@@ -218,7 +217,9 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
     for (Unknown& u : list_) u.scale = scale_[u.equation];
 }
 
-void StiffResponse::answer_impulses(const NodeRows& grid, const Vectors& impulse, Vectors& answer)
+void StiffResponse::answer_impulses(const NodeRows& grid, double velocity_dt,
+                                    const std::vector<Dashpot>& dashpots, const Vectors& impulse,
+                                    Vectors& answer, Vectors& moving)
 {
     std::fill(vector_.begin(), vector_.end(), 0.0f);
     for (const Unknown& u : list_) {
@@ -226,10 +227,22 @@ void StiffResponse::answer_impulses(const NodeRows& grid, const Vectors& impulse
         number(u.equation) = static_cast<float>(u.scale * part[grid.place(u.node)]);
     }
     factor_.solve(vector_.data());
+
+    Scalars product(scale_.size(), 0.0); // M v + C^T l
+    const auto value_of = [&](std::size_t k) { return scale_[k] * static_cast<double>(number(k)); };
+    const auto multiply = [&](std::size_t row, std::size_t column, double entry) {
+        product[row] += entry * value_of(column);
+        if (row != column) product[column] += entry * value_of(row);
+    };
+    for (const Unknown& u : list_) multiply(u.equation, u.equation, share(u.node, u.axis).mass);
+    for_each_of_dashpots(velocity_dt, dashpots, multiply);
+    for_each_of_rows(multiply);
+
     for (Scalars* part : {&answer.x, &answer.y}) part->assign(grid.size(), 0.0);
     for (const Unknown& u : list_) {
-        Scalars& part = u.axis == 0 ? answer.x : answer.y;
-        part[grid.place(u.node)] = u.scale * static_cast<double>(number(u.equation));
+        const std::size_t place = grid.place(u.node);
+        (u.axis == 0 ? answer.x : answer.y)[place] = value_of(u.equation);
+        (u.axis == 0 ? moving.x : moving.y)[place] += product[u.equation];
     }
 }
 

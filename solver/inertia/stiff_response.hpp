@@ -61,8 +61,20 @@ public:
                    const std::vector<Dashpot>& dashpots, const VelocityRows& walls, const NodeRows& grid,
                    const NodeStiffness& stiffness);
 
-    /// answer = v to impulses on the grains alone, by place; zero at tied nodes.
-    void answer_impulses(const NodeRows& grid, const Vectors& impulse, Vectors& answer);
+    /// answer = v to impulses on the grains, by place; zero where they are held and at tied nodes. Add to
+    /// `moving` the impulses that move the nodes alike without b K: M v + C^T l.
+    void answer_impulses(const NodeRows& grid, double velocity_dt, const std::vector<Dashpot>& dashpots,
+                         const Vectors& impulse, Vectors& answer, Vectors& moving);
+    /// Whether the grains of a node move along an axis by equations of their own.
+    bool moves(std::size_t node, std::size_t axis) const { return share(node, axis).mass > 0.0; }
+    /// Whether their mass is so small beside b K that single precision leaves an error in b K v that would
+    /// move them.
+    bool is_light(std::size_t node, std::size_t axis) const
+    {
+        constexpr double part = 1e-3;
+        const Unknown* u = unknown(node, axis);
+        return u != nullptr && share(node, axis).mass * u->scale * u->scale < part;
+    }
 
     /// Porosities of the nodes with soil, for answer_pressure(); zero without water.
     void set_porosities(Scalars porosities);

@@ -10,6 +10,12 @@ namespace quicksand {
 
 namespace {
 
+template <class Sums>
+Vector2 inertia_force(const Sums& node)
+{
+    return {node.inertia_force_x, node.inertia_force_y};
+}
+
 template <class Workspace>
 void set_up(const Problem& problem, double dt, double velocity_dt, Workspace& work)
 {
@@ -26,6 +32,35 @@ void set_up(const Problem& problem, double dt, double velocity_dt, Workspace& wo
     });
 }
 
+double mass_of(const TwoPhaseSums& node)
+{
+    return node.mass_solid;
+}
+
+double mass_of(const SinglePhaseSums& node)
+{
+    return node.mass;
+}
+
+/// Spread over the nodes that move what light ones leave of zero in the sum of the forces.
+template <class Sums>
+void balance_forces(const NodeConditions& conditions, const StiffResponse& response, std::vector<Sums>& sums)
+{
+    const auto balance = [&](std::size_t axis, double Sums::*force) {
+        double sum = 0.0, mass = 0.0;
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            if (conditions.master[i] != i || !sums[i].active()) continue;
+            sum += sums[i].*force;
+            if (response.moves(i, axis)) mass += mass_of(sums[i]);
+        }
+        for (std::size_t i = 0; i < sums.size(); ++i)
+            if (response.moves(i, axis)) sums[i].*force -= mass_of(sums[i]) / mass * sum;
+    };
+    balance(0, &Sums::inertia_force_x);
+    balance(1, &Sums::inertia_force_y);
+}
+
+/// Correct the force by that of the present change of velocity.
 template <class Workspace>
 void resist(double dt, double velocity_dt, Workspace& work)
 {
@@ -40,19 +75,23 @@ void resist(double dt, double velocity_dt, Workspace& work)
     });
     multiply_stiffness(-inertia_fraction * dt * velocity_dt, inertia.change, inertia);
     for_each_node_with_sums([&](std::size_t i, std::size_t place) { // but for what is resisted already
-        inertia.product.x[place] -= velocity_dt * work.sums[i].inertia_force_x;
-        inertia.product.y[place] -= velocity_dt * work.sums[i].inertia_force_y;
+        inertia.moving.set(place, velocity_dt * inertia_force(work.sums[i]));
+        inertia.product.set(place, inertia.product[place] - inertia.moving[place]);
     });
-    inertia.response.answer_impulses(inertia.rows, inertia.product, inertia.answer);
+    inertia.response.answer_impulses(inertia.rows, velocity_dt, work.dashpots, inertia.product,
+                                     inertia.answer, inertia.moving);
     for_each_node_with_sums([&](std::size_t, std::size_t place) {
-        inertia.change.x[place] += inertia.answer.x[place];
-        inertia.change.y[place] += inertia.answer.y[place];
+        inertia.change.set(place, inertia.change[place] + inertia.answer[place]);
     });
     multiply_stiffness(-inertia_fraction * dt, inertia.change, inertia);
     for_each_node_with_sums([&](std::size_t i, std::size_t place) {
-        work.sums[i].inertia_force_x = inertia.product.x[place];
-        work.sums[i].inertia_force_y = inertia.product.y[place];
+        const auto force = [&](std::size_t axis, const Scalars& moving, const Scalars& product) {
+            return inertia.response.is_light(i, axis) ? moving[place] / velocity_dt : product[place];
+        };
+        work.sums[i].inertia_force_x = force(0, inertia.moving.x, inertia.product.x);
+        work.sums[i].inertia_force_y = force(1, inertia.moving.y, inertia.product.y);
     });
+    balance_forces(work.conditions, inertia.response, work.sums);
 }
 
 } // namespace
