@@ -6,18 +6,27 @@
 
 namespace quicksand {
 
-using Singles = float __attribute__((vector_size(32)));
+template <class Number>
+struct EightOf {
+    using Type __attribute__((vector_size(8 * sizeof(Number)))) = Number;
+};
+/// Eight numbers, float or double.
+template <class Number>
+using Eight = typename EightOf<Number>::Type;
+using Singles = Eight<float>;
 
-inline Singles load(const float* from)
+template <class Number>
+Eight<Number> load(const Number* from)
 {
-    Singles singles;
-    std::memcpy(&singles, from, sizeof singles);
-    return singles;
+    Eight<Number> eight;
+    std::memcpy(&eight, from, sizeof eight);
+    return eight;
 }
 
-inline void store(const Singles& singles, float* to)
+template <class Number>
+void store(const Eight<Number>& eight, Number* to)
 {
-    std::memcpy(to, &singles, sizeof singles);
+    std::memcpy(to, &eight, sizeof eight);
 }
 
 inline float sum_of(const Singles& s)

@@ -4,12 +4,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace quicksand {
 
 namespace {
 
-constexpr float least_pivot = 1e-5f; // of a diagonal of ones
+/// Least pivots of a diagonal of ones, by the precision.
+template <class Number>
+constexpr auto least_pivot = std::is_same_v<Number, float> ? Number(1e-5) : Number(1e-10);
+/// Rows whose smallest pivot is below need double precision to be told apart.
+constexpr double least_pivot_of_rows = 1e-3;
+
+template <class Number>
+void solve_with(const BandedFactor<Number>& factor, Scalars& values)
+{
+    std::vector<Number> vector(factor.vector_length(), Number{0});
+    const auto begin = vector.begin() + static_cast<std::ptrdiff_t>(factor.band());
+    std::transform(values.begin(), values.end(), begin,
+                   [](double value) { return static_cast<Number>(value); });
+    factor.solve(vector.data());
+    std::copy_n(begin, values.size(), values.begin());
+}
 
 /// The smallest rectangle of nodes around those with soil.
 struct Extent {
@@ -200,36 +216,45 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
     scale_.resize(equations);
     for (std::size_t k = 0; k < equations; ++k)
         scale_[k] = diagonal[k] > 0.0 ? 1.0 / std::sqrt(diagonal[k]) : 0.0;
-    factor_.reset(equations, band);
-    const auto fill = [&](std::size_t row, std::size_t column, double value) {
-        factor_.add(row, column, scale_[row] * scale_[column] * value);
-    };
-    for (const Unknown& u : list_) fill(u.equation, u.equation, share(u.node, u.axis).mass);
-    for_each_of_dashpots(velocity_dt, dashpots, fill);
-    for_each_of_stiffness(factor, grid, stiffness, fill);
-    for_each_of_rows(fill);
-    for (const std::size_t m : multipliers_) {
-        factor_.set_negative(m);
-        if (scale_[m] == 0.0) factor_.add(m, m, -1.0);
-    }
-    factor_.factorise(least_pivot);
-    vector_.assign(factor_.vector_length(), 0.0f);
     for (Unknown& u : list_) u.scale = scale_[u.equation];
+    if (walls.smallest_pivot() < least_pivot_of_rows) {
+        factor_.emplace<BandedFactor<double>>();
+    } else if (std::holds_alternative<BandedFactor<double>>(factor_)) {
+        factor_.emplace<BandedFactor<float>>();
+    }
+    std::visit(
+        [&]<class Number>(BandedFactor<Number>& matrix) {
+            matrix.reset(equations, band);
+            const auto fill = [&](std::size_t row, std::size_t column, double value) {
+                matrix.add(row, column, scale_[row] * scale_[column] * value);
+            };
+            for (const Unknown& u : list_) fill(u.equation, u.equation, share(u.node, u.axis).mass);
+            for_each_of_dashpots(velocity_dt, dashpots, fill);
+            for_each_of_stiffness(factor, grid, stiffness, fill);
+            for_each_of_rows(fill);
+            for (const std::size_t m : multipliers_) {
+                matrix.set_negative(m);
+                if (scale_[m] == 0.0) matrix.add(m, m, -1.0);
+            }
+            matrix.factorise(least_pivot<Number>);
+        },
+        factor_);
+    vector_.resize(equations);
 }
 
 void StiffResponse::answer_impulses(const NodeRows& grid, double velocity_dt,
                                     const std::vector<Dashpot>& dashpots, const Vectors& impulse,
                                     Vectors& answer, Vectors& moving)
 {
-    std::fill(vector_.begin(), vector_.end(), 0.0f);
+    std::fill(vector_.begin(), vector_.end(), 0.0);
     for (const Unknown& u : list_) {
         const Scalars& part = u.axis == 0 ? impulse.x : impulse.y;
-        number(u.equation) = static_cast<float>(u.scale * part[grid.place(u.node)]);
+        vector_[u.equation] = u.scale * part[grid.place(u.node)];
     }
-    factor_.solve(vector_.data());
+    std::visit([&](const auto& factor) { solve_with(factor, vector_); }, factor_);
 
     Scalars product(scale_.size(), 0.0); // M v + C^T l
-    const auto value_of = [&](std::size_t k) { return scale_[k] * static_cast<double>(number(k)); };
+    const auto value_of = [&](std::size_t k) { return scale_[k] * vector_[k]; };
     const auto multiply = [&](std::size_t row, std::size_t column, double entry) {
         product[row] += entry * value_of(column);
         if (row != column) product[column] += entry * value_of(row);
@@ -265,10 +290,10 @@ void StiffResponse::set_porosities(Scalars porosities)
 void StiffResponse::answer_pressure(const Scalars& force_x, const Scalars& force_y, Scalars& flux_x,
                                     Scalars& flux_y)
 {
-    std::fill(vector_.begin(), vector_.end(), 0.0f);
+    std::fill(vector_.begin(), vector_.end(), 0.0);
     for (const Unknown& u : list_) {
         const Scalars& force = u.axis == 0 ? force_x : force_y;
-        number(u.equation) = static_cast<float>(u.scale * u.gain * force[u.node]);
+        vector_[u.equation] = u.scale * u.gain * force[u.node];
     }
     const auto for_each_moved = [&](auto&& visit) { // parts whose multipliers move the water of their node
         for (const Part& part : parts_)
@@ -280,20 +305,20 @@ void StiffResponse::answer_pressure(const Scalars& force_x, const Scalars& force
     };
     for_each_moved([&](const Part& part, std::size_t axis, double moved) {
         const Scalars& force = axis == 0 ? force_x : force_y;
-        number(multipliers_[part.row]) -= static_cast<float>(moved * force[part.node]);
+        vector_[multipliers_[part.row]] -= moved * force[part.node];
     });
-    factor_.solve(vector_.data());
+    std::visit([&](const auto& factor) { solve_with(factor, vector_); }, factor_);
     for (std::size_t i = 0; i < own_x_.size(); ++i) {
         flux_x[i] = own_x_[i] * force_x[i];
         flux_y[i] = own_y_[i] * force_y[i];
     }
     for (const Unknown& u : list_) {
         Scalars& flux = u.axis == 0 ? flux_x : flux_y;
-        flux[u.node] += u.gain * u.scale * static_cast<double>(number(u.equation));
+        flux[u.node] += u.gain * u.scale * vector_[u.equation];
     }
     for_each_moved([&](const Part& part, std::size_t axis, double moved) {
         Scalars& flux = axis == 0 ? flux_x : flux_y;
-        flux[part.node] -= moved * static_cast<double>(number(multipliers_[part.row]));
+        flux[part.node] -= moved * vector_[multipliers_[part.row]];
     });
 }
 

@@ -4,8 +4,8 @@
 // on the water, e the part of the grains' velocity that drag and seals hand on. The grains then answer
 //   (M + b K) v + C^T l = f_s + e f_w            M: mass of the grains with what they carry along
 //   C v - C_w q C_w^T l = - C_w q f_w            C = C_s + C_w e: rows of walls and followers
-// with b K of inertia_solve.hpp. The matrix is quasi-definite: it has a factor of single precision with the
-// signs of its rows as long as a multiplier comes after the nodes of its row. The nodes are counted along the
+// with b K of inertia_solve.hpp. The matrix is quasi-definite: it has a factor with the signs of
+// its rows as long as a multiplier comes after the nodes of its row. The nodes are counted along the
 // shorter side of the soil, so that the factor is narrow.
 #pragma once
 
@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <variant>
 #include <vector>
 
 namespace quicksand {
@@ -104,7 +105,6 @@ private:
     template <class Visit>
     void for_each_of_stiffness(double factor, const NodeRows& grid, const NodeStiffness& stiffness,
                                Visit&& visit) const;
-    float& number(std::size_t equation) { return vector_[factor_.band() + equation]; }
     const AxisShare& share(std::size_t node, std::size_t axis) const { return shares_[2 * node + axis]; }
     const Unknown* unknown(std::size_t node, std::size_t axis) const
     {
@@ -120,8 +120,9 @@ private:
     std::vector<double> scale_;                         // of the equations; 0: a row that acts on nothing
     Scalars porosities_;                                // of the nodes [-]
     Scalars own_x_, own_y_;                             // n^2 q: flux of the water alone per force [m/kg]
-    BandedCholesky factor_;
-    std::vector<float> vector_; // of its solutions
+    /// Single precision, or double where rows nearly repeat each other.
+    std::variant<BandedFactor<float>, BandedFactor<double>> factor_;
+    Scalars vector_; // impulses by equation, then the solution, both scaled
 };
 
 } // namespace quicksand

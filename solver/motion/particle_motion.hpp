@@ -5,6 +5,7 @@
 #include "solver/interpolation/cpdi2.hpp"
 #include "solver/motion/compact_domains.hpp"
 #include "solver/motion/particle_order.hpp"
+#include "solver/motion/wall_crossings.hpp"
 #include "solver/particles/background_grid.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
@@ -96,6 +97,7 @@ void move_particles(const Problem& problem, double dt, const Vectors& grid_veloc
         if (lost >= 0) throw_lost_corner(dt, state, static_cast<std::size_t>(lost));
     } else {
         advance_domains(dt, grid_velocity, state.particles);
+        stop_at_walls(problem, dt, grid_velocity, state.particles);
     }
     take_gradients_of_the_middle(dt, state.particles);
     if (problem.interpolation == Interpolation::cpdi) keep_domains_compact(problem, state.particles);

@@ -349,9 +349,7 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     if (work.inertia)
         timed(work.timers, Phase::inertia, [&] {
             sum_moduli(problem, dt, particles, work);
-            // single precision does not tell rows apart that nearly repeat each other, as at corners
-            together =
-                !work.walls.chain_of_row.empty() || is_long_step(problem, dt, work.sums, *work.inertia);
+            together = is_long_step(problem, dt, work.sums, *work.inertia);
         });
     timed(work.timers, Phase::pore_pressure, [&] { expect_growth_of_turns(problem, dt, particles, work); });
     if (together) {

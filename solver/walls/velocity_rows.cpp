@@ -196,7 +196,8 @@ void VelocityRows::factorise(std::vector<NodeInverse> inverses)
     fill_matrix();
     Factor& factor = *factors_.front();
     factor.solver.factorize(factor.matrix);
-    rows_repeat_ = factor.solver.info() != Eigen::Success || factor.solver.vectorD().minCoeff() < least_pivot;
+    smallest_pivot_ = factor.solver.info() == Eigen::Success ? factor.solver.vectorD().minCoeff() : 0.0;
+    rows_repeat_ = smallest_pivot_ < least_pivot;
     if (!rows_repeat_) return;
     double* values = factor.matrix.valuePtr();
     for (const std::size_t diagonal : factor.pattern.diagonal) values[diagonal] += ridge;

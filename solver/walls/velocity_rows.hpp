@@ -83,6 +83,9 @@ public:
     /// are left out.
     void factorise(std::vector<NodeInverse> inverses);
 
+    /// Smallest pivot of P, scaled to a diagonal of ones: small where rows nearly repeat each other [-].
+    double smallest_pivot() const { return smallest_pivot_; }
+
     const NodeInverse& inverse(std::size_t place) const { return inverses_[place]; }
 
     double value(std::size_t row) const { return values_[row]; }
@@ -180,7 +183,8 @@ private:
     Scalars scale_; // of the rows, 0 of those left out: P scaled has a diagonal of ones
     // the last used first; copies of the rows share them
     std::vector<std::shared_ptr<Factor>> factors_;
-    bool rows_repeat_ = false; // some nearly say what others do
+    double smallest_pivot_ = 1.0; // of P scaled [-]
+    bool rows_repeat_ = false;    // some nearly say what others do
 };
 
 } // namespace quicksand

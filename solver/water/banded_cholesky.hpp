@@ -1,5 +1,5 @@
-// Cholesky factor of a symmetric matrix whose numbers lie near its diagonal, in single precision: half the
-// bytes and twice the lanes. The matrix is positive definite, or the signs of its pivots are known.
+// Cholesky factor of a symmetric matrix whose numbers lie near its diagonal. The matrix is positive definite,
+// or the signs of its pivots are known. Single precision has half the bytes and twice the lanes of double.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,8 @@ namespace quicksand {
 
 /// L of A = L J L^T, J = diag(+-1), in blocks of eight rows, which are solved together: their triangle on the
 /// diagonal is kept as its inverse.
-class BandedCholesky {
+template <class Number>
+class BandedFactor {
 public:
     static constexpr std::size_t lanes = 8; // rows of a block
 
@@ -22,37 +23,39 @@ public:
     void add(std::size_t row, std::size_t column, double value)
     {
         const std::size_t first = row / lanes * lanes; // of the block
-        lower_[row * (band_ + lanes) + band_ + column - first] += static_cast<float>(value);
+        lower_[row * (band_ + lanes) + band_ + column - first] += static_cast<Number>(value);
     }
 
     /// Let the pivot of a row be negative. Before factorise() only.
     void set_negative(std::size_t row)
     {
-        signs_.resize(padded_rows(), 1.0f);
-        signs_[row] = -1.0f;
+        signs_.resize(padded_rows(), Number{1});
+        signs_[row] = Number{-1};
     }
 
     /// Pivots that rounding or left-out numbers have brought below `least_pivot`, apart from their signs,
     /// are set to it.
-    void factorise(float least_pivot);
+    void factorise(Number least_pivot);
 
     /// Of the vectors of solve(): band() zeros, rows() numbers, and zeros to whole blocks.
     std::size_t vector_length() const { return band_ + padded_rows(); }
 
     /// Solve A x = b in place.
-    void solve(float* vector) const;
+    void solve(Number* vector) const;
 
     /// Solve L y = b in place for a b that is zero but in rows [first, last). Ends where band() numbers of y
     /// in turn are below `least`: what follows is smaller still. Returns the row behind the last solved, a
     /// whole block's; the numbers from `first`'s block to there are y, the others as they were.
-    std::size_t solve_lower(std::size_t first, std::size_t last, float least, float* vector) const;
+    std::size_t solve_lower(std::size_t first, std::size_t last, Number least, Number* vector) const;
 
 private:
     std::size_t padded_rows() const { return (rows_ + lanes - 1) / lanes * lanes; }
 
     std::size_t rows_ = 0, band_ = 0;
-    std::vector<float> signs_; // of the pivots
-    std::vector<float> lower_; // of a row the columns from band_ before its block to the block's last
+    std::vector<Number> signs_; // of the pivots
+    std::vector<Number> lower_; // of a row the columns from band_ before its block to the block's last
 };
+
+using BandedCholesky = BandedFactor<float>;
 
 } // namespace quicksand
