@@ -33,17 +33,28 @@ void for_each_history(const Problem& problem, Visit&& visit)
     }
 }
 
-double resolving_step(const History& history)
+/// The step that reaches into no interval of a table by more than its length [s].
+double resolving_step(const SampledHistory& table, double time)
 {
-    const double of_ramp = history.ramp_time > 0.0 ? history.ramp_time / steps_per_period
-                                                   : std::numeric_limits<double>::infinity();
-    if (const auto* sine = std::get_if<SineHistory>(&history.shape))
-        return std::min(of_ramp, 1.0 / (steps_per_period * sine->frequency));
-    double shortest = of_ramp;
-    if (const auto* table = std::get_if<SampledHistory>(&history.shape))
-        for (std::size_t k = 1; k < table->times.size(); ++k)
-            shortest = std::min(shortest, table->times[k] - table->times[k - 1]);
-    return shortest;
+    const std::vector<double>& times = table.times;
+    double step = std::numeric_limits<double>::infinity();
+    const auto after = std::upper_bound(times.begin(), times.end(), time) - times.begin();
+    for (auto k = static_cast<std::size_t>(std::max(after, decltype(after){1}));
+         k < times.size() && times[k - 1] - time < step; ++k)
+        step = std::min(step, std::max(0.0, times[k - 1] - time) + times[k] - times[k - 1]);
+    return step;
+}
+
+double resolving_step(const History& history, double time)
+{
+    const double of_ramp = time < history.ramp_time ? history.ramp_time / steps_per_period
+                                                    : std::numeric_limits<double>::infinity();
+    return std::visit(Overload{[&](const ConstantHistory&) { return of_ramp; },
+                               [&](const SineHistory& sine) {
+                                   return std::min(of_ramp, 1.0 / (steps_per_period * sine.frequency));
+                               },
+                               [&](const SampledHistory& table) { return resolving_step(table, time); }},
+                      history.shape);
 }
 
 double end_of_motion(const History& history)
@@ -91,11 +102,11 @@ double pressure_step(const Particles& particles)
 
 } // namespace
 
-double resolving_step(const Problem& problem)
+double resolving_step(const Problem& problem, double time)
 {
     double step = resolving_step(problem.base_motion);
     for_each_history(problem,
-                     [&](const History& history) { step = std::min(step, resolving_step(history)); });
+                     [&](const History& history) { step = std::min(step, resolving_step(history, time)); });
     return step;
 }
 
@@ -118,7 +129,7 @@ TimeStep accurate_time_step(const Problem& problem, double time, double last_ste
     if (time < end_of_motion(problem)) {
         const double reach = smoothed_cells * problem.grid.cell_size / std::sqrt(inertia_fraction);
         limit({reach / extremes.shear_speed, TimeStepLimiter::inertia, ""});
-        limit({resolving_step(problem), TimeStepLimiter::shaking, ""});
+        limit(at_least_wave(resolving_step(problem, time), TimeStepLimiter::shaking));
     } else {
         limit(at_least_wave(growth * last_step, TimeStepLimiter::growth));
         limit(at_least_wave(pressure_step(particles), TimeStepLimiter::pressure));

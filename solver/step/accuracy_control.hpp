@@ -3,7 +3,8 @@
 // While something moves the soil (the base, loads, walls, water with a history) the step is at most
 //   h / (sqrt(beta) c_s)   accelerations are smoothed over sqrt(beta) c_s dt, which is then a cell; c_s the
 //                          speed of shear waves of typical soil: root of the mean of G / density by volume
-//   1/200 of the period of a sine, the interval of a record
+//   1/200 of the period of a sine or of a ramp, the interval of a record or of a table at that time; but not
+//                          below the waves' step
 //   0.05                   strain of the particle that is strained fastest, but not below the waves' step
 // After that, and in scenes where nothing moves the soil, it starts at the limit of the waves and grows by a
 // factor from step to step, as long as pore pressures change by a small part of the largest.
@@ -15,8 +16,8 @@
 
 namespace quicksand {
 
-/// Longest step that resolves what moves the soil; infinite where nothing varies with time [s].
-double resolving_step(const Problem& problem);
+/// Longest step from a time on that resolves what moves the soil; infinite where nothing varies [s].
+double resolving_step(const Problem& problem, double time);
 
 /// Time from which nothing moves the soil any more: the end of shaking and of all histories; infinite for a
 /// sine without end [s].

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <utility>
 
 namespace quicksand {
@@ -119,6 +120,25 @@ std::size_t band_of(const NodeTouches& touches)
     return std::min(band, largest_band);
 }
 
+/// Call visit(touches) for the touches of a node in groups of rows no farther apart than the band. The
+/// products within a group are positive, those that a band alone leaves of them may be negative.
+template <class Visit>
+void for_each_group(std::vector<Touch> touches, std::size_t band, Visit&& visit)
+{
+    const auto by_row = [](const Touch& a, const Touch& b) { return a.row < b.row; };
+    const auto [low, high] = std::minmax_element(touches.begin(), touches.end(), by_row);
+    const bool divides = high->row - low->row > band;
+    if (divides) std::stable_sort(touches.begin(), touches.end(), by_row);
+    const std::span<const Touch> all(touches);
+    for (std::size_t first = 0; first < all.size();) {
+        std::size_t last = all.size();
+        if (divides)
+            for (last = first; last < all.size() && all[last].row <= all[first].row + band;) ++last;
+        visit(all.subspan(first, last - first));
+        first = last;
+    }
+}
+
 void factorise(double dt, const PressureEquations& equations, const NodeTouches& touches, CellBlock& block)
 {
     const std::size_t rows = block.slots.size(), band = band_of(touches);
@@ -133,13 +153,15 @@ void factorise(double dt, const PressureEquations& equations, const NodeTouches&
     }
     const NodeCompliances& W = equations.compliance;
     touches.for_each([&](std::size_t i, const std::vector<Touch>& cells) {
-        for (const Touch& a : cells) {
-            const double x = W.xx[i] * a.x + W.xy[i] * a.y, y = W.xy[i] * a.x + W.yy[i] * a.y;
-            for (const Touch& b : cells) {
-                if (b.row > a.row || a.row - b.row > band) continue;
-                block.factor.add(a.row, b.row, scale[a.row] * scale[b.row] * dt * dt * (x * b.x + y * b.y));
+        for_each_group(cells, band, [&](std::span<const Touch> group) {
+            for (const Touch& a : group) {
+                const double x = W.xx[i] * a.x + W.xy[i] * a.y, y = W.xy[i] * a.x + W.yy[i] * a.y;
+                for (const Touch& b : group)
+                    if (b.row <= a.row)
+                        block.factor.add(a.row, b.row,
+                                         scale[a.row] * scale[b.row] * dt * dt * (x * b.x + y * b.y));
             }
-        }
+        });
     });
     block.factor.factorise(least_pivot);
     set_up_rows(dt, equations.held, touches, scale, block.factor, block.solution, block.rows);

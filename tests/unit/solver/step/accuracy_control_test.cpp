@@ -1,0 +1,46 @@
+// What limits steps that no wave does.
+#include "solver/step/accuracy_control.hpp"
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+Problem under_load(const History& history)
+{
+    Problem problem;
+    FreeFace top;
+    top.load = SurfaceLoad{};
+    top.load->history = history;
+    problem.boundaries = rectangle(0.0, 0.0, 1.0, 1.0, FixedWall{}, RollerWall{}, top);
+    return problem;
+}
+
+// The plate of Mandel's slab moves by a table whose first interval is a millionth of the whole.
+TEST(AccuracyControl, ReachesIntoNoIntervalOfATableByMoreThanItsLength)
+{
+    const Problem problem =
+        under_load({SampledHistory{{0.0, 1e-6, 0.01, 1.0, 1.1, 5.0}, {0, 1, 1, 2, 2, 0}}});
+    EXPECT_DOUBLE_EQ(resolving_step(problem, 0.0), 1e-6);
+    EXPECT_DOUBLE_EQ(resolving_step(problem, 1e-6), 0.01 - 1e-6);
+    EXPECT_DOUBLE_EQ(resolving_step(problem, 0.5), 0.6); // 0.1 behind 1 s
+    EXPECT_NEAR(resolving_step(problem, 0.95), 0.15, 1e-12);
+    EXPECT_NEAR(resolving_step(problem, 1.05), 0.1, 1e-12);
+    EXPECT_DOUBLE_EQ(resolving_step(problem, 2.0), 3.9);
+    EXPECT_EQ(resolving_step(problem, 6.0), std::numeric_limits<double>::infinity());
+}
+
+TEST(AccuracyControl, ResolvesARampWhileItLasts)
+{
+    const Problem problem = under_load({ConstantHistory{}, 2.0});
+    EXPECT_DOUBLE_EQ(resolving_step(problem, 1.9), 0.01);
+    EXPECT_EQ(resolving_step(problem, 2.0), std::numeric_limits<double>::infinity());
+}
+
+} // namespace
+} // namespace quicksand
