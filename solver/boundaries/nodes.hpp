@@ -54,4 +54,14 @@ struct SinglePhaseMotion {
     double change_x, change_y; // v - momentum / mass [m/s]
 };
 
+/// Mass that moves with the velocity of the grains [kg/m].
+inline double mass_of(const TwoPhaseSums& node)
+{
+    return node.mass_solid;
+}
+inline double mass_of(const SinglePhaseSums& node)
+{
+    return node.mass;
+}
+
 } // namespace quicksand

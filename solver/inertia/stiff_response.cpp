@@ -217,10 +217,12 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
     for (std::size_t k = 0; k < equations; ++k)
         scale_[k] = diagonal[k] > 0.0 ? 1.0 / std::sqrt(diagonal[k]) : 0.0;
     for (Unknown& u : list_) u.scale = scale_[u.equation];
-    if (walls.smallest_pivot() < least_pivot_of_rows) {
-        factor_.emplace<BandedFactor<double>>();
-    } else if (std::holds_alternative<BandedFactor<double>>(factor_)) {
-        factor_.emplace<BandedFactor<float>>();
+    const bool rows_repeat = walls.smallest_pivot() < least_pivot_of_rows;
+    if (rows_repeat != std::holds_alternative<BandedFactor<double>>(factor_)) {
+        if (rows_repeat)
+            factor_.emplace<BandedFactor<double>>();
+        else
+            factor_.emplace<BandedFactor<float>>();
     }
     std::visit(
         [&]<class Number>(BandedFactor<Number>& matrix) {

@@ -1,10 +1,11 @@
 #include "solver/motion/wall_crossings.hpp"
 
+#include "solver/base/lanes.hpp"
 #include "solver/base/threads.hpp"
 #include "solver/boundaries/wall_nodes.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 
 namespace quicksand {
 
@@ -24,16 +25,21 @@ AlignedWall aligned_wall(const Segment& segment, int axis)
 }
 
 /// x and v along the wall's normal, y along the wall. The line counts as before the wall.
-void stop_at_wall(const AlignedWall& wall, double dt, double inside, const Scalars& v, const Scalars& y,
-                  Scalars& x)
+VECTOR_KERNEL
+void stop_chunk(const AlignedWall& wall, double dt, double stop, std::size_t first, std::size_t last,
+                const double* v, const double* y, double* x)
 {
-    for_each_chunk(x.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t p = begin; p < end; ++p) {
-            const double beyond = wall.side * (x[p] - wall.line), before = beyond - dt * wall.side * v[p];
-            const bool crosses = beyond > 0.0 && before <= 0.0 && y[p] >= wall.first && y[p] <= wall.last;
-            x[p] = crosses ? wall.line - inside * wall.side : x[p];
-        }
-    });
+    std::int64_t any = 0; // as a rule none
+    for (std::size_t p = first; p < last; ++p)
+        any |= static_cast<std::int64_t>(wall.side * (x[p] - wall.line) > 0.0);
+    if (any == 0) return;
+#pragma GCC ivdep // the arrays do not overlap
+    for (std::size_t p = first; p < last; ++p) {
+        const double beyond = wall.side * (x[p] - wall.line), before = beyond - dt * wall.side * v[p];
+        const bool crosses =
+            (beyond > 0.0) & (before <= 0.0) & (y[p] >= wall.first) & (y[p] <= wall.last); // no branches
+        x[p] = crosses ? stop : x[p];
+    }
 }
 
 } // namespace
@@ -48,10 +54,13 @@ void stop_at_walls(const Problem& problem, double dt, const Vectors& grid_veloci
             if (!holds_nodes(problem, boundary, segment)) continue;
             const int axis = normal_axis(segment);
             const AlignedWall wall = aligned_wall(segment, axis);
-            if (axis == 0)
-                stop_at_wall(wall, dt, inside, grid_velocity.x, position.y, position.x);
-            else
-                stop_at_wall(wall, dt, inside, grid_velocity.y, position.x, position.y);
+            const double stop = wall.line - inside * wall.side;
+            const Scalars& v = axis == 0 ? grid_velocity.x : grid_velocity.y;
+            const Scalars& y = axis == 0 ? position.y : position.x;
+            Scalars& x = axis == 0 ? position.x : position.y;
+            for_each_chunk(x.size(), [&](std::size_t first, std::size_t last) {
+                stop_chunk(wall, dt, stop, first, last, v.data(), y.data(), x.data());
+            });
         }
     }
 }

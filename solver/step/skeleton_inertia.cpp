@@ -2,6 +2,7 @@
 // is under way (inertia_solve.hpp).
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/node_response.hpp"
+#include "solver/boundaries/nodes.hpp"
 #include "solver/inertia/node_masses.hpp"
 #include "solver/step/single_phase_step.hpp"
 #include "solver/step/two_phase_step.hpp"
@@ -30,16 +31,6 @@ void set_up(const Problem& problem, double dt, double velocity_dt, Workspace& wo
     for_each_index(before.size(), [&](std::size_t i) {
         inertia.before.set(inertia.rows.place(i), solid_velocity(before[i]));
     });
-}
-
-double mass_of(const TwoPhaseSums& node)
-{
-    return node.mass_solid;
-}
-
-double mass_of(const SinglePhaseSums& node)
-{
-    return node.mass;
 }
 
 /// Spread over the nodes that move what light ones leave of zero in the sum of the forces.

@@ -70,8 +70,8 @@ void solve_pressure(const Problem& problem, double dt, double velocity_dt, const
 /// force; 5 takes these increments. Waves of the water no longer limit dt.
 ///
 /// With work.inertia the skeleton's stiffness resists accelerations: after the pressure, which answers it
-/// (skeleton_inertia.cpp), or in long steps and at slanted walls together with it (coupled_solve.hpp). Waves
-/// of the skeleton do not limit dt either.
+/// (skeleton_inertia.cpp), or in long steps together with it (coupled_solve.hpp). Waves of the skeleton do
+/// not limit dt either.
 ///
 /// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
 void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work);

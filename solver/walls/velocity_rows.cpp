@@ -188,17 +188,22 @@ void VelocityRows::fill_matrix()
         values[product.target] += coefficients[product.a].dot(responses[product.b]);
 }
 
+bool VelocityRows::repeat() const
+{
+    return smallest_pivot_ < least_pivot;
+}
+
 void VelocityRows::factorise(std::vector<NodeInverse> inverses)
 {
     inverses_ = std::move(inverses);
+    smallest_pivot_ = 1.0;
     if (empty()) return;
     choose_factor(inverses_turn());
     fill_matrix();
     Factor& factor = *factors_.front();
     factor.solver.factorize(factor.matrix);
     smallest_pivot_ = factor.solver.info() == Eigen::Success ? factor.solver.vectorD().minCoeff() : 0.0;
-    rows_repeat_ = smallest_pivot_ < least_pivot;
-    if (!rows_repeat_) return;
+    if (!repeat()) return;
     double* values = factor.matrix.valuePtr();
     for (const std::size_t diagonal : factor.pattern.diagonal) values[diagonal] += ridge;
     factor.solver.factorize(factor.matrix);
@@ -279,7 +284,7 @@ std::vector<NodeVelocities> VelocityRows::impulses(const Scalars& multipliers) c
 void VelocityRows::correct(bool to_zero, std::vector<NodeVelocities>& velocities) const
 {
     if (empty()) return;
-    const int times = rows_repeat_ ? 2 : 1; // the second takes out what the ridge has left
+    const int times = repeat() ? 2 : 1; // the second takes out what the ridge has left
     for (int time = 0; time < times; ++time) {
         const Scalars multipliers = solve(misses(to_zero, velocities));
         for_each_entry([&](std::size_t r, std::size_t k) {

@@ -164,6 +164,7 @@ private:
     Scalars solve(Scalars right_hand_side) const;
     void correct(bool to_zero, std::vector<NodeVelocities>& velocities) const;
     bool inverses_turn() const;
+    bool repeat() const; // whether some rows nearly say what others do
     bool is_made_for_rows(const Pattern& pattern, bool turns) const;
     void choose_factor(bool turns);
     void find_pattern(bool turns, Factor& factor) const;
@@ -184,7 +185,6 @@ private:
     // the last used first; copies of the rows share them
     std::vector<std::shared_ptr<Factor>> factors_;
     double smallest_pivot_ = 1.0; // of P scaled [-]
-    bool rows_repeat_ = false;    // some nearly say what others do
 };
 
 } // namespace quicksand

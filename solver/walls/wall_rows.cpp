@@ -104,16 +104,6 @@ void add_water_rows(const Problem& problem, WallRows& walls)
     }
 }
 
-double mass_of(const TwoPhaseSums& node)
-{
-    return node.mass_solid;
-}
-
-double mass_of(const SinglePhaseSums& node)
-{
-    return node.mass;
-}
-
 double water_of_node(const TwoPhaseSums& node)
 {
     return node.mass_fluid;

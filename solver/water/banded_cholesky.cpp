@@ -108,8 +108,8 @@ void invert_triangle(const RowBlock<Number>& own, std::size_t band)
 /// Block by block, each from its first column on. `signs` are those of the pivots, `signed_rows` room for
 /// eight rows without their last eight columns.
 template <class Number>
-void factorise_all(std::size_t rows, std::size_t band, const Number* signs, Number least_pivot, Number* lower,
-                   Number* signed_rows)
+VECTOR_KERNEL void factorise_blocks(std::size_t rows, std::size_t band, const Number* signs,
+                                    Number least_pivot, Number* lower, Number* signed_rows)
 {
     const std::size_t stride = band + lanes;
     for (std::size_t r = 0; r < rows; r += lanes) {
@@ -162,8 +162,9 @@ Number largest_of(const Eight<Number>& s)
 }
 
 template <class Number>
-std::size_t solve_lower_all(std::size_t first, std::size_t last, std::size_t rows, std::size_t band,
-                            Number least, const Number* lower, Number* vector)
+VECTOR_KERNEL std::size_t solve_lower_blocks(std::size_t first, std::size_t last, std::size_t rows,
+                                             std::size_t band, Number least, const Number* lower,
+                                             Number* vector)
 {
     std::size_t small = 0; // numbers in turn
     std::size_t r = first / lanes * lanes;
@@ -175,7 +176,8 @@ std::size_t solve_lower_all(std::size_t first, std::size_t last, std::size_t row
 }
 
 template <class Number>
-void solve_all(std::size_t rows, std::size_t band, const Number* signs, const Number* lower, Number* vector)
+VECTOR_KERNEL void solve_blocks(std::size_t rows, std::size_t band, const Number* signs, const Number* lower,
+                                Number* vector)
 {
     const std::size_t stride = band + lanes;
     for (std::size_t r = 0; r < rows; r += lanes) solve_lower_block(r, band, lower, vector); // L y = b
@@ -194,47 +196,6 @@ void solve_all(std::size_t rows, std::size_t band, const Number* signs, const Nu
             store<Number>(rest, vector + r + k);
         }
     }
-}
-
-VECTOR_KERNEL
-void factorise_blocks(std::size_t rows, std::size_t band, const float* signs, float least_pivot, float* lower,
-                      float* signed_rows)
-{
-    factorise_all(rows, band, signs, least_pivot, lower, signed_rows);
-}
-
-VECTOR_KERNEL
-std::size_t solve_lower_blocks(std::size_t first, std::size_t last, std::size_t rows, std::size_t band,
-                               float least, const float* lower, float* vector)
-{
-    return solve_lower_all(first, last, rows, band, least, lower, vector);
-}
-
-VECTOR_KERNEL
-void solve_blocks(std::size_t rows, std::size_t band, const float* signs, const float* lower, float* vector)
-{
-    solve_all(rows, band, signs, lower, vector);
-}
-
-VECTOR_KERNEL
-void factorise_blocks(std::size_t rows, std::size_t band, const double* signs, double least_pivot,
-                      double* lower, double* signed_rows)
-{
-    factorise_all(rows, band, signs, least_pivot, lower, signed_rows);
-}
-
-VECTOR_KERNEL
-std::size_t solve_lower_blocks(std::size_t first, std::size_t last, std::size_t rows, std::size_t band,
-                               double least, const double* lower, double* vector)
-{
-    return solve_lower_all(first, last, rows, band, least, lower, vector);
-}
-
-VECTOR_KERNEL
-void solve_blocks(std::size_t rows, std::size_t band, const double* signs, const double* lower,
-                  double* vector)
-{
-    solve_all(rows, band, signs, lower, vector);
 }
 
 } // namespace

@@ -1,0 +1,34 @@
+// Rows that nearly say what others do, and rows that are gone.
+#include "solver/walls/velocity_rows.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quicksand {
+namespace {
+
+void add_row(std::size_t node, double x, double y, VelocityRows& rows)
+{
+    rows.begin_row(0.0);
+    rows.add(node, NodeVelocities(x, y, 0.0, 0.0));
+}
+
+// Steps that factorise the rows with others choose the precision by it: a run that goes on and one that is
+// resumed have to choose alike.
+TEST(VelocityRows, TellHowNearlyTheyRepeatEachOtherNowAndNotBefore)
+{
+    VelocityRows rows;
+    rows.clear(4);
+    add_row(1, 1.0, 0.0, rows);
+    add_row(1, 1.0, 1e-3, rows);
+    rows.begin_followers();
+    rows.factorise({NodeInverse::Identity()});
+    EXPECT_NEAR(rows.smallest_pivot(), 1e-6, 1e-8);
+
+    rows.clear(4);
+    rows.begin_followers();
+    rows.factorise({});
+    EXPECT_EQ(rows.smallest_pivot(), 1.0);
+}
+
+} // namespace
+} // namespace quicksand
