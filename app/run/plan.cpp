@@ -62,6 +62,19 @@ std::string describe_record(const SampledMotion& record)
     return text;
 }
 
+const char* name_of(TimeScheme scheme)
+{
+    switch (scheme) {
+    case TimeScheme::explicit_steps:
+        return "explicit";
+    case TimeScheme::semi_implicit:
+        return "semi-implicit";
+    case TimeScheme::implicit:
+        return "implicit";
+    }
+    return "";
+}
+
 std::string describe_sine(const SineMotion& sine)
 {
     return fmt::format("  PGA {} g, PGV {} m/s at {} Hz{}\n", short_number(sine.amplitude / standard_gravity),
@@ -179,6 +192,8 @@ std::string describe_time_step(const AssembledCase& assembled, const TimeStep& s
     }
     text += fmt::format("Time step\n  {} s, limited by the {}{}\n", short_number(step.dt),
                         name_of(step.limiter), step.material.empty() ? "" : " in " + step.material);
+    if (!assembled.scene.scheme)
+        text += fmt::format("  {} steps, which take the least time here\n", name_of(problem.scheme));
     if (assembled.scene.relaxation) {
         const TimeStep settling =
             stable_relaxation_step(settling_problem(problem), assembled.state.particles);
@@ -240,9 +255,9 @@ std::string describe_left_out(const Scene& scene, const StagedRun& run)
               "excess");
     leave_out(scene.strain == StrainForm::small,
               "the update of domains, volumes and weights: small strain, on the drawn shape");
-    leave_out(scene.scheme == TimeScheme::semi_implicit,
+    leave_out(run.problem().scheme == TimeScheme::semi_implicit,
               "steps limited by sound in water: the pore pressure is implicit");
-    leave_out(scene.scheme == TimeScheme::implicit,
+    leave_out(run.problem().scheme == TimeScheme::implicit,
               "steps limited by waves: the pore pressure and the inertia of the grains are implicit");
     leave_out(!scene.relaxation, "settling: the run starts from the K0 state as it is");
     leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is at rest");

@@ -5,6 +5,7 @@
 #include "io/results/output_observers.hpp"
 #include "solver/base/threads.hpp"
 #include "solver/measure/balances.hpp"
+#include "solver/step/step_forecast.hpp"
 
 #include <stdlib.h>
 #include <sys/resource.h>
@@ -209,28 +210,26 @@ double peak_memory()
 
 } // namespace
 
-std::int64_t count_steps(const Scene& scene, double dt)
+std::int64_t count_steps(const Scene& scene, const Problem& problem, double dt)
 {
     std::set<double> times = {scene.end_time};
-    for (const double interval : {scene.output.frame_interval, scene.output.history_interval,
-                                  scene.probes.empty() ? 0.0 : scene.output.probe_interval}) {
+    const auto hit = [&](double interval) {
         const std::vector<double> strikes = observation_times(interval, scene.end_time);
         times.insert(strikes.begin(), strikes.end());
+    };
+    hit(scene.output.frame_interval);
+    if (problem.scheme != TimeScheme::implicit) { // whose histories look into steps
+        hit(scene.output.history_interval);
+        if (!scene.probes.empty()) hit(scene.output.probe_interval);
     }
-    std::int64_t steps = 0;
-    double previous = 0.0;
-    for (const double time : times) {
-        steps += static_cast<std::int64_t>(std::ceil((time - previous) / dt - 1e-6));
-        previous = time;
-    }
-    return steps;
+    return count_steps(problem, dt, {times.begin(), times.end()});
 }
 
 Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, double dt,
                       const fs::path& directory)
 {
     Forecast forecast;
-    forecast.steps = count_steps(assembled.scene, dt);
+    forecast.steps = count_steps(assembled.scene, assembled.problem, dt);
     forecast.step_seconds = measure_step(run);
     if (assembled.scene.relaxation)
         forecast.relaxation = forecast_relaxation(*assembled.scene.relaxation, run);

@@ -46,8 +46,8 @@ struct Forecast {
     }
 };
 
-/// Steps that a run takes at a time step, which it shortens so that every output time is hit.
-std::int64_t count_steps(const Scene& scene, double dt);
+/// Steps that a run takes at a time step, which it shortens so that the output times are hit.
+std::int64_t count_steps(const Scene& scene, const Problem& problem, double dt);
 
 /// Let copies of the run of the scene go on for a few seconds and write a few frames into a folder of their
 /// own in `directory`, which is removed again: so the disk of the results is measured. `dt` is the time step

@@ -13,6 +13,7 @@
 #include "solver/base/failure.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
 #include "solver/motion/slivers.hpp"
+#include "solver/step/step_forecast.hpp"
 
 #include <fmt/format.h>
 
@@ -124,7 +125,7 @@ Problem make_problem(const Scene& scene, const Section& section)
     for (const Region& region : section.regions) problem.region_names.push_back(region.name);
     problem.interpolation = scene.interpolation;
     problem.strain = scene.strain;
-    problem.scheme = scene.scheme;
+    problem.scheme = scene.scheme.value_or(TimeScheme::explicit_steps);
     problem.step_fraction = scene.step_fraction;
     problem.water = scene.water;
     problem.gravity = scene.gravity;
@@ -250,6 +251,8 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not
     set_initial_state(assembled.scene, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);
+    if (!assembled.scene.scheme)
+        assembled.problem.scheme = fastest_scheme(assembled.problem, particles, assembled.scene.end_time);
     check_probes(assembled);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
     return assembled;

@@ -1,9 +1,9 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
-// memory_columns, last_step, step_scale, step_halvings, times_halved, explicit_end, particles, reactions. The
-// last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look at: the file is checked
-// before HDF5 opens it, since it copes badly with damaged tables. HDF5 keeps no times of its objects, so that
-// equal states make equal files.
+// memory_columns, last_step, whole_step, step_scale, step_halvings, times_halved, explicit_end, particles,
+// reactions. The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look at: the file
+// is checked before HDF5 opens it, since it copes badly with damaged tables. HDF5 keeps no times of its
+// objects, so that equal states make equal files.
 #include "io/results/checkpoint.hpp"
 
 #include "io/files/atomic_file.hpp"
@@ -26,7 +26,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 9;
+constexpr std::int64_t format_version = 10;
 constexpr hsize_t chunk_entries = 8192;
 
 /// An HDF5 call failed; the caller knows the file and makes a FileError of it.
@@ -210,6 +210,7 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
     write_number(file, "time", state.time);
     write_number(file, "step", state.step);
     write_number(file, "last_step", state.last_step);
+    write_number(file, "whole_step", state.whole_step);
     write_number(file, "step_scale", state.step_scale);
     write_number(file, "step_halvings", state.step_halvings);
     write_number(file, "times_halved", state.times_halved);
@@ -238,6 +239,7 @@ State read_state(const Handle& file)
     state.time = read_number<double>(file, "time");
     state.step = read_number<std::int64_t>(file, "step");
     state.last_step = read_number<double>(file, "last_step");
+    state.whole_step = read_number<double>(file, "whole_step");
     state.step_scale = read_number<double>(file, "step_scale");
     state.step_halvings = read_number<std::int64_t>(file, "step_halvings");
     state.times_halved = read_number<std::int64_t>(file, "times_halved");

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace quicksand {
 
 namespace {
@@ -45,15 +47,46 @@ HistoryWriter::HistoryWriter(const Scene& scene, const Problem& problem, const S
     clock_.go_on(state.time, file_.last_time());
 }
 
+std::vector<double> HistoryWriter::measure(const Problem& problem, const State& state,
+                                           std::int64_t limited_domains) const
+{
+    const MeasuredBody body = measure_body(problem, state, crest_, limited_domains);
+    std::vector<double> values;
+    for (const BodyQuantity* quantity : body_quantities(problem, state))
+        values.push_back(quantity->value(body));
+    return values;
+}
+
+void HistoryWriter::before_step(const Problem& problem, const State& state, double)
+{
+    start_time_ = state.time;
+    starts_ = measure(problem, state, 0);
+}
+
 void HistoryWriter::observe(const Problem& problem, const State& state, const StepReport& report)
 {
-    const MeasuredBody body = measure_body(problem, state, crest_, report.limited_domains);
-    CsvRow row;
-    for (const BodyQuantity* quantity : body_quantities(problem, state))
-        row.push_back(csv_number(quantity->value(body)));
-    file_.add_row(row);
+    const std::vector<const BodyQuantity*> quantities = body_quantities(problem, state);
+    const std::vector<double> ends = measure(problem, state, report.limited_domains);
+    for (; clock_.next() < state.time; clock_.advance()) {
+        const double weight = (clock_.next() - start_time_) / (state.time - start_time_);
+        std::vector<double> values;
+        for (std::size_t k = 0; k < ends.size(); ++k)
+            values.push_back(quantities[k]->is_counted ? ends[k] : std::lerp(starts_[k], ends[k], weight));
+        values.front() = clock_.next();
+        write(values);
+    }
+    if (clock_.next() <= state.time) {
+        write(ends);
+        clock_.advance();
+    }
     file_.flush();
-    clock_.advance();
+}
+
+void HistoryWriter::write(const std::vector<double>& values)
+{
+    CsvRow row;
+    for (const double value : values) row.push_back(csv_number(value));
+    file_.add_row(row);
 }
 
 } // namespace quicksand

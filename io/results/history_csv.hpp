@@ -23,12 +23,20 @@ public:
 
     double next_time() const override { return clock_.next(); }
     bool marks_restarts() const override { return false; }
+    bool looks_into_steps() const override { return true; }
+    void before_step(const Problem& problem, const State& state, double end) override;
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
 
 private:
+    std::vector<double> measure(const Problem& problem, const State& state,
+                                std::int64_t limited_domains) const;
+    void write(const std::vector<double>& values);
+
     ObservationClock clock_;
     CsvFile file_;
     std::vector<std::int32_t> crest_;
+    double start_time_ = 0.0;    // of a step that passes the next time [s]
+    std::vector<double> starts_; // of all columns at that time
 };
 
 } // namespace quicksand

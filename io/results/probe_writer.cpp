@@ -40,6 +40,14 @@ std::string description(const SceneProbe& probe, std::int32_t identifier)
     return probe.name;
 }
 
+std::vector<PointSample> interpolate(const std::vector<PointSample>& from, const std::vector<PointSample>& to,
+                                     double weight)
+{
+    std::vector<PointSample> between;
+    for (std::size_t k = 0; k < from.size(); ++k) between.push_back(interpolate(from[k], to[k], weight));
+    return between;
+}
+
 /// What is written of a sample. A dry scene has no columns of the water.
 std::vector<const Quantity*> written_quantities(bool saturated)
 {
@@ -153,12 +161,32 @@ ProbeWriter::Probe ProbeWriter::open_probe(const SceneProbe& scene_probe, const 
     return probe;
 }
 
+void ProbeWriter::before_step(const Problem& problem, const State& state, double)
+{
+    start_time_ = state.time;
+    starts_ = sample(problem, state);
+}
+
 void ProbeWriter::observe(const Problem& problem, const State& state, const StepReport&)
+{
+    const auto ends = sample(problem, state);
+    for (; clock_.next() < state.time; clock_.advance()) {
+        const double weight = (clock_.next() - start_time_) / (state.time - start_time_);
+        for (std::size_t k = 0; k < probes_.size(); ++k)
+            write(probes_[k], clock_.next(), interpolate(starts_[k], ends[k], weight));
+    }
+    if (clock_.next() > state.time) return;
+    for (std::size_t k = 0; k < probes_.size(); ++k) write(probes_[k], state.time, ends[k]);
+    clock_.advance();
+}
+
+std::vector<std::vector<PointSample>> ProbeWriter::sample(const Problem& problem, const State& state) const
 {
     const NodalFields fields =
         fixed_points_.empty() ? NodalFields{} : nodal_fields_at(problem, state.particles, fixed_points_);
-    for (Probe& probe : probes_) write(probe, state.time, sample(probe, problem, state, fields));
-    clock_.advance();
+    std::vector<std::vector<PointSample>> samples;
+    for (const Probe& probe : probes_) samples.push_back(sample(probe, problem, state, fields));
+    return samples;
 }
 
 std::vector<PointSample> ProbeWriter::sample(const Probe& probe, const Problem& problem, const State& state,

@@ -24,6 +24,8 @@ public:
 
     double next_time() const override { return clock_.next(); }
     bool marks_restarts() const override { return false; }
+    bool looks_into_steps() const override { return true; }
+    void before_step(const Problem& problem, const State& state, double end) override;
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
 
 private:
@@ -37,6 +39,8 @@ private:
 
     Probe open_probe(const SceneProbe& scene_probe, const Problem& problem, const State& state,
                      const RunLabel& label, const std::filesystem::path& results, bool resume) const;
+    /// Of all probes, point by point.
+    std::vector<std::vector<PointSample>> sample(const Problem& problem, const State& state) const;
     std::vector<PointSample> sample(const Probe& probe, const Problem& problem, const State& state,
                                     const NodalFields& fields) const;
     void write(Probe& probe, double time, std::vector<PointSample> samples) const;
@@ -45,6 +49,8 @@ private:
     std::vector<Vector2> fixed_points_;       // of all fixed probes and profiles [m]
     ObservationClock clock_;
     std::vector<Probe> probes_;
+    double start_time_ = 0.0;                      // of a step that passes the next time [s]
+    std::vector<std::vector<PointSample>> starts_; // of all probes at that time
 };
 
 } // namespace quicksand

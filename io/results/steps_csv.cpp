@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view max_ru = "max_ru";
 
 constexpr std::array columns = {
-    DocumentedName{"time_s", "time since the shaking began"},
+    DocumentedName{"time_s", "time since the shaking began: the end of a step"},
     DocumentedName{"step", "steps since the shaking began or the run was resumed"},
     DocumentedName{"dt_s", "the last time step that was not shortened to hit an output time"},
     DocumentedName{"dt_limiter", "what limits it"},
@@ -82,8 +82,9 @@ StepsWriter::StepsWriter(const Scene& scene, const Problem& problem, const State
     earlier_wall_time_ = file_.value(file_.last_rows().back(), "wall_s");
 }
 
-void StepsWriter::after_step(const StepReport& report)
+void StepsWriter::remember(const StepReport& report)
 {
+    if (report.time_step.dt <= 0.0) return; // before the first step
     if (!natural_step_ || report.time_step.limiter != TimeStepLimiter::output)
         natural_step_ = report.time_step;
 }
@@ -101,6 +102,7 @@ double StepsWriter::time_left(double time) const
 
 void StepsWriter::observe(const Problem& problem, const State& state, const StepReport& report)
 {
+    remember(report);
     const Monitors monitors = monitor(problem, state, {});
     const double mass = monitors.mass_solid + monitors.mass_fluid;
     if (!initial_mass_) initial_mass_ = mass;
@@ -115,7 +117,7 @@ void StepsWriter::observe(const Problem& problem, const State& state, const Step
     if (problem.water) row.push_back(csv_number(monitors.max_ru));
     file_.add_row(row);
     file_.flush();
-    clock_.advance();
+    while (clock_.next() <= state.time) clock_.advance();
 }
 
 } // namespace quicksand

@@ -23,10 +23,12 @@ public:
                 const std::filesystem::path& path, bool resume);
 
     double next_time() const override { return clock_.next(); }
+    bool looks_into_steps() const override { return true; }
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
-    void after_step(const StepReport& report) override;
+    void after_step(const StepReport& report) override { remember(report); }
 
 private:
+    void remember(const StepReport& report);
     double wall_time() const;
     double time_left(double time) const;
 

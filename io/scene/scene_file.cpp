@@ -117,11 +117,21 @@ Water read_water(const SceneValues& values)
     return water;
 }
 
+/// None: the fastest one. Without water there is no pressure to be implicit.
+std::optional<TimeScheme> read_scheme(const SceneValues& values)
+{
+    const std::string word = values.text("analysis.scheme");
+    if (word == "auto") return std::nullopt;
+    const TimeScheme scheme = word_of(scheme_words, word);
+    const bool is_dry = !values.has_table("water");
+    return is_dry && scheme == TimeScheme::semi_implicit ? TimeScheme::explicit_steps : scheme;
+}
+
 void fill_ground(const SceneValues& values, Scene& scene)
 {
     scene.interpolation = word_of(interpolation_words, values.text("analysis.interpolation"));
     scene.strain = word_of(strain_words, values.text("analysis.strain"));
-    if (values.has_table("water")) scene.scheme = word_of(scheme_words, values.text("analysis.scheme"));
+    scene.scheme = read_scheme(values);
     scene.columns = values.text("analysis.columns") == "all" ? ColumnsComputed::all : ColumnsComputed::one;
     scene.step_fraction = values.number("analysis.step_share");
     scene.gravity = values.number("gravity.acceleration");

@@ -95,7 +95,12 @@ void check_scheme(const SceneValues& values, Diagnostics& findings)
         findings.add(warning_at(values.place("analysis.scheme"), "analysis.scheme", "unused",
                                 "scheme = \"semi_implicit\" has no effect in a dry scene", "",
                                 "take \"explicit\" or \"implicit\", or add a table [water]"));
-    if (flow != "undrained" && (flow != "drained" || scheme == "implicit")) return;
+    if (scheme == "implicit" && flow == "undrained")
+        findings.add(error_at(values.place("analysis.scheme"), "combination",
+                              "scheme = \"implicit\" does not resist the waves of water that moves with the "
+                              "grains, water.flow = \"undrained\"",
+                              "scheme = \"explicit\", or water.flow = \"coupled\" with a low conductivity"));
+    if (scheme == "implicit" || (flow != "undrained" && flow != "drained")) return;
     findings.add(error_at(values.place("analysis.scheme"), "combination",
                           "scheme = \"" + scheme + "\" has no pressure to solve for with water.flow = \"" +
                               flow + "\"",

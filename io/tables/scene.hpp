@@ -97,8 +97,8 @@ struct Scene {
 
     Interpolation interpolation = Interpolation::cpdi;
     StrainForm strain = StrainForm::large;
-    TimeScheme scheme = TimeScheme::explicit_steps;
-    double step_fraction = 1.0; // of the stable time step [-]
+    std::optional<TimeScheme> scheme; // none: the fastest one
+    double step_fraction = 1.0;       // of the stable time step [-]
     ColumnsComputed columns = ColumnsComputed::one;
 
     double gravity = standard_gravity;  // [m/s2]

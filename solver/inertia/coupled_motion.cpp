@@ -19,7 +19,7 @@ NodeVelocities velocities_of(const TwoPhaseMotion& motion)
 std::vector<CoupledNode> coupled_nodes(const Problem& problem, const NodeConditions& conditions,
                                        double velocity_dt, const std::vector<Dashpot>& dashpots,
                                        const WallRows& walls, const std::vector<TwoPhaseSums>& sums,
-                                       const std::vector<TwoPhaseMotion>& motion)
+                                       const std::vector<TwoPhaseMotion>& motion, double kept)
 {
     const std::vector<TwoPhaseMotion> before = velocities_before(problem, conditions, walls, sums);
     std::vector<CoupledNode> nodes;
@@ -29,6 +29,7 @@ std::vector<CoupledNode> coupled_nodes(const Problem& problem, const NodeConditi
         node.node = i;
         node.mass = mass_matrix(sums[i], velocity_dt);
         node.before = velocities_of(before[i]);
+        node.before.head<2>() *= kept;
         node.wanted = velocities_of(motion[i]) - node.before;
         node.held = conditions.of_node[i];
         node.porosity = node_porosity(problem, sums[i]);
@@ -71,9 +72,9 @@ bool move_coupled(const Problem& problem, const NodeConditions& conditions, doub
 {
     set_up_stiffness([&](std::size_t i) { return sums[i].active(); }, inertia);
     const std::vector<CoupledNode> nodes =
-        coupled_nodes(problem, conditions, velocity_dt, dashpots, walls, sums, motion);
+        coupled_nodes(problem, conditions, velocity_dt, dashpots, walls, sums, motion, inertia.kept);
     std::vector<NodeVelocities> changes;
-    if (!solve_coupled(conditions, dt, velocity_dt, inertia_fraction * dt * velocity_dt, nodes, walls.rows,
+    if (!solve_coupled(conditions, dt, velocity_dt, inertia.resistance * dt * velocity_dt, nodes, walls.rows,
                        inertia, pressure, solve, changes))
         return false;
     for (std::size_t k = 0; k < nodes.size(); ++k) {
@@ -83,7 +84,7 @@ bool move_coupled(const Problem& problem, const NodeConditions& conditions, doub
         set_flux(problem, sums[nodes[k].node], node);
     }
     spread_tied_motion(conditions, motion);
-    multiply_stiffness(-inertia_fraction * dt, inertia.change, inertia);
+    multiply_stiffness(-inertia.resistance * dt, inertia.change, inertia);
     for (const CoupledNode& node : nodes) {
         const std::size_t place = inertia.rows.place(node.node);
         sums[node.node].inertia_force_x = inertia.product.x[place];

@@ -46,7 +46,7 @@ struct CoupledSolve {
 struct CoupledNode {
     std::size_t node = 0;
     NodeInverse mass = NodeInverse::Zero();         // A [kg/m]
-    NodeVelocities before = NodeVelocities::Zero(); // u_0 [m/s]
+    NodeVelocities before = NodeVelocities::Zero(); // u_0, of the grains what is kept of it [m/s]
     NodeVelocities wanted = NodeVelocities::Zero(); // w_0 [m/s]
     std::uint8_t held = 0;                          // NodeCondition bits
     double porosity = 0.0;                          // [-]

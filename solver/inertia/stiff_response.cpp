@@ -15,6 +15,9 @@ template <class Number>
 constexpr auto least_pivot = std::is_same_v<Number, float> ? Number(1e-5) : Number(1e-10);
 /// Rows whose smallest pivot is below need double precision to be told apart.
 constexpr double least_pivot_of_rows = 1e-3;
+// Of M + b K, all nodes together, that single precision still tells from it: steps of some 16 cells of a
+// wave.
+constexpr double least_mass = 1e-3;
 
 template <class Number>
 void solve_with(const BandedFactor<Number>& factor, Scalars& values)
@@ -216,10 +219,15 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
     scale_.resize(equations);
     for (std::size_t k = 0; k < equations; ++k)
         scale_[k] = diagonal[k] > 0.0 ? 1.0 / std::sqrt(diagonal[k]) : 0.0;
-    for (Unknown& u : list_) u.scale = scale_[u.equation];
-    const bool rows_repeat = walls.smallest_pivot() < least_pivot_of_rows;
-    if (rows_repeat != std::holds_alternative<BandedFactor<double>>(factor_)) {
-        if (rows_repeat)
+    double mass = 0.0, resistance = 0.0;
+    for (Unknown& u : list_) {
+        u.scale = scale_[u.equation];
+        mass += share(u.node, u.axis).mass;
+        resistance += diagonal[u.equation];
+    }
+    const bool needs_double = walls.smallest_pivot() < least_pivot_of_rows || mass < least_mass * resistance;
+    if (needs_double != std::holds_alternative<BandedFactor<double>>(factor_)) {
+        if (needs_double)
             factor_.emplace<BandedFactor<double>>();
         else
             factor_.emplace<BandedFactor<float>>();

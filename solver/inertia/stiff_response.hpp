@@ -120,7 +120,7 @@ private:
     std::vector<double> scale_;                         // of the equations; 0: a row that acts on nothing
     Scalars porosities_;                                // of the nodes [-]
     Scalars own_x_, own_y_;                             // n^2 q: flux of the water alone per force [m/kg]
-    /// Single precision, or double where rows nearly repeat each other.
+    /// Single precision, or double where rows nearly repeat each other and in long steps.
     std::variant<BandedFactor<float>, BandedFactor<double>> factor_;
     Scalars vector_; // impulses by equation, then the solution, both scaled
 };

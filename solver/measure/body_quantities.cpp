@@ -43,7 +43,7 @@ constexpr std::array table = {
     BodyQuantity{"kinetic_energy", "J", "kinetic energy of both phases, relative to the base", any_body,
         [](const MeasuredBody& body) { return body.monitors.kinetic_energy; }, "Kinetic energy of both phases", "J/m"},
     BodyQuantity{"limited_domains", "-", "particle domains scaled down in the last step, as they reached farther than 2.5 cells from their centre", any_body,
-        [](const MeasuredBody& body) { return static_cast<double>(body.limited_domains); }},
+        [](const MeasuredBody& body) { return static_cast<double>(body.limited_domains); }, {}, {}, true},
     BodyQuantity{"mean_stress_checkerboard", "-", "|sum (-1)^(i+j) p_c V_c| / sum |p_c| V_c over the cells, of the mean effective stress; above 0.05 neighbouring cells oscillate", any_body,
         [](const MeasuredBody& body) { return body.oscillations.mean_stress_checkerboard; }},
     BodyQuantity{"mean_stress_scatter", "-", "mean effective stress of the particles less the plane through the cell means / its size; some tenths where the volume locks", any_body,

@@ -45,6 +45,7 @@ struct BodyQuantity {
     double (*value)(const MeasuredBody&) = nullptr;
     std::string_view label = {}; // in the picture of the history; none: it is not drawn there
     std::string_view drawn = {}; // unit in pictures where it is not the SI unit
+    bool is_counted = false;     // in a whole step: there are no values between its ends
 };
 
 /// All of them in the order of their columns.

@@ -91,4 +91,13 @@ PointSample sample_point(const Problem& problem, const NodalFields& fields, cons
     return sample;
 }
 
+PointSample interpolate(const PointSample& from, const PointSample& to, double weight)
+{
+    PointSample between;
+    for (std::size_t k = 0; k < between.values.size(); ++k)
+        for (std::size_t c = 0; c < between.values[k].size(); ++c)
+            between.values[k][c] = std::lerp(from.values[k][c], to.values[k][c], weight);
+    return between;
+}
+
 } // namespace quicksand

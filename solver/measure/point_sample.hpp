@@ -31,4 +31,8 @@ PointSample sample_particle(const Problem& problem, const Particles& particles, 
 /// Bilinear values of the nodal fields at a point; only the position where there is no soil.
 PointSample sample_point(const Problem& problem, const NodalFields& fields, const Vector2& point);
 
+/// The sample between two of the same point, a part `weight` of the way from the first; of components that
+/// one of them lacks there is none.
+PointSample interpolate(const PointSample& from, const PointSample& to, double weight);
+
 } // namespace quicksand

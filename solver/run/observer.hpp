@@ -22,7 +22,9 @@ struct StepReport {
 };
 
 /// Looks at the run without changing it. `observe` is called when the time `next_time` is hit exactly (the
-/// loop shortens dt for it), also at the start of the stage; `after_step` after every step.
+/// loop shortens dt for it), also at the start of the stage; `after_step` after every step, when all that is
+/// due has been observed. Implicit steps are longer than the intervals of histories may be: they are not
+/// shortened for observers that look into steps.
 class Observer {
 public:
     virtual ~Observer() = default;
@@ -31,7 +33,13 @@ public:
     /// Whether the run may be continued from the times it waits for. Those of histories lie close: setting up
     /// anew there what serves many steps would cost more than the steps.
     virtual bool marks_restarts() const { return true; }
-    /// The state stands at next_time(); the observer moves its next_time() on.
+    /// Whether values at times within a step are found between those at its two ends.
+    virtual bool looks_into_steps() const { return false; }
+    /// A step to `end` begins that may pass next_time(), with the state at its start. Only where the observer
+    /// looks into steps and the step is not shortened for it.
+    virtual void before_step(const Problem&, const State&, double /*end*/) {}
+    /// The state stands at next_time(), or is the first beyond it if the observer looks into steps; the
+    /// observer moves its next_time() on, beyond the state's time.
     virtual void observe(const Problem& problem, const State& state, const StepReport& report) = 0;
     virtual void after_step(const StepReport&) {}
     /// The run failed and goes on from `state`, earlier, with the remedy of the record.
@@ -43,8 +51,16 @@ public:
 /// Asked between two steps from which a run can go on with the same bits: true stops it there.
 using StopRule = std::function<bool()>;
 
-/// The earliest time that one of the observers waits for, `latest` when none waits for an earlier one [s].
-double next_event(const std::vector<Observer*>& observers, double latest);
+/// Whether an observer waits for the state's time or an earlier one.
+bool is_observed(const std::vector<Observer*>& observers, const State& state);
+
+/// The earliest time that steps of the scheme must hit for one of the observers, `latest` when there is no
+/// earlier one [s].
+double next_event(const Problem& problem, const std::vector<Observer*>& observers, double latest);
+
+/// Show the state at the start of a step to `end` to the observers whose time lies within it.
+void show_start(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
+                double end);
 
 /// Show the state to the observers that wait for its time.
 void observe_due(const Problem& problem, const std::vector<Observer*>& observers, const State& state,

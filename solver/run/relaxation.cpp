@@ -155,6 +155,7 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
         state.time = 0.0;
         state.step = 0;
         state.last_step = 0.0;
+        state.whole_step = 0.0;
     }
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
     const double limit = largest_settling(problem, state.particles);
@@ -200,6 +201,7 @@ void begin_shaking(State& state)
     state.time = 0.0;
     state.step = 0;
     state.last_step = 0.0;
+    state.whole_step = 0.0;
     reset_reference(state.particles);
     for (std::size_t p = 0; p < state.particles.water_volume.size(); ++p)
         state.particles.water_volume[p] = state.particles.porosity[p] * state.particles.volume[p];

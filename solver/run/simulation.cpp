@@ -39,7 +39,9 @@ TimeStep choose_step(const Problem& problem, double event, State& state)
 {
     if (state.step % steps_between_bounds == 0 || state.step == state.explicit_end)
         measure_bound(problem, state);
-    return divide_evenly(bounded_time_step(problem, state), event - state.time);
+    const TimeStep step = bounded_time_step(problem, state);
+    state.whole_step = step.dt;
+    return divide_evenly(step, event - state.time);
 }
 
 /// The steps of a problem and of its form with explicit steps, which the watchdog may ask for.
@@ -94,15 +96,14 @@ private:
     std::unique_ptr<Stepper> stepper_;
 };
 
-/// One step; true where it arrives at the event.
-bool take_step(const Problem& problem, double dt, double event, Stepper& stepper, State& state)
+/// One step, to the event at most.
+void take_step(const Problem& problem, double dt, double event, Stepper& stepper, State& state)
 {
     const bool arrives = dt >= event - state.time;
     stepper.advance(problem, dt, state);
     wrap_particles(problem, state.particles);
     if (arrives) state.time = event; // hit exactly, without the sum's rounding
     check_particles(dt, state);
-    return arrives;
 }
 
 } // namespace
@@ -116,15 +117,15 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
     observe_due(problem, observers, state, report);
     Watchdog watchdog(problem, state);
     while (state.time < end_time) {
-        bool arrives = false;
         try {
-            const double event = next_event(observers, end_time);
+            const double event = next_event(problem, observers, end_time);
             report.time_step = steps.choose(event, state);
-            arrives = take_step(steps.form(), report.time_step.dt, event, steps.stepper(), state);
+            show_start(problem, observers, state, std::min(event, state.time + report.time_step.dt));
+            take_step(steps.form(), report.time_step.dt, event, steps.stepper(), state);
             report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
                                       state.step % steps_between_restarts == 0;
             if (report.is_restart_point) watchdog.check(problem, report.time_step.dt, state);
-            if (arrives) watchdog.check_growth(problem, report.time_step.dt, state); // before it is looked at
+            if (is_observed(observers, state)) watchdog.check_growth(problem, report.time_step.dt, state);
         } catch (const NumericalError& error) {
             watchdog.go_back(error, state);
             steps.begin_anew();
@@ -135,9 +136,9 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
         report.step = state.step;
         report.time = state.time;
         report.limited_domains = steps.stepper().limited_domains();
-        for (Observer* observer : observers) observer->after_step(report);
         if (report.is_restart_point) watchdog.keep(problem, state);
-        if (arrives) observe_due(problem, observers, state, report);
+        observe_due(problem, observers, state, report); // a checkpoint of the step comes after its rows
+        for (Observer* observer : observers) observer->after_step(report);
         if (!report.is_restart_point) continue;
         steps.stepper().restart();
         if (stop && stop()) break;

@@ -334,6 +334,7 @@ void widen(const SoilColumn& column, const State& narrow, State& wide)
     wide.time = narrow.time;
     wide.step = narrow.step;
     wide.last_step = narrow.last_step;
+    wide.whole_step = narrow.whole_step;
     wide.step_scale = narrow.step_scale;
     wide.step_halvings = narrow.step_halvings;
     wide.times_halved = narrow.times_halved;
@@ -341,53 +342,6 @@ void widen(const SoilColumn& column, const State& narrow, State& wide)
     wide.balance_terms = narrow.balance_terms;
     if (wide.balance_terms)
         for_each_number(*wide.balance_terms, [&](const char*, double& value) { value *= column.columns; });
-}
-
-ColumnObserver::ColumnObserver(const SoilColumn& column, const Problem& body,
-                               std::vector<Observer*> observers)
-    : column_(column), body_(body), observers_(std::move(observers))
-{
-}
-
-StepReport ColumnObserver::report_of_body(const StepReport& report) const
-{
-    StepReport whole = report;
-    whole.limited_domains *= column_.columns;
-    return whole;
-}
-
-double ColumnObserver::next_time() const
-{
-    return next_event(observers_, std::numeric_limits<double>::infinity());
-}
-
-bool ColumnObserver::marks_restarts() const
-{
-    const double next = next_time();
-    return std::any_of(observers_.begin(), observers_.end(), [next](const Observer* observer) {
-        return observer->marks_restarts() && observer->next_time() <= next;
-    });
-}
-
-void ColumnObserver::observe(const Problem&, const State& state, const StepReport& report)
-{
-    widen(column_, state, wide_);
-    observe_due(body_, observers_, wide_, report_of_body(report));
-}
-
-void ColumnObserver::after_step(const StepReport& report)
-{
-    for (Observer* observer : observers_) observer->after_step(report_of_body(report));
-}
-
-void ColumnObserver::went_back(const FailureRecord& record, const State& state)
-{
-    for (Observer* observer : observers_) observer->went_back(record, state);
-}
-
-void ColumnObserver::finish()
-{
-    for (Observer* observer : observers_) observer->finish();
 }
 
 } // namespace quicksand

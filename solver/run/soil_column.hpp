@@ -11,7 +11,6 @@
 
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
-#include "solver/run/observer.hpp"
 
 #include <cstdint>
 #include <optional>
@@ -47,27 +46,5 @@ void wrap_particles(const Problem& problem, Particles& particles);
 /// The state of the whole body, in the order of its particles at the beginning: values repeat, positions have
 /// drifted as far as the soil has, the balances are those of all columns. Held reactions are left out.
 void widen(const SoilColumn& column, const State& narrow, State& wide);
-
-/// Shows observers the whole body while the column runs.
-class ColumnObserver : public Observer {
-public:
-    /// All outlive the observer; `body` is the problem that the column was found in.
-    ColumnObserver(const SoilColumn& column, const Problem& body, std::vector<Observer*> observers);
-
-    double next_time() const override;
-    bool marks_restarts() const override;
-    void observe(const Problem& problem, const State& state, const StepReport& report) override;
-    void after_step(const StepReport& report) override;
-    void went_back(const FailureRecord& record, const State& state) override;
-    void finish() override;
-
-private:
-    StepReport report_of_body(const StepReport& report) const;
-
-    const SoilColumn& column_;
-    const Problem& body_;
-    std::vector<Observer*> observers_;
-    State wide_;
-};
 
 } // namespace quicksand

@@ -2,7 +2,9 @@
 
 #include "solver/base/failure.hpp"
 #include "solver/measure/balances.hpp"
+#include "solver/run/column_observer.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace quicksand {
@@ -56,8 +58,14 @@ bool StagedRun::shake(const std::vector<Observer*>& observers, const StopRule& s
 {
     ENSURE(is_shaking_);
     if (!column()) return run(*body_, controls_.end_time, observers, state_, stop);
-    ColumnObserver of_body(*column(), *body_, observers);
-    return run(problem(), controls_.end_time, {&of_body}, computed(), stop);
+    std::vector<Observer*> at_ends = observers;
+    const auto within = std::stable_partition(at_ends.begin(), at_ends.end(), [](const Observer* observer) {
+        return !observer->looks_into_steps();
+    });
+    ColumnObserver into_steps(*column(), *body_, {within, at_ends.end()});
+    at_ends.erase(within, at_ends.end());
+    ColumnObserver at_ends_of_steps(*column(), *body_, at_ends);
+    return run(problem(), controls_.end_time, {&at_ends_of_steps, &into_steps}, computed(), stop);
 }
 
 } // namespace quicksand

@@ -16,7 +16,6 @@ namespace {
 // far softer than the elastic stiffness that resists its accelerations.
 constexpr double smoothed_cells = 1.0;     // over which accelerations are smoothed [-]
 constexpr double steps_per_period = 200.0; // of a sine
-constexpr double growth = 1.1;             // of the step when nothing moves the soil any more
 constexpr double pressure_change = 0.02;   // in a step, of the largest excess pressure
 constexpr double strain_change = 0.05;     // in a step, of the particle that is strained fastest
 constexpr double least_pressure = 0.005;   // that counts as the largest one, of the largest sigma'_v0
@@ -118,6 +117,14 @@ double end_of_motion(const Problem& problem)
     return on ? std::numeric_limits<double>::infinity() : end;
 }
 
+void choose_resistance(const Problem& problem, const State& state, InertiaSolve& inertia)
+{
+    const bool is_left_alone = state.whole_step > 0.0 && state.time >= end_of_motion(problem);
+    const double damping = is_left_alone ? damping_of_vibrations : 0.0;
+    inertia.resistance = inertia_fraction + damping;
+    inertia.kept = inertia_fraction / inertia.resistance;
+}
+
 TimeStep accurate_time_step(const Problem& problem, double time, double last_step, double wave_step,
                             const Particles& particles, const CellExtremes& extremes)
 {
@@ -131,7 +138,7 @@ TimeStep accurate_time_step(const Problem& problem, double time, double last_ste
         limit({reach / extremes.shear_speed, TimeStepLimiter::inertia, ""});
         limit(at_least_wave(resolving_step(problem, time), TimeStepLimiter::shaking));
     } else {
-        limit(at_least_wave(growth * last_step, TimeStepLimiter::growth));
+        limit(at_least_wave(step_growth * last_step, TimeStepLimiter::growth));
         limit(at_least_wave(pressure_step(particles), TimeStepLimiter::pressure));
     }
     return step;

@@ -10,11 +10,15 @@
 // factor from step to step, as long as pore pressures change by a small part of the largest.
 #pragma once
 
+#include "solver/inertia/inertia_solve.hpp"
 #include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
 #include "solver/step/cell_extremes.hpp"
 #include "solver/step/time_step.hpp"
 
 namespace quicksand {
+
+inline constexpr double step_growth = 1.1; // from step to step when nothing moves the soil any more
 
 /// Longest step from a time on that resolves what moves the soil; infinite where nothing varies [s].
 double resolving_step(const Problem& problem, double time);
@@ -22,6 +26,12 @@ double resolving_step(const Problem& problem, double time);
 /// Time from which nothing moves the soil any more: the end of shaking and of all histories; infinite for a
 /// sine without end [s].
 double end_of_motion(const Problem& problem);
+
+/// Set what the inertia of a step from the state on resists. Once nothing moves the soil any more and steps
+/// grow, vibrations are not followed; they would go on for ever, as strains to and fro at the rhythm of the
+/// steps, and compact sand: they are damped. Steps of a length given from outside (whole_step = 0) damp
+/// nothing.
+void choose_resistance(const Problem& problem, const State& state, InertiaSolve& inertia);
 
 /// The step at a time where waves would limit it to wave_step, after one of the length last_step (0: the
 /// first step) [s]; before the parts that the scene and the watchdog leave of it.

@@ -7,6 +7,7 @@
 #include "solver/motion/null_space_damping.hpp"
 #include "solver/motion/particle_motion.hpp"
 #include "solver/motion/slivers.hpp"
+#include "solver/step/accuracy_control.hpp"
 
 namespace quicksand {
 
@@ -95,6 +96,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         solve_velocities(problem, velocity_dt, acceleration, damping, work);
         if (work.inertia) {
             sum_moduli(problem, dt, particles, work);
+            choose_resistance(problem, state, *work.inertia);
             set_up_inertia(problem, dt, velocity_dt, work);
             resist_acceleration(dt, velocity_dt, work);
             solve_velocities(problem, velocity_dt, acceleration, damping, work);

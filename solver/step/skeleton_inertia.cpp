@@ -23,13 +23,13 @@ void set_up(const Problem& problem, double dt, double velocity_dt, Workspace& wo
     InertiaSolve& inertia = *work.inertia;
     set_up_stiffness([&](std::size_t i) { return work.sums[i].active(); }, inertia);
     inertia.response.set_shares(work.conditions, velocity_dt, work.sums);
-    inertia.response.factorise(work.conditions, velocity_dt, inertia_fraction * dt * velocity_dt,
+    inertia.response.factorise(work.conditions, velocity_dt, inertia.resistance * dt * velocity_dt,
                                work.dashpots, work.walls.rows, inertia.rows, inertia.stiffness);
     const auto before = velocities_before(problem, work.conditions, work.walls, work.sums);
     inertia.before.x.assign(inertia.rows.size(), 0.0);
     inertia.before.y.assign(inertia.rows.size(), 0.0);
     for_each_index(before.size(), [&](std::size_t i) {
-        inertia.before.set(inertia.rows.place(i), solid_velocity(before[i]));
+        inertia.before.set(inertia.rows.place(i), inertia.kept * solid_velocity(before[i]));
     });
 }
 
@@ -64,7 +64,7 @@ void resist(double dt, double velocity_dt, Workspace& work)
     for_each_node_with_sums([&](std::size_t i, std::size_t place) {
         inertia.change.set(place, solid_velocity(work.motion[i]) - inertia.before[place]);
     });
-    multiply_stiffness(-inertia_fraction * dt * velocity_dt, inertia.change, inertia);
+    multiply_stiffness(-inertia.resistance * dt * velocity_dt, inertia.change, inertia);
     for_each_node_with_sums([&](std::size_t i, std::size_t place) { // but for what is resisted already
         inertia.moving.set(place, velocity_dt * inertia_force(work.sums[i]));
         inertia.product.set(place, inertia.product[place] - inertia.moving[place]);
@@ -74,7 +74,7 @@ void resist(double dt, double velocity_dt, Workspace& work)
     for_each_node_with_sums([&](std::size_t, std::size_t place) {
         inertia.change.set(place, inertia.change[place] + inertia.answer[place]);
     });
-    multiply_stiffness(-inertia_fraction * dt, inertia.change, inertia);
+    multiply_stiffness(-inertia.resistance * dt, inertia.change, inertia);
     for_each_node_with_sums([&](std::size_t i, std::size_t place) {
         const auto force = [&](std::size_t axis, const Scalars& moving, const Scalars& product) {
             return inertia.response.is_light(i, axis) ? moving[place] / velocity_dt : product[place];

@@ -122,14 +122,14 @@ TimeStep limit_of_waves(const Problem& problem, const CellExtremes& extremes)
                       [&](const WaveSpeeds& speeds) { return fastest_speed(problem, speeds); });
 }
 
-TimeStep step_from(const Problem& problem, double time, double last_step, const Particles& particles,
+TimeStep step_from(const Problem& problem, double time, double whole_step, const Particles& particles,
                    double scale)
 {
     const CellExtremes extremes = find_extremes(problem, particles);
     TimeStep limit = limit_of_waves(problem, extremes);
     if (problem.scheme == TimeScheme::implicit) {
-        const double whole = last_step / (scale * problem.step_fraction); // of which last_step is a part
-        limit = accurate_time_step(problem, time, whole, limit.dt, particles, extremes);
+        const double before = whole_step / (scale * problem.step_fraction); // of which the steps are a part
+        limit = accurate_time_step(problem, time, before, limit.dt, particles, extremes);
     }
     if (scale < 1.0) {
         limit.dt *= scale;
@@ -157,7 +157,7 @@ std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& p
 
 TimeStep stable_time_step(const Problem& problem, const State& state, double scale)
 {
-    return step_from(problem, state.time, state.last_step, state.particles, scale);
+    return step_from(problem, state.time, state.whole_step, state.particles, scale);
 }
 
 TimeStep stable_time_step(const Problem& problem, const Particles& particles, double scale)

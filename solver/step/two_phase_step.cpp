@@ -11,6 +11,7 @@
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/motion/slivers.hpp"
+#include "solver/step/accuracy_control.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -349,6 +350,7 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     if (work.inertia)
         timed(work.timers, Phase::inertia, [&] {
             sum_moduli(problem, dt, particles, work);
+            choose_resistance(problem, state, *work.inertia);
             together = is_long_step(problem, dt, work.sums, *work.inertia);
         });
     timed(work.timers, Phase::pore_pressure, [&] { expect_growth_of_turns(problem, dt, particles, work); });

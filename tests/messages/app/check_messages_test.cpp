@@ -56,6 +56,27 @@ TEST(CheckMessages, ComeOfEverySandThatARunTakes)
     agree(" --set materials.sand.hydraulic_conductivity=1e-12");
 }
 
+TEST(CheckMessages, TellWhichStepsTakeTheLeastTime)
+{
+    const WorkFolder folder;
+    const auto check = [&](const std::string& scene, const std::string& scheme, const std::string& until) {
+        const Outcome outcome =
+            run_program("check " + example(scene) + " --set analysis.scheme='\"" + scheme + "\"' --until " +
+                        until + " -o " + (folder / "check").string());
+        EXPECT_EQ(outcome.code, 0) << outcome.output;
+        return outcome.output;
+    };
+    const auto tells = [](const std::string& text, const std::string& words) {
+        return text.find(words) != std::string::npos;
+    };
+    const std::string shaken = check("level_ground_motion", "auto", "1");
+    EXPECT_TRUE(tells(shaken, "implicit steps, which take the least time here")) << shaken;
+    const std::string shocked = check("column", "auto", "1e-5");
+    EXPECT_TRUE(tells(shocked, "semi-implicit steps, which take the least time here")) << shocked;
+    const std::string dry = check("benchmarks/dry.toml", "implicit", "1e-4");
+    EXPECT_TRUE(tells(dry, "limited by the inertia of shear waves")) << dry;
+}
+
 TEST(CheckMessages, TellWhatABoundaryLeavesUnbalanced)
 {
     const WorkFolder folder;

@@ -197,6 +197,20 @@ scene.toml:28:1: warning[unused]: materials.sand.hydraulic_conductivity has no e
 hint: remove it, or set water.flow = "coupled"
 to accept it: accept = ["materials.sand.hydraulic_conductivity"] at the top of the scene
 )_"},
+SceneMistake{"ImplicitStepsOfUndrainedWater",
+    "level = 0.3175",
+    "level = 0.3175\nflow = \"undrained\"\n[analysis]\nscheme = \"implicit\"",
+R"_(
+scene.toml:20:10: error[combination]: scheme = "implicit" does not resist the waves of water that moves with the grains, water.flow = "undrained"
+   20 | scheme = "implicit"
+      |          ^~~~~~~~~~
+expected: scheme = "explicit", or water.flow = "coupled" with a low conductivity
+scene.toml:28:1: warning[unused]: materials.sand.hydraulic_conductivity has no effect with water.flow = "undrained"
+   28 | hydraulic_conductivity = 5.8e-5
+      | ^~~~~~~~~~~~~~~~~~~~~~
+hint: remove it, or set water.flow = "coupled"
+to accept it: accept = ["materials.sand.hydraulic_conductivity"] at the top of the scene
+)_"},
 SceneMistake{"CavitationAboveTheAtmosphere",
     "level = 0.3175",
     "level = 0.3175\ncavitation_pressure = \"120 kPa\"",

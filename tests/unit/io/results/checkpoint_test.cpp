@@ -37,6 +37,7 @@ State varied_state(bool saturated, bool with_cycles = false)
     if (saturated) state.reactions = {{1.0 / 3.0, -2e5, 0.0}, {7.0, 1.0 / 9.0, 1e-300}}; // a viscous base
 
     state.last_step = 1.0 / 7.0;
+    state.whole_step = 2.0 / 7.0;
     return state;
 }
 
@@ -44,8 +45,9 @@ bool same_bits(const State& a, const State& b)
 {
     std::vector<Scalars> of_a;
     for_each_array(a.particles, [&](const char*, const Scalars& values) { of_a.push_back(values); });
-    bool same = a.time == b.time && a.step == b.step && a.last_step == b.last_step && a.stage == b.stage &&
-                a.reactions.x == b.reactions.x && a.reactions.y == b.reactions.y;
+    bool same = a.time == b.time && a.step == b.step && a.last_step == b.last_step &&
+                a.whole_step == b.whole_step && a.stage == b.stage && a.reactions.x == b.reactions.x &&
+                a.reactions.y == b.reactions.y;
     std::size_t k = 0;
     for_each_array(b.particles, [&](const char*, const Scalars& values) {
         const Scalars& other = of_a[k++];

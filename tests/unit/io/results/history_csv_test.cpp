@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace quicksand {
 
 namespace {
@@ -87,6 +89,31 @@ TEST(HistoryWriter, RowsFollowTheIntervalAndCountSettlementDownward)
     const std::string rows = rows_of(folder / "history.csv");
     EXPECT_NE(rows.find("\n0.005,"), std::string::npos) << rows;
     EXPECT_NE(rows.find(",0.25,0.25,0,"), std::string::npos) << rows;
+}
+
+TEST(HistoryWriter, RowsWithinAStepLieBetweenItsEnds)
+{
+    const fixtures::TemporaryFolder folder;
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    HistoryWriter writer(fixtures::small_scene(), problem, state, {"a.toml", "0"}, folder / "history.csv",
+                         false);
+    writer.observe(problem, state, {});
+    state.time = 0.0025;
+    writer.before_step(problem, state, 0.0125);
+    state.time = 0.0125;
+    for (double& y : state.particles.position.y) y -= 0.25;
+    StepReport report;
+    report.limited_domains = 3;
+    writer.observe(problem, state, report);
+    EXPECT_EQ(writer.next_time(), 0.015);
+    const std::string rows = rows_of(folder / "history.csv");
+    EXPECT_NE(rows.find("\n0.005,"), std::string::npos) << rows;
+    EXPECT_NE(rows.find(",0.0625,0.0625,0,"), std::string::npos) << rows;
+    EXPECT_NE(rows.find("\n0.01,"), std::string::npos) << rows;
+    EXPECT_NE(rows.find(",0.1875,0.1875,0,"), std::string::npos) << rows;
+    EXPECT_EQ(rows.find(",1.5,"), std::string::npos) << "domains are counted in whole steps";
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 4) << rows;
 }
 
 } // namespace quicksand

@@ -108,6 +108,38 @@ TEST(ProbeWriter, AccelerationIsTheChangeOfVelocityOverTheInterval)
     EXPECT_NEAR(std::stod(cell(profile, 6, "ax_m_s2")), 5.0, 1e-12);
 }
 
+TEST(ProbeWriter, RowsWithinAStepLieBetweenItsEnds)
+{
+    const TemporaryFolder folder;
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    ProbeWriter writer(fixtures::small_scene(), problem, state, label, folder.path(), false);
+    writer.observe(problem, state, {});
+    const auto move_to = [&](double time) {
+        state.time = time;
+        for (double& v : state.particles.velocity_solid.x) v = 5.0 * time;
+    };
+    move_to(0.001);
+    writer.before_step(problem, state, 0.005);
+    move_to(0.005); // beyond the rows of .002 and .004 s
+    writer.observe(problem, state, {});
+    EXPECT_EQ(writer.next_time(), 0.006);
+    writer.before_step(problem, state, 0.006);
+    move_to(0.006);
+    writer.observe(problem, state, {});
+    for (const char* name : {"rider", "point", "crest"}) {
+        const auto rows = table(folder / "probes" / (std::string(name) + ".csv"));
+        ASSERT_EQ(rows.size(), 5u) << name;
+        for (std::size_t row = 1; row < rows.size(); ++row) {
+            const double time = 0.002 * static_cast<double>(row - 1);
+            EXPECT_NEAR(std::stod(cell(rows, row, "time_s")), time, 1e-15) << name;
+            EXPECT_NEAR(std::stod(cell(rows, row, "vx_m_s")), 5.0 * time, 1e-15) << name;
+        }
+        EXPECT_NEAR(std::stod(cell(rows, 3, "ax_m_s2")), 5.0, 1e-12) << name;
+    }
+    EXPECT_EQ(table(folder / "probes/line.csv").size(), 1u + 4u * 4u);
+}
+
 TEST(ProbeWriter, AFixedPointWithoutSoilHasEmptyCells)
 {
     const TemporaryFolder folder;

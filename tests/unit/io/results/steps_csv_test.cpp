@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace quicksand {
 
 namespace {
@@ -37,6 +39,24 @@ TEST(StepsWriter, TellsTheStepThatWasNotShortenedForOutput)
     EXPECT_NE(rows.find("\n0.005,7,0.0001," + std::string(name_of(TimeStepLimiter::wave)) + ",sand,"),
               std::string::npos)
         << rows;
+}
+
+TEST(StepsWriter, AStepThatPassesSeveralTimesHasOneRowAtItsEnd)
+{
+    const fixtures::TemporaryFolder folder;
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    StepsWriter writer(fixtures::small_scene(), problem, state, {"a.toml", "0"}, folder / "steps.csv", false);
+    writer.observe(problem, state, {});
+    StepReport report;
+    report.step = 1;
+    report.time_step = {0.0125, TimeStepLimiter::growth, ""};
+    state.time = 0.0125;
+    writer.observe(problem, state, report);
+    EXPECT_EQ(writer.next_time(), 0.015);
+    const std::string rows = rows_of(folder / "steps.csv");
+    EXPECT_NE(rows.find("\n0.0125,1,0.0125,growth from step to step,,"), std::string::npos) << rows;
+    EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 3) << rows;
 }
 
 TEST(StepsWriter, AMaterialsNameDoesNotBreakItsRow)

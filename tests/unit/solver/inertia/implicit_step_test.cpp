@@ -4,6 +4,7 @@
 #include "solver/measure/balances.hpp"
 #include "solver/measure/monitors.hpp"
 #include "solver/run/simulation.hpp"
+#include "solver/step/accuracy_control.hpp"
 #include "solver/step/single_phase_step.hpp"
 #include "solver/step/stepper.hpp"
 #include "solver/step/time_step_control.hpp"
@@ -16,12 +17,14 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <vector>
 
 namespace quicksand {
 namespace {
@@ -90,6 +93,44 @@ TEST(ImplicitStep, PeriodGrowsWithTheSquareOfTheStepAsForOneMode)
 }
 
 /// A free block that moves and turns, without gravity.
+/// D of u_n+1 = T u_n - D u_n-1, by least squares over the displacements of the top in steps of dt.
+double measured_determinant(const Problem& problem, State state, double dt)
+{
+    const std::unique_ptr<Stepper> stepper = make_stepper(problem);
+    std::vector<double> top;
+    for (int k = 0; k < 12; ++k) {
+        stepper->advance(problem, dt, state);
+        const std::size_t p = state.particles.size() - 1;
+        top.push_back(state.particles.position.x[p] - state.particles.reference_position.x[p]);
+    }
+    Eigen::MatrixX2d before(top.size() - 2, 2);
+    Eigen::VectorXd after(top.size() - 2);
+    for (std::size_t k = 0; k + 2 < top.size(); ++k) {
+        const auto row = static_cast<Eigen::Index>(k);
+        before.row(row) << top[k + 1], -top[k];
+        after[row] = top[k + 2];
+    }
+    return before.colPivHouseholderQr().solve(after)[1];
+}
+
+TEST(ImplicitStep, DampsVibrationsThatItDoesNotFollowWhereNothingMovesTheSoil)
+{
+    constexpr int cells = 20;
+    const Problem problem = dry_column(cells);
+    State state = first_shear_mode(problem, cells);
+    const double c_s = std::sqrt(100e6 / (0.57 * 2650.0));
+    const double frequency = 0.5 * pi * c_s / cells;    // omega [1/s]
+    for (const double step : {0.3, 2.0, 10.0, 100.0}) { // omega dt
+        const double dt = step / frequency, z = step * step;
+        state.whole_step = 0.0;
+        EXPECT_NEAR(measured_determinant(problem, state, dt), 1.0, 1e-3) << "given step " << step;
+        state.whole_step = dt;
+        const double expected =
+            (1.0 + inertia_fraction * z) / (1.0 + (inertia_fraction + damping_of_vibrations) * z);
+        EXPECT_NEAR(measured_determinant(problem, state, dt), expected, 1e-3) << "chosen step " << step;
+    }
+}
+
 TEST(ImplicitStep, KeepsTheMomentumOfAFreeBody)
 {
     for (const bool saturated : {false, true}) {
@@ -150,7 +191,7 @@ TEST(ImplicitStep, IsNoLongerThanTheFastestStrainAllows)
     Problem problem = patch(1e-4, true);
     problem.scheme = TimeScheme::implicit;
     State state = restless(problem);
-    state.last_step = 1.0;
+    state.whole_step = 1.0;
     for (Scalars* part :
          {&state.particles.affine_velocity_solid.xx, &state.particles.affine_velocity_solid.xy,
           &state.particles.affine_velocity_solid.yx, &state.particles.affine_velocity_solid.yy})
@@ -177,6 +218,64 @@ TEST(ImplicitStep, RandomMotionDoesNotGrowAtAnyStep)
             EXPECT_LT(monitor(problem, state, {}).kinetic_energy, 1.05 * before) << conductivity << ' ' << dt;
         }
     }
+}
+
+/// Waits for the multiples of an interval, and keeps what it is shown.
+class Onlooker final : public Observer {
+public:
+    Onlooker(double interval, bool looks_into) : interval_(interval), looks_into_(looks_into) {}
+    double next_time() const override { return interval_ * static_cast<double>(count_); }
+    bool looks_into_steps() const override { return looks_into_; }
+    void before_step(const Problem&, const State& state, double end) override
+    {
+        EXPECT_GE(end, next_time());
+        start_ = state.time;
+    }
+    void observe(const Problem&, const State& state, const StepReport&) override
+    {
+        for (; next_time() <= state.time; ++count_) EXPECT_LE(start_, next_time());
+    }
+    void after_step(const StepReport& report) override { steps.push_back(report.time); }
+
+    std::vector<double> steps; // their ends [s]
+
+private:
+    double interval_;
+    bool looks_into_;
+    double start_ = 0.0;
+    int count_ = 0;
+};
+
+TEST(ImplicitStep, IsNotShortenedForThoseWhoLookIntoIt)
+{
+    Problem problem = patch(1e-4, false);
+    problem.scheme = TimeScheme::implicit;
+    const State state = restless(problem);
+    const auto steps_seen_by = [&](std::vector<Onlooker> onlookers) {
+        State run_state = state;
+        std::vector<Observer*> observers;
+        for (Onlooker& onlooker : onlookers) observers.push_back(&onlooker);
+        run(problem, 1e-3, observers, run_state);
+        return onlookers.back().steps;
+    };
+    const double never = 1.0;
+    const std::vector<double> alone = steps_seen_by({{never, true}});
+    ASSERT_GT(alone.size(), 3U);
+    const double interval = 0.3 * (alone[1] - alone[0]);
+    EXPECT_EQ(steps_seen_by({{interval, true}, {4.7 * interval, true}}), alone);
+    EXPECT_GT(steps_seen_by({{interval, false}}).size(), 3 * alone.size());
+}
+
+TEST(ImplicitStep, GrowsPastStepsThatWereShortened)
+{
+    Problem problem = patch(1e-4, false);
+    problem.scheme = TimeScheme::implicit;
+    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < 0.0625; });
+    const double first = stable_time_step(problem, state).dt;
+    Onlooker exact(1.5 * first, false);
+    run(problem, 30.0 * first, {&exact}, state);
+    EXPECT_GE(state.whole_step, 5.0 * first);
+    EXPECT_LE(state.last_step, 1.5 * first * (1.0 + 1e-12));
 }
 
 /// Consolidation of a column of 20 cells under a load that the water carries at first.

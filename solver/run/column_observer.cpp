@@ -1,0 +1,81 @@
+#include "solver/run/column_observer.hpp"
+
+#include "solver/base/failure.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+bool looks_into(const Observer* observer)
+{
+    return observer->looks_into_steps();
+}
+
+} // namespace
+
+ColumnObserver::ColumnObserver(const SoilColumn& column, const Problem& body,
+                               std::vector<Observer*> observers)
+    : column_(column), body_(body), observers_(std::move(observers))
+{
+    ENSURE(looks_into_steps() || std::none_of(observers_.begin(), observers_.end(), looks_into));
+}
+
+StepReport ColumnObserver::report_of_body(const StepReport& report) const
+{
+    StepReport whole = report;
+    whole.limited_domains *= column_.columns;
+    return whole;
+}
+
+double ColumnObserver::next_time() const
+{
+    double next = std::numeric_limits<double>::infinity();
+    for (const Observer* observer : observers_) next = std::min(next, observer->next_time());
+    return next;
+}
+
+bool ColumnObserver::marks_restarts() const
+{
+    const double next = next_time();
+    return std::any_of(observers_.begin(), observers_.end(), [next](const Observer* observer) {
+        return observer->marks_restarts() && observer->next_time() <= next;
+    });
+}
+
+bool ColumnObserver::looks_into_steps() const
+{
+    return std::all_of(observers_.begin(), observers_.end(), looks_into);
+}
+
+void ColumnObserver::before_step(const Problem&, const State& state, double end)
+{
+    widen(column_, state, wide_);
+    show_start(body_, observers_, wide_, end);
+}
+
+void ColumnObserver::observe(const Problem&, const State& state, const StepReport& report)
+{
+    widen(column_, state, wide_);
+    observe_due(body_, observers_, wide_, report_of_body(report));
+}
+
+void ColumnObserver::after_step(const StepReport& report)
+{
+    for (Observer* observer : observers_) observer->after_step(report_of_body(report));
+}
+
+void ColumnObserver::went_back(const FailureRecord& record, const State& state)
+{
+    for (Observer* observer : observers_) observer->went_back(record, state);
+}
+
+void ColumnObserver::finish()
+{
+    for (Observer* observer : observers_) observer->finish();
+}
+
+} // namespace quicksand

@@ -1,0 +1,85 @@
+#include "solver/step/accuracy_control.hpp"
+#include "solver/step/step_forecast.hpp"
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+/// Four cells of 1 m of sand in a box.
+Problem box_of_sand(bool saturated)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 1.0, 2, 3};
+    problem.materials = {stiff_sand()};
+    if (saturated) problem.water = water_to(2.0);
+    problem.boundaries = rectangle(0.0, 0.0, 2.0, 2.0, FixedWall{}, RollerWall{}, FreeFace{});
+    return problem;
+}
+
+Particles sand_of(const Problem& problem)
+{
+    return fill(problem, 2, [](const Vector2& x) { return x.y() < 2.0; }).particles;
+}
+
+SineMotion sine_of(double frequency, double cycles)
+{
+    SineMotion sine;
+    sine.amplitude = 1.0;
+    sine.frequency = frequency;
+    sine.cycles = cycles;
+    return sine;
+}
+
+} // namespace
+
+TEST(StepForecast, StepsHitEveryEvent)
+{
+    Problem problem = box_of_sand(true);
+    problem.scheme = TimeScheme::semi_implicit;
+    EXPECT_EQ(count_steps(problem, 0.25, {1.0}), 4);
+    EXPECT_EQ(count_steps(problem, 0.3, {1.0}), 4);
+    EXPECT_EQ(count_steps(problem, 0.3, {0.5, 1.0}), 4);
+    EXPECT_EQ(count_steps(problem, 0.3, {0.5, 0.7, 1.0}), 4);
+}
+
+TEST(StepForecast, ImplicitStepsGrowWhenTheMotionIsOver)
+{
+    Problem problem = box_of_sand(true);
+    problem.scheme = TimeScheme::implicit;
+    problem.base_motion = sine_of(1.0, 2.0); // for 2 s
+    EXPECT_EQ(count_steps(problem, 0.01, {2.0}), 200);
+    // dt (1.1 + 1.1^2 + ... + 1.1^n) = 11 dt (1.1^n - 1) reaches 1e6 dt
+    const double growing = std::ceil(std::log(1e6 / 11.0 + 1.0) / std::log(step_growth));
+    const auto steps = static_cast<double>(count_steps(problem, 0.01, {2.0, 1e4 + 2.0}));
+    EXPECT_GE(steps, 200.0 + growing);
+    EXPECT_LE(steps, 201.0 + growing) << "each is shortened a little to hit the end";
+}
+
+TEST(StepForecast, ImplicitStepsAreTakenWhereTheyAreFewEnough)
+{
+    for (const bool saturated : {false, true}) {
+        Problem problem = box_of_sand(saturated);
+        const Particles particles = sand_of(problem);
+        const TimeScheme by_waves = saturated ? TimeScheme::semi_implicit : TimeScheme::explicit_steps;
+        problem.base_motion = sine_of(1.0, 10.0);
+        EXPECT_EQ(fastest_scheme(problem, particles, 1e3), TimeScheme::implicit);
+        problem.base_motion = sine_of(100.0, 10.0); // 1/200 of a period is shorter than what waves allow
+        EXPECT_EQ(fastest_scheme(problem, particles, 0.1), by_waves);
+        EXPECT_EQ(fastest_scheme(problem, particles, 1e4), TimeScheme::implicit) << "consolidation";
+    }
+}
+
+TEST(StepForecast, UndrainedSoilIsComputedByExplicitSteps)
+{
+    Problem problem = box_of_sand(true);
+    problem.water->flow = WaterFlow::undrained;
+    EXPECT_EQ(fastest_scheme(problem, sand_of(problem), 1e4), TimeScheme::explicit_steps);
+}
+
+} // namespace quicksand
