@@ -142,7 +142,7 @@ TEST(Completion, OffersKeysAfterSet)
     EXPECT_TRUE(has(offered("run --set ''"), "materials."));
     EXPECT_EQ(offered("run --set analysis.scheme="),
               (Words{"none", "analysis.scheme=explicit", "analysis.scheme=semi_implicit",
-                     "analysis.scheme=implicit"}));
+                     "analysis.scheme=implicit", "analysis.scheme=auto"}));
     EXPECT_TRUE(has(offered("run --set materials.sand."), "materials.sand.porosity="));
     EXPECT_EQ(offered("run --set no.such."), (Words{"none"}));
     EXPECT_TRUE(has(offered("element --set tests.strength."), "tests.strength.csr="));
