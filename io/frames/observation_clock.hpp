@@ -21,6 +21,14 @@ public:
     double next() const { return next_; }
     void advance();
 
+    /// Call visit(time, weight) for all times that are due at the end of a step, and go on: `weight` is the
+    /// part of the step before the time, 1 at its end.
+    template <class Visit>
+    void strike(double start, double end, Visit&& visit)
+    {
+        for (; next_ <= end; advance()) visit(next_, next_ < end ? (next_ - start) / (end - start) : 1.0);
+    }
+
 private:
     double multiple(std::int64_t k) const;
 

@@ -67,18 +67,15 @@ void HistoryWriter::observe(const Problem& problem, const State& state, const St
 {
     const std::vector<const BodyQuantity*> quantities = body_quantities(problem, state);
     const std::vector<double> ends = measure(problem, state, report.limited_domains);
-    for (; clock_.next() < state.time; clock_.advance()) {
-        const double weight = (clock_.next() - start_time_) / (state.time - start_time_);
-        std::vector<double> values;
-        for (std::size_t k = 0; k < ends.size(); ++k)
-            values.push_back(quantities[k]->is_counted ? ends[k] : std::lerp(starts_[k], ends[k], weight));
-        values.front() = clock_.next();
+    clock_.strike(start_time_, state.time, [&](double time, double weight) {
+        std::vector<double> values = ends;
+        if (weight < 1.0) {
+            for (std::size_t k = 0; k < ends.size(); ++k)
+                if (!quantities[k]->is_counted) values[k] = std::lerp(starts_[k], ends[k], weight);
+            values.front() = time;
+        }
         write(values);
-    }
-    if (clock_.next() <= state.time) {
-        write(ends);
-        clock_.advance();
-    }
+    });
     file_.flush();
 }
 

@@ -170,14 +170,10 @@ void ProbeWriter::before_step(const Problem& problem, const State& state, double
 void ProbeWriter::observe(const Problem& problem, const State& state, const StepReport&)
 {
     const auto ends = sample(problem, state);
-    for (; clock_.next() < state.time; clock_.advance()) {
-        const double weight = (clock_.next() - start_time_) / (state.time - start_time_);
+    clock_.strike(start_time_, state.time, [&](double time, double weight) {
         for (std::size_t k = 0; k < probes_.size(); ++k)
-            write(probes_[k], clock_.next(), interpolate(starts_[k], ends[k], weight));
-    }
-    if (clock_.next() > state.time) return;
-    for (std::size_t k = 0; k < probes_.size(); ++k) write(probes_[k], state.time, ends[k]);
-    clock_.advance();
+            write(probes_[k], time, weight < 1.0 ? interpolate(starts_[k], ends[k], weight) : ends[k]);
+    });
 }
 
 std::vector<std::vector<PointSample>> ProbeWriter::sample(const Problem& problem, const State& state) const

@@ -64,8 +64,8 @@ struct State {
     double time = 0.0;      // t since the start of shaking [s]
     std::int64_t step = 0;  // steps taken in this stage [-]
     double last_step = 0.0; // length of the step before, 0 at the start of a stage [s]
-    double whole_step =
-        0.0; // the same as it was chosen, before it was shortened for output; 0: not chosen [s]
+    /// The same as it was chosen, before it was shortened for output; 0: not chosen by the run [s].
+    double whole_step = 0.0;
     /// Part of the closed forms' step that the vibration of the nodes leaves (vibration/step_bound.hpp) [-].
     double step_scale = 1.0;
     std::int64_t step_halvings = 0; // of this step, by the watchdog (run/watchdog.hpp) [-]

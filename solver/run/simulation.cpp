@@ -19,8 +19,7 @@ constexpr std::int64_t steps_between_restarts = 32;
 /// Equal steps to the next event: the step is shortened a little each time rather than much at the end.
 TimeStep divide_evenly(TimeStep stable, double remaining)
 {
-    constexpr double rounding = 1e-6; // of a step: the last division is not split by rounding
-    const double steps = std::max(1.0, std::ceil(remaining / stable.dt - rounding));
+    const double steps = std::max(1.0, steps_over(remaining, stable.dt));
     if (steps == 1.0 && remaining < 0.5 * stable.dt) stable.limiter = TimeStepLimiter::output;
     stable.dt = remaining / steps;
     return stable;

@@ -15,12 +15,6 @@ namespace {
 // 2.3 in the sea dike of 14,000.
 constexpr double implicit_cost = 2.3;
 
-std::int64_t steps_of_equal_length(double time, double dt)
-{
-    constexpr double rounding = 1e-6; // of a step
-    return static_cast<std::int64_t>(std::ceil(time / dt - rounding));
-}
-
 } // namespace
 
 std::int64_t count_steps(const Problem& problem, double dt, const std::vector<double>& events)
@@ -28,21 +22,20 @@ std::int64_t count_steps(const Problem& problem, double dt, const std::vector<do
     const double start_of_growth = problem.scheme == TimeScheme::implicit
                                        ? end_of_motion(problem)
                                        : std::numeric_limits<double>::infinity();
-    std::int64_t steps = 0;
-    double time = 0.0, whole = dt;
+    double steps = 0.0, time = 0.0;
     for (const double event : events) {
-        if (event < start_of_growth) {
-            steps += steps_of_equal_length(event - time, dt);
-            time = event;
+        if (time < start_of_growth) {
+            const double until = std::min(event, start_of_growth);
+            steps += steps_over(until - time, dt);
+            time = until;
         }
-        while (time < event) {
-            if (time >= start_of_growth) whole *= step_growth;
-            const auto left = std::max<std::int64_t>(1, steps_of_equal_length(event - time, whole));
-            time = left == 1 ? event : time + (event - time) / static_cast<double>(left);
-            ++steps;
+        for (; time < event; ++steps) {
+            dt *= step_growth;
+            const double left = steps_over(event - time, dt);
+            time = left > 1.0 ? time + (event - time) / left : event;
         }
     }
-    return steps;
+    return static_cast<std::int64_t>(steps);
 }
 
 TimeScheme fastest_scheme(const Problem& problem, const Particles& particles, double end_time)

@@ -1,6 +1,7 @@
 // The length of a step and what limits it.
 #pragma once
 
+#include <cmath>
 #include <string>
 
 namespace quicksand {
@@ -25,5 +26,12 @@ struct TimeStep {
 };
 
 const char* name_of(TimeStepLimiter limiter);
+
+/// Number of equal steps over a time, none longer than dt but for rounding: a step is not split by it [-].
+inline double steps_over(double time, double dt)
+{
+    constexpr double rounding = 1e-6; // of a step
+    return std::ceil(time / dt - rounding);
+}
 
 } // namespace quicksand
