@@ -81,6 +81,43 @@ void add_element(CLI::App& program, Commands& commands)
         ->type_name("DIR");
 }
 
+void add_motion(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<MotionChoice>(
+        program, commands, "motion",
+        "Measure a recorded motion, draw its histories and response spectra, and make it ready for a scene",
+        examine_motion);
+    parser
+        ->add_option("FILE", choice->file,
+                     "Record in PEER's AT2 form, or two columns: time in s, acceleration")
+        ->required();
+    parser->add_option("--unit", choice->unit, "Unit of the accelerations of two columns")
+        ->check(CLI::IsMember({"g", "m/s2"}));
+    parser
+        ->add_option("--trim", choice->trim, "Keep the values between these times in s, from there on time 0")
+        ->type_name("FROM:TO");
+    parser
+        ->add_option("--baseline", choice->baseline, "Take off the straight line that fits the accelerations")
+        ->check(CLI::IsMember({"none", "linear"}));
+    parser
+        ->add_option("--low-cut", choice->low_cut,
+                     "Filter out what is slower; half of the amplitude is left there. In Hz")
+        ->check(number_in(positive_number))
+        ->type_name("F");
+    parser->add_option("--high-cut", choice->high_cut, "Filter out what is faster, likewise. In Hz")
+        ->check(number_in(positive_number))
+        ->type_name("F");
+    parser->add_option("--peak", choice->peak, "Scale to this peak acceleration, as \"0.3 g\"")
+        ->type_name("PGA");
+    parser->add_option("--damping", choice->damping, "Damping of the spectra in per cent; 5")
+        ->check(number_in({.lower = 0.0, .upper = 50.0}))
+        ->type_name("D");
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Folder, its files replaced if there; results/<file>-motion when not given")
+        ->type_name("DIR");
+}
+
 } // namespace
 
 void add_threads(CLI::App& parser, int& threads)
@@ -104,6 +141,7 @@ void add_scene_commands(CLI::App& program, Commands& commands)
     add_stability(program, commands);
     add_new(program, commands);
     add_element(program, commands);
+    add_motion(program, commands);
 }
 
 } // namespace quicksand

@@ -61,6 +61,19 @@ struct ElementChoice {
     std::filesystem::path directory;    // empty: results/<name of the file>
 };
 
+/// What is done to a record happens in the order of the members.
+struct MotionChoice {
+    std::filesystem::path file;
+    std::string unit;                // "g" or "m/s2"; empty: as the record states
+    std::string trim;                // FROM:TO in s, empty: all of it
+    std::string baseline = "none";   // or "linear"
+    double low_cut = 0.0;            // 0: none [Hz]
+    double high_cut = 0.0;           // 0: none [Hz]
+    std::string peak;                // with its unit, empty: as it is
+    double damping = 5.0;            // of the spectrum [%]
+    std::filesystem::path directory; // empty: results/<name of the file>-motion
+};
+
 struct NewChoice {
     std::string example; // "dike" or "column"
     std::filesystem::path folder;

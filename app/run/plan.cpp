@@ -1,5 +1,6 @@
 #include "app/run/plan.hpp"
 
+#include "app/run/motion_text.hpp"
 #include "app/run/number_format.hpp"
 #include "io/laws/soil_laws.hpp"
 #include "io/results/output_observers.hpp"
@@ -41,27 +42,6 @@ std::string_view law_without_stress(const Problem& problem)
     return "";
 }
 
-constexpr double small_residual = 0.02; // velocity at a record's end over its peak that passes for zero [-]
-
-std::string describe_record(const SampledMotion& record)
-{
-    const MotionMeasures measures = measure(record);
-    std::string text =
-        fmt::format("  PGA {} g at {} s, PGV {} m/s, PGD {} m; Arias intensity {} m/s\n"
-                    "  {} s in steps of {} s, frequencies up to {} Hz; significant duration D5-95 {} s\n",
-                    short_number(measures.peak_acceleration / standard_gravity),
-                    short_number(measures.peak_time), short_number(measures.peak_velocity),
-                    short_number(measures.peak_displacement), short_number(measures.arias_intensity),
-                    short_number(duration(record), 4), short_number(record.interval),
-                    short_number(0.5 / record.interval), short_number(measures.significant_duration));
-    text += fmt::format("  at its end the velocity is {} m/s, the displacement {} m\n",
-                        short_number(measures.residual_velocity, 2),
-                        short_number(measures.residual_displacement, 2));
-    if (std::abs(measures.residual_velocity) > small_residual * measures.peak_velocity)
-        text += "  That velocity should be zero: the record's baseline is off; see motion.baseline\n";
-    return text;
-}
-
 const char* name_of(TimeScheme scheme)
 {
     switch (scheme) {
@@ -100,7 +80,7 @@ std::string describe_motion(const AssembledCase& assembled)
 {
     const BaseMotion& motion = assembled.scene.base_motion;
     if (const auto* record = std::get_if<SampledMotion>(&motion))
-        return "Shaking\n" + describe_record(*record);
+        return "Shaking\n" + describe_motion_measures(*record, "motion.baseline");
     if (const auto* sine = std::get_if<SineMotion>(&motion)) return "Shaking\n" + describe_sine(*sine);
     return "";
 }

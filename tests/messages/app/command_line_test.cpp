@@ -18,8 +18,9 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
 {
     const Outcome outcome = run_program("");
     EXPECT_EQ(outcome.code, 0);
-    for (const char* command : {"run", "check", "stability", "new", "element", "keys", "probe", "picture",
-                                "figures", "demo", "verify", "bench", "stress", "manual", "version"}) {
+    for (const char* command :
+         {"run", "check", "stability", "new", "element", "motion", "keys", "probe", "picture", "figures",
+          "demo", "verify", "bench", "stress", "manual", "version"}) {
         expect_mention(outcome, command);
     }
     expect_mention(outcome, "Exit codes");
@@ -27,8 +28,9 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
 
 TEST(CommandLine, EveryCommandHasHelp)
 {
-    for (const char* command : {"run", "check", "stability", "new", "element", "keys", "probe", "picture",
-                                "figures", "demo", "verify", "bench", "stress", "manual", "version"}) {
+    for (const char* command :
+         {"run", "check", "stability", "new", "element", "motion", "keys", "probe", "picture", "figures",
+          "demo", "verify", "bench", "stress", "manual", "version"}) {
         EXPECT_EQ(run_program(std::string(command) + " --help").code, 0) << command;
     }
 }
@@ -54,8 +56,9 @@ TEST(CommandLine, AnUnknownCommandListsTheCommands)
 {
     const Outcome outcome = run_program("frobnicate");
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "expected: run, check, stability, new, element, probe, picture, figures, demo, "
-                            "verify, bench, stress, keys, manual, version");
+    expect_mention(outcome,
+                   "expected: run, check, stability, new, element, motion, probe, picture, figures, demo, "
+                   "verify, bench, stress, keys, manual, version");
 }
 
 TEST(CommandLine, AnUnknownPageOfTheManualListsThePages)

@@ -217,6 +217,22 @@ TEST(SceneRecords, ThatAreUnusualAreWarnedOf)
     EXPECT_EQ(warning("\"120 g\"").find("the record's"), std::string::npos) << "of a centrifuge model";
 }
 
+TEST(SceneRecords, WhoseHeaderCannotBeRightAreWarnedOfWithTheirPeak)
+{
+    const fixtures::SceneFolder folder;
+    folder.write("record.AT2", "UNITS OF G\nNPTS= 3, DT= .01 SEC\n12.5 -187.2 40\n");
+    const std::string scene =
+        fixtures::replaced(fixtures::column_scene, "kind = \"sine\"\namplitude = \"24 g\"\nfrequency = 180",
+                           "kind = \"file\"\nfile = \"record.AT2\"");
+    const std::string text =
+        folder.read(fixtures::replaced(scene, "\"120 g\"", "\"1 g\"")).warnings.render("");
+    EXPECT_NE(text.find("warning[plausibility]: the record's peak of 187.2 g is unusually large\n"
+                        "expected: usually at most 2 g\n"
+                        "hint: the header says UNITS OF G: are the values in another unit, as cm/s2?\n"),
+              std::string::npos)
+        << text;
+}
+
 TEST(SceneRecords, AreTakenWithTheirUnitScaleAndBaseline)
 {
     const fixtures::SceneFolder folder;

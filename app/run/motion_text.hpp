@@ -1,0 +1,18 @@
+// A recorded motion in words.
+#pragma once
+
+#include "solver/problem/response_spectrum.hpp"
+
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// Peaks, intensity, duration and what is left at the end, in three lines; a fourth where the velocity at the
+/// end is not zero, which names the `remedy`.
+std::string describe_motion_measures(const SampledMotion& motion, const std::string& remedy);
+
+/// The largest pseudo-acceleration and its period, in one line. `damping` in per cent.
+std::string describe_spectrum(const std::vector<OscillatorPeaks>& spectrum, double damping);
+
+} // namespace quicksand
