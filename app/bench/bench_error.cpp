@@ -98,7 +98,7 @@ struct Measurement {
 /// told and left out.
 Measurement measure_scene(const std::string& scene, const BenchChoice& choice, Journal& journal)
 {
-    const std::string name = default_results(find_scene_file(scene)).filename().string();
+    const std::string name = scene_name(find_scene_file(scene));
     const std::filesystem::path folder = choice.directory / name;
     const Setting fine = {"explicit, a fifth of the step",
                           {"analysis.scheme=\"explicit\"", "analysis.step_share=0.2"}};

@@ -242,7 +242,7 @@ ExitCode measure_grids(const BenchChoice& choice)
 {
     Journal journal;
     const fs::path scene = find_scene_file(only_scene(choice));
-    const fs::path folder = choice.directory / default_results(scene).filename();
+    const fs::path folder = choice.directory / scene_name(scene);
     fs::create_directories(folder);
     journal.keep(folder / "grid.txt");
     journal.say(machine_text());

@@ -43,7 +43,7 @@ void add_overrides(CLI::App& parser, std::vector<std::string>& overrides,
 /// Scenes: run, check, stability, new, element, motion.
 void add_scene_commands(CLI::App& program, Commands& commands);
 
-/// Results: probe, picture, figures.
+/// Results: probe, picture, figures, compare, report.
 void add_results_commands(CLI::App& program, Commands& commands);
 
 /// The program itself: demo, verify, bench, stress.

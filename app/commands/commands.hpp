@@ -17,6 +17,8 @@ ExitCode create_scene(const NewChoice& choice);
 ExitCode extract_probe(const ProbeChoice& choice);
 ExitCode draw_pictures(const PictureChoice& choice);
 ExitCode draw_scene_figures(const FiguresChoice& choice);
+ExitCode compare_results(const CompareChoice& choice);
+ExitCode write_report(const ReportChoice& choice);
 ExitCode run_demo(const DemoChoice& choice);
 ExitCode verify_problems(const VerifyChoice& choice);
 ExitCode stress_solver(const StressChoice& choice);

@@ -2,7 +2,6 @@
 #include "app/run/journal.hpp"
 #include "app/run/motion_text.hpp"
 #include "app/run/number_format.hpp"
-#include "app/run/scene_setup.hpp"
 #include "io/files/output_folder.hpp"
 #include "io/keys/scene_units.hpp"
 #include "io/motions/motion_csv.hpp"
@@ -158,7 +157,9 @@ ExitCode examine_motion(const MotionChoice& choice)
     const Processed processed = process(choice, record.motion);
     const auto spectrum =
         response_spectrum(processed.motion, spectral_periods(processed.motion), choice.damping / 100.0);
-    const fs::path folder = report_folder(choice.directory, choice.file, "motion");
+    const fs::path folder = choice.directory.empty()
+                                ? fs::path("results") / (choice.file.stem().string() + "-motion")
+                                : choice.directory;
     make_output_folder(folder, report_file);
     journal.keep(folder / report_file);
     journal.say(choice.file.string());

@@ -75,6 +75,50 @@ void add_figures(CLI::App& program, Commands& commands)
         ->type_name("DIR");
 }
 
+void add_compare(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<CompareChoice>(
+        program, commands, "compare",
+        "Draw the histories of runs over each other, and list peaks, final values and differences",
+        compare_results);
+    parser
+        ->add_option("RESULTS", choice->results, "Results folders of runs, the first of them to compare with")
+        ->required();
+    parser
+        ->add_option("--field", choice->field,
+                     "Field whose difference is drawn, as excess_pore_pressure; of two runs")
+        ->type_name("NAME");
+    parser
+        ->add_option("--time", choice->time,
+                     "Time in s of the frames whose difference is drawn; the last ones "
+                     "when not given")
+        ->check(number_in(any_number))
+        ->type_name("T");
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Folder, its files replaced if there; results/compare when not given")
+        ->type_name("DIR");
+}
+
+void add_report(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<ReportChoice>(
+        program, commands, "report", "Write a page on a run, with all its pictures in one HTML file",
+        write_report);
+    parser->add_option("RESULTS", choice->results, "Results folder of a run")->required();
+    parser
+        ->add_option("--required-height", choice->required_height,
+                     "Height in m, as y of the drawing, that the crest must keep")
+        ->check(number_in(any_number))
+        ->type_name("Y");
+    parser
+        ->add_option("--field", choice->field,
+                     "Field of the animation; ru, in a dry scene displacement, when not given")
+        ->type_name("NAME");
+    parser->add_option("-o,--output", choice->output, "HTML file; RESULTS/report.html when not given")
+        ->type_name("FILE");
+}
+
 } // namespace
 
 void add_results_commands(CLI::App& program, Commands& commands)
@@ -82,6 +126,8 @@ void add_results_commands(CLI::App& program, Commands& commands)
     add_probe(program, commands);
     add_picture(program, commands);
     add_figures(program, commands);
+    add_compare(program, commands);
+    add_report(program, commands);
 }
 
 } // namespace quicksand

@@ -102,6 +102,20 @@ struct FiguresChoice {
     std::filesystem::path output;  // folder, empty: RESULTS/figures
 };
 
+struct CompareChoice {
+    std::vector<std::filesystem::path> results;
+    std::string field;          // of the difference of two frames, empty: the usual ones
+    std::optional<double> time; // of these frames, none: the last ones [s]
+    std::filesystem::path directory = "results/compare";
+};
+
+struct ReportChoice {
+    std::filesystem::path results;
+    std::optional<double> required_height; // y that the crest must keep [m]
+    std::string field;                     // of the animation, empty: ru, in a dry scene displacement
+    std::filesystem::path output;          // empty: RESULTS/report.html
+};
+
 struct DemoChoice {
     std::filesystem::path directory = "results/demo";
     int threads = 0;

@@ -13,6 +13,8 @@ std::string short_number(double value, int digits)
     if (exponent == std::string::npos) return text;
     // 2.6e-06 -> 2.6e-6 and 1.9e+06 -> 1.9e6
     const int power = std::stoi(text.substr(exponent + 1));
+    // 1.7e+02 -> 170: shorter, and read at once
+    if (power > 0 && power < 4) return fmt::format("{:.0f}", std::stod(text));
     return fmt::format("{}e{}", text.substr(0, exponent), power);
 }
 

@@ -24,7 +24,7 @@ constexpr double cells_per_wavelength = 10.0; // of a shear wave that the grid c
 
 std::string describe_waves(const Material& material, const WaveSpeeds& waves, const Problem& problem)
 {
-    std::string text = fmt::format("  {:<16}", material.name);
+    std::string text = fmt::format("  {:<25} ", material.name);
     if (problem.water && material.saturated) {
         text += fmt::format("fast P {:.0f}, undrained P {:.0f}, slow P {:.0f}, ", waves.fast, waves.undrained,
                             waves.slow);
@@ -193,8 +193,9 @@ std::string describe_cost(const Forecast& forecast)
                                 ? ""
                                 : "; the soil did not settle in the trial, so this is the limit max_steps");
     }
-    text += fmt::format("  shaking    {} steps of {} ms, measured with {} threads\n", grouped(forecast.steps),
-                        short_number(1e3 * forecast.step_seconds), thread_count());
+    text += fmt::format("  shaking    {} steps of {} ms, measured with {} thread{}\n",
+                        grouped(forecast.steps), short_number(1e3 * forecast.step_seconds), thread_count(),
+                        thread_count() == 1 ? "" : "s");
     text += fmt::format("  run time   about {}: {}shaking {}, output {}\n", duration_text(forecast.seconds()),
                         relaxation.needed ? "settling " + duration_text(forecast.relaxation_seconds()) + ", "
                                           : "",

@@ -70,11 +70,19 @@ std::vector<std::string> on_cells_of(double cell_size, const BackgroundGrid& gri
             fmt::format("grid.cells=[{},{}]", cells(grid.cells_x), cells(grid.cells_y))};
 }
 
+std::string scene_name(const fs::path& scene_file)
+{
+    const fs::path file = fs::absolute(scene_file).lexically_normal();
+    return file.filename() == "scene.toml" ? file.parent_path().filename().string() : file.stem().string();
+}
+
 fs::path default_results(const fs::path& scene_file)
 {
     const fs::path file = fs::absolute(scene_file).lexically_normal();
-    const fs::path name = file.filename() == "scene.toml" ? file.parent_path().filename() : file.stem();
-    return fs::path("results") / name;
+    const std::string folder = file.parent_path().filename().string();
+    return fs::path("results") / (file.filename() == "scene.toml" || folder.empty()
+                                      ? scene_name(file)
+                                      : folder + "-" + scene_name(file));
 }
 
 fs::path report_folder(const fs::path& chosen, const fs::path& scene_file, const std::string& command)

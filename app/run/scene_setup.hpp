@@ -31,8 +31,11 @@ std::filesystem::path find_scene_file(const std::filesystem::path& scene);
 /// --set words for cells of another size over the section that a grid covers.
 std::vector<std::string> on_cells_of(double cell_size, const BackgroundGrid& grid);
 
-/// results/NAME with the name of the scene's folder; of a scene that is not called scene.toml, with its own
-/// name.
+/// The name of the scene's folder; of a scene that is not called scene.toml, its own.
+std::string scene_name(const std::filesystem::path& scene_file);
+
+/// results/FOLDER with the name of the scene's folder; of a scene that is not called scene.toml,
+/// results/FOLDER-NAME, so that variants of unlike scenes have folders of their own.
 std::filesystem::path default_results(const std::filesystem::path& scene_file);
 
 /// The folder that was chosen for a command's report; when that is empty, default_results() and the command's

@@ -7,6 +7,7 @@
 #include "app/run/stop_signal.hpp"
 #include "io/files/file_error.hpp"
 #include "io/frames/vtk_series.hpp"
+#include "io/reports/summary_reading.hpp"
 #include "io/results/checkpoint.hpp"
 #include "io/results/output_observers.hpp"
 #include "io/results/run_manifest.hpp"
@@ -39,6 +40,7 @@ public:
         manifest_.step_halvings = state.times_halved;
         manifest_.steps = steps;
     }
+    void summarize(RunSummary summary) { manifest_.summary = std::move(summary); }
     void judge(const std::vector<Finding>& findings) { manifest_.findings = findings; }
     void end(RunStatus status, const std::string& reason)
     {
@@ -185,11 +187,12 @@ void introduce(Session& session)
     } else {
         session.journal.keep(session.folder.log());
     }
-    session.journal.say(fmt::format(
-        "{}{}\n{} particles, {} x {} cells of {} m, {} threads; results in {}",
-        session.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
-        grouped(static_cast<long long>(run.state().particles.size())), grid.cells_x, grid.cells_y,
-        short_number(grid.cell_size), thread_count(), session.folder.directory.string()));
+    session.journal.say(fmt::format("{}{}\n{} particles, {} x {} cells of {} m, {} thread{}; results in {}",
+                                    session.resume ? "Going on with " : "",
+                                    scene.title.empty() ? scene.file.string() : scene.title,
+                                    grouped(static_cast<long long>(run.state().particles.size())),
+                                    grid.cells_x, grid.cells_y, short_number(grid.cell_size), thread_count(),
+                                    thread_count() == 1 ? "" : "s", session.folder.directory.string()));
     if (run.column()) session.journal.say(describe_column(*run.column()));
 }
 
@@ -210,6 +213,7 @@ SessionEnd end_with_verdict(Session& session)
 {
     const std::vector<Finding> findings = judge_history(session.folder);
     session.manifest.judge(findings);
+    session.manifest.summarize(summarize_run(session.folder.directory));
     if (worst_grade(findings) == Grade::bad) {
         const std::string reason = explain_bad_verdict(findings);
         session.manifest.end(RunStatus::failed, reason);

@@ -49,7 +49,7 @@ VerificationRun prepare_run(const fs::path& scene, const std::vector<std::string
         overrides.push_back(std::move(override));
     }
     VerificationRun run;
-    run.problem = default_results(scene).filename().string();
+    run.problem = scene_name(scene);
     run.study = find_study(verification.problem);
     run.verification = verification;
     run.cells = cells;
@@ -95,7 +95,7 @@ std::vector<fs::path> scenes_of(const std::vector<std::string>& words)
     std::map<fs::path, fs::path> known; // by the problem's name
     for (const std::string& word : words) {
         const fs::path scene = scene_of(word);
-        const auto [same, is_new] = known.emplace(default_results(scene).filename(), scene);
+        const auto [same, is_new] = known.emplace(scene_name(scene), scene);
         if (is_new) {
             scenes.push_back(scene);
         } else if (!fs::equivalent(same->second, scene)) {

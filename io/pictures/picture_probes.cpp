@@ -14,19 +14,6 @@ namespace {
 
 constexpr const char* time_label = "Time [s]";
 
-/// A column and what its curve is called where a panel has several.
-struct PanelColumn {
-    std::string column; // with its unit, as in the CSV
-    std::string name;
-};
-
-/// What goes together into one pair of axes.
-struct PanelPlan {
-    std::string label;
-    std::string unit; // SI unit of the columns
-    std::vector<PanelColumn> columns;
-};
-
 /// Of a quantity at probes.
 PanelPlan plan_of(const char* name)
 {
@@ -39,27 +26,6 @@ PanelPlan plan_of(const char* name)
                         {probe_column(quantity, 1), "vertical, up"}};
     }
     return plan;
-}
-
-std::vector<PanelPlan> probe_plan()
-{
-    std::vector<PanelPlan> plans;
-    for (const char* name : {"excess_pore_pressure", "ru", "displacement", "velocity_solid", "acceleration"})
-        plans.push_back(plan_of(name));
-    return plans;
-}
-
-std::vector<PanelPlan> history_plan()
-{
-    std::vector<PanelPlan> plans;
-    for (const BodyQuantity& quantity : all_body_quantities()) {
-        if (quantity.label.empty()) continue;
-        const std::string_view si = quantity.unit == "-" ? "" : quantity.unit;
-        plans.push_back({std::string(quantity.label),
-                         std::string(quantity.drawn.empty() ? si : quantity.drawn),
-                         {{column_name(quantity), ""}}});
-    }
-    return plans;
 }
 
 /// None where the table has no values for it.
@@ -101,19 +67,28 @@ std::string place_of(const PictureTable& table, const std::string& name)
     return end == std::string::npos ? place : place.substr(0, end + 3);
 }
 
-std::vector<ProbeTable> read_probes(const std::filesystem::path& folder)
+} // namespace
+
+std::vector<PanelPlan> probe_plan()
 {
-    std::vector<std::filesystem::path> files;
-    if (std::filesystem::is_directory(folder))
-        for (const auto& entry : std::filesystem::directory_iterator(folder))
-            if (entry.path().extension() == ".csv") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    std::vector<ProbeTable> probes;
-    for (const auto& file : files) probes.push_back({file.stem().string(), read_picture_table(file)});
-    return probes;
+    std::vector<PanelPlan> plans;
+    for (const char* name : {"excess_pore_pressure", "ru", "displacement", "velocity_solid", "acceleration"})
+        plans.push_back(plan_of(name));
+    return plans;
 }
 
-} // namespace
+std::vector<PanelPlan> history_plan()
+{
+    std::vector<PanelPlan> plans;
+    for (const BodyQuantity& quantity : all_body_quantities()) {
+        if (quantity.label.empty()) continue;
+        const std::string_view si = quantity.unit == "-" ? "" : quantity.unit;
+        plans.push_back({std::string(quantity.label),
+                         std::string(quantity.drawn.empty() ? si : quantity.drawn),
+                         {{column_name(quantity), ""}}});
+    }
+    return plans;
+}
 
 std::optional<LinePlot> probe_plot(const PictureTable& table, const std::string& name)
 {
@@ -161,6 +136,18 @@ std::optional<LinePlot> history_plot(const PictureTable& table)
     return LinePlot{"History of the whole section",
                     "settlement positive downward; sums per metre of thickness", std::move(panels),
                     PlotArrangement::stacked};
+}
+
+std::vector<ProbeTable> read_probes(const std::filesystem::path& folder)
+{
+    std::vector<std::filesystem::path> files;
+    if (std::filesystem::is_directory(folder))
+        for (const auto& entry : std::filesystem::directory_iterator(folder))
+            if (entry.path().extension() == ".csv") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    std::vector<ProbeTable> probes;
+    for (const auto& file : files) probes.push_back({file.stem().string(), read_picture_table(file)});
+    return probes;
 }
 
 std::vector<Drawing> probe_drawings(const std::filesystem::path& results, const std::filesystem::path& folder)

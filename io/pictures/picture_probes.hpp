@@ -11,6 +11,23 @@
 
 namespace quicksand {
 
+/// A column and what its curve is called where a panel has several.
+struct PanelColumn {
+    std::string column; // with its unit, as in the CSV
+    std::string name;
+};
+
+/// What goes together into one pair of axes.
+struct PanelPlan {
+    std::string label;
+    std::string unit; // SI unit of the columns
+    std::vector<PanelColumn> columns;
+};
+
+/// The panels of a probe's plot, and of the history's.
+std::vector<PanelPlan> probe_plan();
+std::vector<PanelPlan> history_plan();
+
 /// Pressures, displacement, velocity and acceleration over time; a profile becomes isochrones, the values
 /// over height at about eight times. None where the table has no values.
 std::optional<LinePlot> probe_plot(const PictureTable& table, const std::string& name);
@@ -20,6 +37,8 @@ struct ProbeTable {
     std::string name;
     PictureTable table;
 };
+/// Those of a folder's CSV files, in the order of their names. Throws FileError.
+std::vector<ProbeTable> read_probes(const std::filesystem::path& folder);
 std::optional<LinePlot> comparison_plot(const std::vector<ProbeTable>& probes);
 
 /// Crest settlement, kinetic energy, largest excess pore pressure and base motion over time.

@@ -76,17 +76,6 @@ FramePair read_frames(const fs::path& results, const PictureRequest& request)
     return frames;
 }
 
-/// The title in the scene's copy; pictures of results without one have none.
-std::string scene_title(const fs::path& results)
-{
-    const fs::path file = ResultsFolder{results}.scene_copy();
-    if (!fs::exists(file)) return "";
-    Diagnostics ignored;
-    const auto document = read_document(file, read_text(file), {}, ignored);
-    const DocumentNode* title = document ? document->find("title") : nullptr;
-    return title == nullptr ? "" : title->text;
-}
-
 std::string numbered_names(const std::vector<std::string>& names)
 {
     std::vector<std::string> parts;
@@ -165,6 +154,16 @@ void make_folder(const fs::path& folder)
 }
 
 } // namespace
+
+std::string scene_title(const fs::path& results)
+{
+    const fs::path file = ResultsFolder{results}.scene_copy();
+    if (!fs::exists(file)) return "";
+    Diagnostics ignored;
+    const auto document = read_document(file, read_text(file), {}, ignored);
+    const DocumentNode* title = document ? document->find("title") : nullptr;
+    return title == nullptr ? "" : title->text;
+}
 
 PlotRange parse_range(std::string_view text)
 {

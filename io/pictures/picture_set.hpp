@@ -24,6 +24,9 @@ struct PictureRequest {
     std::function<void(const std::string&)> notify; // told what differs from the request; may be empty
 };
 
+/// The title in the scene's copy; "" where there is none. Throws FileError.
+std::string scene_title(const std::filesystem::path& results);
+
 /// "0:9e3" as an interval. Throws InputError.
 PlotRange parse_range(std::string_view text);
 

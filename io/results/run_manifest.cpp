@@ -4,6 +4,7 @@
 #include "io/files/atomic_file.hpp"
 #include "io/results/output_names.hpp"
 #include "solver/base/failure.hpp"
+#include "solver/measure/quantities.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -104,6 +105,23 @@ Json errors_of(const RunManifest& manifest)
     return errors;
 }
 
+/// Tables by name, their columns with peak, time and final value; then the last frame.
+Json summary_of(const RunManifest& manifest)
+{
+    const RunSummary& summary = manifest.summary;
+    Json json = Json::object();
+    for (const SummaryValue& value : summary.values)
+        json[value.table][value.column] = {
+            {"peak", value.peak}, {"peak_time_s", value.peak_time}, {"final", value.final_value}};
+    if (summary.places.empty()) return json;
+    Json& frame = json["last_frame"];
+    frame["time_s"] = summary.frame_time;
+    for (const SummaryPlace& place : summary.places)
+        frame[place.field + unit_suffix(place.unit)] = {
+            {"largest", place.value}, {"x_m", place.x}, {"y_m", place.y}};
+    return json;
+}
+
 // One row, one field: the formatter would make it three lines.
 // clang-format off
 const std::array fields = {
@@ -128,6 +146,7 @@ const std::array fields = {
     Field{"step_halvings", "how often the watchdog has halved the step: 0 where the chosen one held", [](const RunManifest& m) { return Json(m.step_halvings); }},
     Field{"verdict", "good, usable or bad, by the largest errors; empty before the end", [](const RunManifest& m) { return Json(m.findings.empty() ? "" : name_of(worst_grade(m.findings))); }},
     Field{"largest_errors", "of the balances and checkerboards over the run", errors_of},
+    Field{"summary", "peak, time of the peak and final value of what the pictures of history and probes show; largest values in the last frame and where; empty before the end", summary_of},
     Field{"compiler", "that built the program", [](const RunManifest&) { return Json(compiler_name()); }},
     Field{"build_type", "of the program", [](const RunManifest&) { return Json(QUICKSAND_BUILD_TYPE); }},
     Field{"processor", "of the machine", [](const RunManifest&) { return Json(processor_name()); }},

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/results/documented_name.hpp"
+#include "io/results/run_summary.hpp"
 #include "io/scene/scene_file.hpp"
 #include "io/tables/scene.hpp"
 #include "solver/measure/verdict.hpp"
@@ -65,6 +66,7 @@ struct RunManifest {
     std::size_t particles = 0;
     std::int64_t step_halvings = 0;   // by the watchdog [-]
     std::vector<Finding> findings;    // of the verdict; none before the end
+    RunSummary summary;               // empty before the end
     std::vector<std::string> outputs; // relative to the results folder
 };
 

@@ -75,6 +75,40 @@ TEST_F(Results, HaveHistoriesOfTheirFieldsInTheirSoil)
     EXPECT_FALSE(std::filesystem::exists(folder / "a.csv"));
 }
 
+TEST_F(Results, AreComparedWithOthersOfTheirKind)
+{
+    const std::string other = (folder / "other").string(), out = " -o " + (folder / "compare").string();
+    ASSERT_EQ(run_program("run " + example("column") + " --until 5e-6 --set initial.k0=0.6 -o " + other).code,
+              0);
+    expect_refusal("compare " + results + " " + results + "/" + out, "/out/ is named twice: nothing differs");
+    expect_refusal("compare " + results + " " + folder.string() + out,
+                   ": neither history.csv nor probes/*.csv\nhint: name the results folder of a run");
+    expect_refusal("compare " + results + " " + other + " --field ruu" + out,
+                   "there is no field 'ruu' in the results. Available: ");
+    const Outcome good = run_program("compare " + results + " " + other + out);
+    ASSERT_EQ(good.code, 0) << good.output;
+    EXPECT_NE(good.output.find("history: crest_settlement_m\n  out "), std::string::npos) << good.output;
+    EXPECT_NE(good.output.find("/compare/difference_excess_pore_pressure.png\n"), std::string::npos)
+        << good.output;
+    EXPECT_TRUE(std::filesystem::exists(folder / "compare/compare.csv"));
+
+    const std::string coarse = (folder / "coarse").string();
+    ASSERT_EQ(run_program("run " + example("column") +
+                          " --until 5e-6 --set 'sampling.particles_per_cell=[2,2]' -o " + coarse)
+                  .code,
+              0);
+    const Outcome unlike = run_program("compare " + results + " " + coarse + out);
+    EXPECT_EQ(unlike.code, 0) << unlike.output;
+    EXPECT_NE(
+        unlike.output.find("the difference of the frames is not drawn: their particles do not start at the "
+                           "same places"),
+        std::string::npos)
+        << unlike.output;
+    const Outcome own = run_program("compare " + results + " " + other + " -o " + results);
+    EXPECT_EQ(own.code, 2) << own.output;
+    EXPECT_NE(own.output.find("holds files, but no compare.txt of a former call"), std::string::npos);
+}
+
 /// Changes a row of the history that the run has written, as steps that lose water would.
 TEST(Run, EndsBadlyWhereItsBalancesDoNotClose)
 {

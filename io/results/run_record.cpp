@@ -1,0 +1,59 @@
+#include "io/results/run_record.hpp"
+
+#include "io/files/atomic_file.hpp"
+#include "solver/base/failure.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+std::string text_of(const nlohmann::json& json, const char* name)
+{
+    const auto found = json.find(name);
+    return found != json.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+double number_of(const nlohmann::json& json, const char* name)
+{
+    const auto found = json.find(name);
+    return found != json.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+} // namespace
+
+RunRecord read_run_record(const std::filesystem::path& manifest)
+{
+    if (!std::filesystem::exists(manifest))
+        throw InputError("there are no results in " + manifest.parent_path().string() +
+                         "\nhint: name the results folder of a run, which holds run_manifest.json");
+    const auto json = nlohmann::json::parse(read_text(manifest), nullptr, false);
+    if (!json.is_object()) throw InputError(manifest.string() + " is damaged: it is no JSON");
+    RunRecord record;
+    record.version = text_of(json, "version");
+    record.status = text_of(json, "status");
+    record.exit_reason = text_of(json, "exit_reason");
+    record.verdict = text_of(json, "verdict");
+    record.scene_file = text_of(json, "scene_file");
+    record.scene_hash = text_of(json, "scene_hash");
+    record.start_time = text_of(json, "start_time");
+    record.end_time = text_of(json, "end_time");
+    record.wall_time = number_of(json, "wall_time_s");
+    record.simulated_time = number_of(json, "simulated_time_s");
+    record.steps = number_of(json, "steps");
+    record.particles = number_of(json, "particles");
+    record.threads = number_of(json, "threads");
+    record.step_halvings = number_of(json, "step_halvings");
+    if (json.contains("overrides") && json["overrides"].is_array())
+        for (const auto& word : json["overrides"])
+            if (word.is_string()) record.overrides.push_back(word.get<std::string>());
+    if (json.contains("largest_errors") && json["largest_errors"].is_object())
+        for (const auto& [name, value] : json["largest_errors"].items())
+            record.largest_errors[name] = value.is_number() ? value.get<double>() : std::nan("");
+    return record;
+}
+
+} // namespace quicksand
