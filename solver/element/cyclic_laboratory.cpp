@@ -1,6 +1,7 @@
 #include "solver/element/cyclic_laboratory.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/element/held_stress.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +14,11 @@ namespace quicksand {
 namespace {
 
 // UBCSAND is integrated to first order: with this step the mean stress at the peaks is right to 0.2 %.
-constexpr double stress_step = 0.004;  // elastic stress of a step over tau_a [-]
-constexpr double least_csr = 0.01;     // from which strength is searched [-]
-constexpr double largest_csr = 2.0;    // up to which [-]
-constexpr double leg_tolerance = 1e-3; // of a stress step, within which a leg has ended [-]
+constexpr double stress_step = 0.004;         // elastic stress of a step over tau_a [-]
+constexpr double least_csr = 0.01;            // from which strength is searched [-]
+constexpr double largest_csr = 2.0;           // up to which [-]
+constexpr double reconsolidation_step = 1.02; // of the vertical stress over the one before [-]
+constexpr double leg_tolerance = 1e-3;        // of a stress step, within which a leg has ended [-]
 
 // Distances between points of the path.
 constexpr double tau_resolution = 0.02;   // over tau_a [-]
@@ -93,16 +95,25 @@ bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Speci
     return !stops;
 }
 
+std::optional<double> cycles_to_ru_95(const CyclicTest& test)
+{
+    return test.cycles_to_ru_95;
+}
+
 /// Strengths of one specimen. The searches for several numbers of cycles bisect the same range of CSR and use
 /// the same tests.
 class StrengthSearch {
 public:
-    StrengthSearch(const SkeletonLaw& law, const Consolidation& start, double most_cycles)
-        : law_(law), start_(start), most_cycles_(most_cycles)
+    /// How many cycles a test took, and the strain at which it may end.
+    using Count = std::optional<double> (*)(const CyclicTest&);
+
+    StrengthSearch(const SkeletonLaw& law, const Consolidation& start, double most_cycles,
+                   Count count = cycles_to_ru_95, double largest_gamma = 0.5)
+        : law_(law), start_(start), most_cycles_(most_cycles), count_(count), largest_gamma_(largest_gamma)
     {
     }
 
-    /// CSR to ru > 0.95 in N cycles; log-log interpolation between the halves. None beyond the search.
+    /// CSR to the criterion in N cycles; log-log interpolation between the halves. None beyond the search.
     std::optional<double> csr_at(double cycles)
     {
         const double fewer = std::max(0.5, std::floor(2.0 * cycles) / 2.0), more = fewer + 0.5;
@@ -114,17 +125,17 @@ public:
     }
 
 private:
-    /// Cycles to ru > 0.95, without end where they are more than most_cycles.
+    /// Cycles to the criterion, without end where they are more than most_cycles.
     double cycles_at(double csr)
     {
         const auto known = known_.find(csr);
         if (known != known_.end()) return known->second;
-        const StressCycles loading = {csr, most_cycles_, 0.5, 0.0};
-        const auto cycles = shear_cyclically(law_, start_, loading).cycles_to_ru_95;
+        const StressCycles loading = {csr, most_cycles_, largest_gamma_, 0.0};
+        const auto cycles = count_(shear_cyclically(law_, start_, loading));
         return known_[csr] = cycles.value_or(std::numeric_limits<double>::infinity());
     }
 
-    /// Least CSR that reaches ru > 0.95 within N cycles.
+    /// Least CSR that reaches it within N cycles.
     double least(double cycles)
     {
         double below = least_csr, above = largest_csr;
@@ -135,12 +146,14 @@ private:
         return above;
     }
 
-    /// Middle of the range of CSR that reaches ru > 0.95 at N cycles, a whole number of halves.
+    /// Middle of the range of CSR that reaches it at N cycles, a whole number of halves.
     double middle(double cycles) { return std::sqrt(least(cycles) * least(cycles - 0.5)); }
 
     const SkeletonLaw& law_;
     const Consolidation& start_;
     double most_cycles_;
+    Count count_;
+    double largest_gamma_;           // [-]
     std::map<double, double> known_; // cycles by CSR
 };
 
@@ -161,10 +174,19 @@ CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, 
     return test;
 }
 
-CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StrainCycles& loading)
+namespace {
+
+void shear_by(double step, Drainage drainage, double vertical_stress, Specimen& specimen)
 {
-    if (!(loading.gamma > 0.0)) throw InputError("element test: gamma must be positive");
-    Specimen specimen = consolidate(law, start);
+    if (drainage == Drainage::undrained) return strain(0.0, 0.0, step, specimen);
+    const auto apply = [&](double vertical, Specimen& s) { strain(0.0, vertical, step, s); };
+    hold(
+        vertical_stress, constrained_modulus(specimen), apply, [](const Specimen& s) { return s.sigma_y(); },
+        specimen);
+}
+
+CyclicTest shear_cyclically(const StrainCycles& loading, const Consolidation& start, Specimen& specimen)
+{
     CyclicTest test;
     test.path = {record(specimen, 0.0)};
     const int legs = static_cast<int>(std::lround(2.0 * loading.cycles)) + 1;
@@ -175,11 +197,58 @@ CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, 
         const double steps =
             std::ceil(loading.steps_per_leg * std::abs(to - leg.from) / (2.0 * loading.gamma));
         for (double k = 0.0; k < steps; k += 1.0) {
-            strain(0.0, 0.0, (to - leg.from) / steps, specimen);
+            shear_by((to - leg.from) / steps, loading.drainage, start.vertical_stress, specimen);
             const ElementPoint point = record(specimen, cycle_of(leg, specimen.gamma));
             note_events(leg, point, test);
             if (std::fmod(k + 1.0, 4.0) == 0.0 || k + 1.0 == steps) test.path.push_back(point);
         }
+    }
+    return test;
+}
+
+/// Shear on, at constant volume and at most to a strain, to where the vertical stress is least: liquefied
+/// sand that has dilated on its last leg has no stress for the water to leave.
+void shear_to_least_stress(double largest_gamma, Specimen& specimen, ElementPath& path)
+{
+    constexpr int steps = 200;
+    const double step = (largest_gamma - specimen.gamma) / steps, cycle = path.back().cycle;
+    Specimen ahead = specimen;
+    double least = specimen.sigma_y();
+    int wanted = 0;
+    for (int k = 1; k <= steps; ++k) {
+        strain(0.0, 0.0, step, ahead);
+        if (ahead.sigma_y() < least) least = ahead.sigma_y(), wanted = k;
+    }
+    for (int k = 0; k < wanted; ++k) {
+        strain(0.0, 0.0, step, specimen);
+        path.push_back(record(specimen, cycle));
+    }
+}
+
+} // namespace
+
+CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StrainCycles& loading)
+{
+    if (!(loading.gamma > 0.0)) throw InputError("element test: gamma must be positive");
+    Specimen specimen = consolidate(law, start);
+    return shear_cyclically(loading, start, specimen);
+}
+
+CyclicTest reconsolidate(const SkeletonLaw& law, const Consolidation& start, const Reconsolidation& loading)
+{
+    if (!(loading.gamma > 0.0)) throw InputError("element test: gamma must be positive");
+    Specimen specimen = consolidate(law, start);
+    CyclicTest test = shear_cyclically(StrainCycles{loading.gamma, loading.cycles}, start, specimen);
+    shear_to_least_stress(loading.gamma, specimen, test.path);
+    test.drained_from = test.path.size() - 1;
+    const double cycle = test.path.back().cycle;
+    const auto apply = [](double step, Specimen& s) { strain(0.0, step, 0.0, s); };
+    for (double stress = specimen.sigma_y(); stress < start.vertical_stress;) {
+        stress = std::min(start.vertical_stress, reconsolidation_step * stress);
+        hold(
+            stress, constrained_modulus(specimen), apply, [](const Specimen& s) { return s.sigma_y(); },
+            specimen);
+        test.path.push_back(record(specimen, cycle));
     }
     return test;
 }
@@ -224,6 +293,19 @@ std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, 
 std::optional<double> csr_to_ru_95(const SkeletonLaw& law, const Consolidation& start, double cycles)
 {
     return StrengthSearch(law, start, cycles + 0.5).csr_at(cycles);
+}
+
+std::optional<double> csr_to_liquefaction(const SkeletonLaw& law, const Consolidation& start, double cycles)
+{
+    constexpr double just_beyond = 0.0301; // [-]
+    return StrengthSearch(law, start, cycles + 0.5, cycles_to_liquefaction, just_beyond).csr_at(cycles);
+}
+
+std::optional<double> cycles_to_liquefaction(const CyclicTest& test)
+{
+    const auto ru = test.cycles_to_ru_95, strain = test.cycles_to_3_percent;
+    if (!ru || !strain) return ru ? ru : strain;
+    return std::min(*ru, *strain);
 }
 
 std::optional<CyclicStrength> cyclic_strength(const SkeletonLaw& law, const Consolidation& start)

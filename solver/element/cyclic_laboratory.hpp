@@ -4,6 +4,7 @@
 
 #include "solver/element/element_laboratory.hpp"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -22,6 +23,14 @@ struct StrainCycles {
     double gamma = 0.001;         // gamma_a [-]
     double cycles = 10.0;         // [-]
     double steps_per_leg = 400.0; // steps from peak to peak; every fourth is a point of the path [-]
+    Drainage drainage = Drainage::undrained; // drained: at constant vertical stress
+};
+
+/// Undrained cycles between -gamma_a and gamma_a, on to the least vertical stress of the next leg, then
+/// drainage: one-dimensional compression to sigma'_v0.
+struct Reconsolidation {
+    double gamma = 0.03;  // gamma_a [-]
+    double cycles = 20.0; // [-]
 };
 
 /// Half cycles are counted at reversals: an event between the reversals 2N and 2N + 1 is at N cycles.
@@ -30,10 +39,13 @@ struct CyclicTest {
     std::optional<double> cycles_to_ru_95;       // N to ru > 0.95 [-]
     std::optional<double> cycles_to_3_percent;   // N to |gamma| > 3 % [-]
     std::optional<double> cycles_to_375_percent; // N to |gamma| > 3.75 % [-]
+    std::size_t drained_from = 0;                // point of the path from which water leaves; 0: none [-]
 };
 
 CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StressCycles& loading);
 CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StrainCycles& loading);
+
+CyclicTest reconsolidate(const SkeletonLaw& law, const Consolidation& start, const Reconsolidation& loading);
 
 /// A whole cycle from the peak of one to that of the next, for modulus and damping.
 struct CycleSummary {
@@ -60,6 +72,13 @@ std::optional<double> interpolate_csr(const std::vector<StrengthPoint>& points, 
 /// the same count: its middle is taken, and log-log interpolation between the halves. None where it would be
 /// below 0.01 or above 2.
 std::optional<double> csr_to_ru_95(const SkeletonLaw& law, const Consolidation& start, double cycles);
+
+/// The same to ru > 0.95 or a shear strain of 3 %, whichever comes first, as laboratories count under a
+/// static shear.
+std::optional<double> csr_to_liquefaction(const SkeletonLaw& law, const Consolidation& start, double cycles);
+
+/// N to ru > 0.95 or to a shear strain of 3 %, whichever comes first; none where neither is reached.
+std::optional<double> cycles_to_liquefaction(const CyclicTest& test);
 
 /// The cyclic strength curve in two numbers.
 struct CyclicStrength {

@@ -27,8 +27,8 @@ struct IsotropicLoading {
     std::vector<double> mean_stresses; // gone to in turn [Pa]
 };
 
-using ElementLoading = std::variant<StressCycles, StrainCycles, MonotonicShear, BiaxialCompression,
-                                    OedometerLoading, IsotropicLoading>;
+using ElementLoading = std::variant<StressCycles, StrainCycles, Reconsolidation, MonotonicShear,
+                                    BiaxialCompression, OedometerLoading, IsotropicLoading>;
 
 /// The path, and where the loading is cyclic its events. Throws InputError when the specimen cannot be
 /// consolidated so, NumericalError when a stress cannot be held.

@@ -83,7 +83,7 @@ inline RelativeFilter relative_filter(const Problem& problem, double dt, const P
     if (!material.saturated) return {0.0, 0.0};
     const double n = particles.porosity[p], m_s = particles.mass_solid[p];
     const double r_w = n * problem.water->density, m_w = r_w * particles.volume[p];
-    const double k = hydraulic_conductivity(material, n),
+    const double k = hydraulic_conductivity(material, particles, p),
                  dt_c = dt * drag_weight(material, *problem.water, n);
     const double fraction = dt_c / (k * r_w * m_s + dt_c * (m_s + m_w));
     return {fraction * m_w, fraction * m_s};

@@ -133,6 +133,13 @@ inline double hydraulic_conductivity(const Material& material, double porosity)
     return k * ratio * ratio * ratio * J * J;
 }
 
+/// k where the particle is, by its porosity and the state of its grains [m/s].
+inline double hydraulic_conductivity(const Material& material, const Particles& particles, std::size_t p)
+{
+    return conductivity_factor(material.law, p, particles) *
+           hydraulic_conductivity(material, particles.porosity[p]);
+}
+
 /// n^2 rho_w g_k, which over k is the drag [N/m3].
 inline double drag_weight(const Material& material, const Water& water, double porosity)
 {
@@ -143,6 +150,14 @@ inline double drag_weight(const Material& material, const Water& water, double p
 inline double drag_coefficient(const Material& material, const Water& water, double porosity)
 {
     return drag_weight(material, water, porosity) / hydraulic_conductivity(material, porosity);
+}
+
+/// The same where the particle is, by the state of its grains too [N s/m4].
+inline double drag_coefficient(const Material& material, const Water& water, const Particles& particles,
+                               std::size_t p)
+{
+    return drag_weight(material, water, particles.porosity[p]) /
+           hydraulic_conductivity(material, particles, p);
 }
 
 /// Where the particles are in the equations: in small strain at their reference positions [m].

@@ -120,6 +120,11 @@ double shear_modulus_at(const SkeletonLaw& law, std::size_t p, const Particles& 
     return std::visit([&](const auto& any) { return shear_modulus_at(any, p, particles); }, law);
 }
 
+double conductivity_factor(const SkeletonLaw& law, std::size_t p, const Particles& particles)
+{
+    return std::visit([&](const auto& any) { return conductivity_factor(any, p, particles); }, law);
+}
+
 StressFloor stress_floor_of(const SkeletonLaw& law)
 {
     return std::visit([](const auto& any) { return stress_floor_of(any); }, law);

@@ -44,6 +44,7 @@ bool has_strength(const SkeletonLaw& law);
 SkeletonLaw reduced(const SkeletonLaw& law, double factor);
 void hold_water(SkeletonLaw& law, double dry_fraction);
 double shear_modulus_at(const SkeletonLaw& law, std::size_t p, const Particles& particles);
+double conductivity_factor(const SkeletonLaw& law, std::size_t p, const Particles& particles);
 StressFloor stress_floor_of(const SkeletonLaw& law);
 std::string objection_to_stress(const SkeletonLaw& law, std::size_t p, const Particles& particles);
 std::optional<FailureLine> failure_line_of(const SkeletonLaw& law);

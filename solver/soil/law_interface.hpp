@@ -151,6 +151,20 @@ StressFloor stress_floor_of(const Law&)
     return {};
 }
 
+/// Hydraulic conductivity of the particle's present state over that of the soil at rest [-].
+template <class Law>
+double conductivity_factor(const Law&, std::size_t, const Particles&)
+{
+    return 1.0;
+}
+
+/// The largest that it can become.
+template <class Law>
+double largest_conductivity_factor(const Law&)
+{
+    return 1.0;
+}
+
 /// What is wrong with the particle's stress that the law cannot start from it, as the end of a sentence: "its
 /// stress ratio is above the failure limit"; empty where nothing is.
 template <class Law>

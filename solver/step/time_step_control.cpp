@@ -107,7 +107,9 @@ TimeStep semi_implicit_limit(const Problem& problem, const CellExtremes& extreme
             const bool wet = material.saturated;
             const double r_s = (1.0 - n) * material.grain_density,
                          r_w = wet ? n * problem.water->density : 0.0;
-            const double drag = wet ? drag_coefficient(material, *problem.water, n) : 0.0;
+            const double most_conductive =
+                std::visit([](const auto& law) { return largest_conductivity_factor(law); }, material.law);
+            const double drag = wet ? drag_coefficient(material, *problem.water, n) / most_conductive : 0.0;
             return semi_implicit_safety *
                    std::min(slow_wave_limit(modulus, drag, n, r_s, r_w, h),
                             shear_safety * dragged_shear_limit(shear_fraction * modulus, drag, r_s, r_w, h));

@@ -16,20 +16,21 @@ double mean_stress(const UbcSand& law, const UbcSandState& state)
 ubcsand::Moduli present_moduli(const UbcSand& law, const UbcSandState& state)
 {
     const double s = mean_stress(law, state);
-    return law.square_roots ? ubcsand::elastic_moduli<true>(law, s) : ubcsand::elastic_moduli<false>(law, s);
+    return ubcsand::has_square_roots(law.elastic) ? ubcsand::elastic_moduli<ElasticForm::square_roots>(law, s)
+                                                  : ubcsand::elastic_moduli<ElasticForm::powers>(law, s);
 }
 
 /// In substeps of first order.
-template <bool square_roots>
+template <ElasticForm form>
 void advance_in_first_order(const UbcSand& law, ubcsand::Strain remaining, UbcSandState& state)
 {
     constexpr Integration order = Integration::first_order;
     double fraction = 0.0;
     for (double budget = ubcsand::most_substeps; budget > 0.0 && fraction < 1.0; budget -= 1.0) {
-        const ubcsand::Start start = ubcsand::start_of<square_roots>(law, state);
+        const ubcsand::Start start = ubcsand::start_of<form>(law, state);
         fraction = ubcsand::fixed_fraction(law, start, remaining, budget);
         const ubcsand::Strain strain = ubcsand::part_of(remaining, fraction);
-        const ubcsand::Trial trial = ubcsand::elastic_trial<order>(law, state, start, strain);
+        const ubcsand::Trial trial = ubcsand::elastic_trial<order, form>(law, state, start, strain);
         if (trial.plastic) {
             ubcsand::finish_in_first_order(law, trial, state);
         } else {
@@ -40,11 +41,12 @@ void advance_in_first_order(const UbcSand& law, ubcsand::Strain remaining, UbcSa
 }
 
 /// Try a substep of second order; the state changes if it stands.
-template <bool square_roots>
+template <ElasticForm form>
 ubcsand::Verdict try_substep(const UbcSand& law, const ubcsand::Start& start, const ubcsand::Strain& strain,
                              bool ends_at_event, bool last_try, UbcSandState& state)
 {
-    const ubcsand::Trial trial = ubcsand::elastic_trial<Integration::second_order>(law, state, start, strain);
+    const ubcsand::Trial trial =
+        ubcsand::elastic_trial<Integration::second_order, form>(law, state, start, strain);
     UbcSandState next = state;
     ubcsand::finish_elastic(law, trial, next);
     ubcsand::Events events = {0.0, 0.0};
@@ -62,18 +64,18 @@ ubcsand::Verdict try_substep(const UbcSand& law, const ubcsand::Start& start, co
 }
 
 /// In substeps of second order: the whole strain first, and what does not stand from event to event.
-template <bool square_roots>
+template <ElasticForm form>
 void advance_in_second_order(const UbcSand& law, ubcsand::Strain remaining, UbcSandState& state)
 {
-    const ubcsand::Start at_once = ubcsand::start_of<square_roots>(law, state);
-    ubcsand::Verdict verdict = try_substep<square_roots>(law, at_once, remaining, false, false, state);
+    const ubcsand::Start at_once = ubcsand::start_of<form>(law, state);
+    ubcsand::Verdict verdict = try_substep<form>(law, at_once, remaining, false, false, state);
     if (verdict.stands()) return;
     double size = ubcsand::smaller(1.0, verdict.longer), fraction = 0.0;
     for (double budget = ubcsand::most_substeps; budget > 0.0; budget -= 1.0) {
-        const ubcsand::Start start = ubcsand::start_of<square_roots>(law, state);
+        const ubcsand::Start start = ubcsand::start_of<form>(law, state);
         fraction = ubcsand::next_fraction(law, start, state, remaining, size, budget);
         const ubcsand::Strain strain = ubcsand::part_of(remaining, fraction);
-        verdict = try_substep<square_roots>(law, start, strain, true, budget <= 1.0, state);
+        verdict = try_substep<form>(law, start, strain, true, budget <= 1.0, state);
         size = ubcsand::next_size(verdict, fraction);
         if (!verdict.stands()) continue;
         if (fraction >= 1.0) return;
@@ -81,14 +83,43 @@ void advance_in_second_order(const UbcSand& law, ubcsand::Strain remaining, UbcS
     }
 }
 
-template <bool square_roots>
+template <ElasticForm form>
 void advance(const UbcSand& law, const ubcsand::Strain& strain, UbcSandState& state)
 {
     if (law.integration == Integration::first_order) {
-        advance_in_first_order<square_roots>(law, strain, state);
+        advance_in_first_order<form>(law, strain, state);
     } else {
-        advance_in_second_order<square_roots>(law, strain, state);
+        advance_in_second_order<form>(law, strain, state);
     }
+}
+
+ElasticForm elastic_form(const UbcSandParameters& m)
+{
+    const bool roots = m.elastic_shear_exponent == 0.5 && m.elastic_bulk_exponent == 0.5;
+    if (std::isfinite(m.reference_strain) && m.least_modulus_fraction < 1.0)
+        return roots ? ElasticForm::softening_square_roots : ElasticForm::softening_powers;
+    return roots ? ElasticForm::square_roots : ElasticForm::powers;
+}
+
+/// sigma_z + a at most N_phi times the least of the plane, and at least the largest over N_phi.
+void bound_out_of_plane(OutOfPlaneStress bound, UbcSand& law)
+{
+    constexpr double without_bound = 1e290;
+    const double N = (1.0 + law.eta_f) / (1.0 - law.eta_f);
+    const bool bounded = bound == OutOfPlaneStress::within_failure;
+    law.most_z = bounded ? N : without_bound;
+    law.least_z = bounded ? 1.0 / N : 0.0;
+}
+
+/// What the stress at the start of shaking makes of the plastic modulus.
+double start_factor_of(const UbcSand& law, const UbcSandState& start)
+{
+    const double vertical = ubcsand::larger(start.sigma_y, law.s_min);
+    const double k0 = ubcsand::larger(start.sigma_x, law.s_min) / vertical;
+    constexpr double usual_k0 = 0.5; // of the triggering curve
+    return std::pow(vertical / atmospheric_pressure, -law.m_v) *
+           std::pow((1.0 + k0) / (1.0 + usual_k0), law.m_h) *
+           (1.0 + law.static_shear * std::abs(start.tau_xy) / vertical);
 }
 
 } // namespace
@@ -117,6 +148,16 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.ripple_squared = m.ripple_strain * m.ripple_strain;
     law.a_dil_log2 = m.dilation_softening * std::numbers::log2e;
     law.fac_post = m.softened_factor;
+    law.m_v = m.confining_exponent;
+    law.m_h = m.lateral_exponent;
+    law.static_shear = m.static_shear_stiffening;
+    law.least_start_ratio = m.least_start_ratio;
+    law.per_dilation = 1.0 / m.dilation_strain;
+    law.per_small_strain = 0.5 / m.reference_strain;
+    law.least_fraction = m.least_modulus_fraction;
+    law.reconsolidation = m.reconsolidation_slope;
+    law.liquefied_conductivity = m.liquefied_conductivity;
+    bound_out_of_plane(m.out_of_plane, law);
     law.s_min = m.stress_floor;
     law.static_poisson = m.static_poisson_ratio;
     law.per_ratio_step = 1.0 / m.largest_ratio_step;
@@ -126,7 +167,7 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.resolved = m.resolved_floors * m.stress_floor;
     law.substep_tolerance = m.substep_tolerance;
     law.integration = m.integration;
-    law.square_roots = law.ne == 0.5 && law.me == 0.5;
+    law.elastic = elastic_form(parameters);
     return law;
 }
 
@@ -140,7 +181,9 @@ void begin_shaking(const UbcSand& law, UbcSandState& state)
     fresh.tau_xy = state.tau_xy;
     fresh.peak_x = 0.5 * (state.sigma_x - state.sigma_y) / sb;
     fresh.peak_y = state.tau_xy / sb;
-    fresh.eta_max = std::sqrt(fresh.peak_x * fresh.peak_x + fresh.peak_y * fresh.peak_y);
+    fresh.eta_max = ubcsand::larger(std::sqrt(fresh.peak_x * fresh.peak_x + fresh.peak_y * fresh.peak_y),
+                                    law.least_start_ratio);
+    fresh.start_factor = start_factor_of(law, state);
     fresh.origin_x = fresh.peak_x;
     fresh.origin_y = fresh.peak_y;
     fresh.branch = ubcsand::loading;
@@ -159,7 +202,16 @@ void update(const UbcSand& law, const UbcSandIncrement& increment, UbcSandState&
     turn(increment.spin, state);
     const ubcsand::Strain strain =
         ubcsand::borne(law, state, {increment.strain_x, increment.strain_y, increment.shear});
-    (law.square_roots ? advance<true> : advance<false>)(law, strain, state);
+    switch (law.elastic) {
+    case ElasticForm::powers:
+        return advance<ElasticForm::powers>(law, strain, state);
+    case ElasticForm::square_roots:
+        return advance<ElasticForm::square_roots>(law, strain, state);
+    case ElasticForm::softening_powers:
+        return advance<ElasticForm::softening_powers>(law, strain, state);
+    case ElasticForm::softening_square_roots:
+        return advance<ElasticForm::softening_square_roots>(law, strain, state);
+    }
 }
 
 double shear_modulus(const UbcSand& law, const UbcSandState& state)

@@ -25,7 +25,8 @@ struct Gradients;
 
 UbcSand make_ubcsand(const UbcSandParameters& parameters);
 
-/// Start of the dynamic stage: the present stress is the last peak, and nothing has dilated yet.
+/// Start of the dynamic stage: the present stress is the last peak, and nothing has dilated yet. The axes of
+/// the stress are horizontal and vertical: K_0 and the static shear stress are read from it.
 void begin_shaking(const UbcSand& law, UbcSandState& state);
 
 /// Advance a point by a strain increment.
@@ -68,6 +69,7 @@ struct UbcSandArrays {
     double *origin_x, *origin_y, *leg_x, *leg_y, *back_x, *back_y, *last_leg, *waiting;
     double *half_cycles, *dilation, *active_dilation;
     const double *volume, *mass_solid; // [m3/m, kg/m], which tell where the sand is at its loosest or densest
+    const double* start_factor = nullptr; // of the plastic modulus [-]; none: 1
 
     UbcSandState state(std::size_t p) const
     {

@@ -29,16 +29,16 @@ inline double sum(const double (&values)[width])
 }
 
 /// [2] to [7] of one substep of first order; elastic lanes are finished. Returns the number of plastic lanes.
-template <bool square_roots>
+template <ElasticForm form>
 inline double step_elastically(const UbcSand& law, Block& block, TrialBlock& trials)
 {
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
         const Strain remaining = block.strain(k);
-        const Start start = start_of<square_roots>(law, state);
+        const Start start = start_of<form>(law, state);
         const double fraction = fixed_fraction(law, start, remaining, block.budget[k]);
         const Strain strain = part_of(remaining, fraction);
-        const Trial trial = elastic_trial<Integration::first_order>(law, state, start, strain);
+        const Trial trial = elastic_trial<Integration::first_order, form>(law, state, start, strain);
         const double plastic = select(trial.plastic, block.open[k], 0.0);
         finish_elastic(law, trial, state);
         block.set(k, block.open[k] > plastic, state);
@@ -60,30 +60,30 @@ inline void flow_in_first_order(const UbcSand& law, Block& block, const TrialBlo
     }
 }
 
-template <bool square_roots>
+template <ElasticForm form>
 inline void step_in_first_order(const UbcSand& law, Block& block)
 {
     TrialBlock trials;
-    if (step_elastically<square_roots>(law, block, trials) > 0.0) flow_in_first_order(law, block, trials);
+    if (step_elastically<form>(law, block, trials) > 0.0) flow_in_first_order(law, block, trials);
 }
 
 /// Which substep of second order: the first one, of the whole strain, or one to the next event.
 enum class Round { first, later };
 
 /// [2] to [7] of a substep of second order, but for its end.
-template <bool square_roots, Round round>
+template <ElasticForm form, Round round>
 inline void make_trials(const UbcSand& law, const Block& block, TrialBlock& trials, VerdictBlock& verdicts)
 {
     for (std::size_t k = 0; k < width; ++k) {
         const UbcSandState state = block.state(k);
         const Strain remaining = block.strain(k);
-        const Start start = start_of<square_roots>(law, state);
+        const Start start = start_of<form>(law, state);
         double fraction = 1.0;
         if constexpr (round == Round::later) {
             fraction = next_fraction(law, start, state, remaining, block.size[k], block.budget[k]);
         }
         const Strain strain = part_of(remaining, fraction);
-        const Trial trial = elastic_trial<Integration::second_order>(law, state, start, strain);
+        const Trial trial = elastic_trial<Integration::second_order, form>(law, state, start, strain);
         trials.set(k, trial, select(trial.plastic, block.open[k], 0.0));
         verdicts.fraction[k] = fraction;
         verdicts.elastic_event[k] = verdicts.plastic_event[k] = 0.0;
@@ -135,12 +135,12 @@ inline void try_plastically(const UbcSand& law, Block& block, const TrialBlock& 
 }
 
 /// Try a substep of second order in every lane, and take the strain off that it has used.
-template <bool square_roots, Round round>
+template <ElasticForm form, Round round>
 inline void try_substep(const UbcSand& law, Block& block)
 {
     TrialBlock trials;
     VerdictBlock verdicts;
-    make_trials<square_roots, round>(law, block, trials, verdicts);
+    make_trials<form, round>(law, block, trials, verdicts);
     if constexpr (round == Round::first) note_events(law, block, trials, verdicts);
     const double plastic = sum(trials.plastic);
     if (plastic < width) try_elastically(law, block, trials, verdicts);
@@ -156,13 +156,13 @@ inline void try_substep(const UbcSand& law, Block& block)
     }
 }
 
-template <bool square_roots, Integration order, Round round>
+template <ElasticForm form, Integration order, Round round>
 inline void take_substep(const UbcSand& law, Block& block)
 {
     if constexpr (order == Integration::first_order) {
-        step_in_first_order<square_roots>(law, block);
+        step_in_first_order<form>(law, block);
     } else {
-        try_substep<square_roots, round>(law, block);
+        try_substep<form, round>(law, block);
     }
 }
 
@@ -173,6 +173,14 @@ inline void bound_contraction(const UbcSand& law, const UbcSandArrays& points, s
     const double volume = points.volume[p], mass = points.mass_solid[p];
     block.least_contraction[k] = select(volume > law.largest_specific_volume * mass, 0.0, -1.0);
     block.most_contraction[k] = select(volume < law.smallest_specific_volume * mass, 0.0, 1.0);
+}
+
+/// What the stress at the start of shaking makes of the hardening of `count` points from p on.
+inline void take_start_factors(const UbcSandArrays& points, std::size_t p, std::size_t count, Block& block)
+{
+    for (std::size_t k = 0; k < width; ++k) block.start_factor[k] = 1.0;
+    if (points.start_factor == nullptr) return;
+    for (std::size_t k = 0; k < count; ++k) block.start_factor[k] = points.start_factor[p + k];
 }
 
 /// Put point p into lane k: compression-positive strain and its state.
@@ -194,6 +202,7 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p,
 inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p, std::size_t count, double dt,
                  Block& block)
 {
+    take_start_factors(points, p, count, block);
     if (count == width) { // a known count makes vectors
         for (std::size_t k = 0; k < width; ++k) load(law, points, p + k, dt, k, block);
         return;
@@ -238,6 +247,7 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, const Unfinish
 {
     block.set(k, true, points.state(unfinished.point[i]));
     bound_contraction(law, points, unfinished.point[i], k, block);
+    block.start_factor[k] = points.start_factor == nullptr ? 1.0 : points.start_factor[unfinished.point[i]];
     block.set_strain(k, unfinished.strain[i]);
     block.size[k] = unfinished.size[i];
     block.budget[k] = most_substeps - 1.0;
@@ -245,7 +255,7 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, const Unfinish
 }
 
 /// The substeps after the first, in lanes that are filled anew as soon as their point is done.
-template <bool square_roots, Integration order>
+template <ElasticForm form, Integration order>
 inline void finish(const UbcSand& law, const Unfinished& unfinished, const UbcSandArrays& points)
 {
     Block block{};
@@ -254,7 +264,7 @@ inline void finish(const UbcSand& law, const Unfinished& unfinished, const UbcSa
     for (std::size_t k = 0; k < lanes; ++k) load(law, points, unfinished, in_lane[k] = k, k, block);
     std::size_t next = lanes;
     for (std::size_t left = unfinished.count; left > 0;) {
-        take_substep<square_roots, order, Round::later>(law, block);
+        take_substep<form, order, Round::later>(law, block);
         for (std::size_t k = 0; k < lanes; ++k) {
             if (block.open[k] > 0.0 || in_lane[k] == unfinished.count) continue;
             points.set(unfinished.point[in_lane[k]], block.state(k));
@@ -265,7 +275,7 @@ inline void finish(const UbcSand& law, const Unfinished& unfinished, const UbcSa
     }
 }
 
-template <bool square_roots, Integration order>
+template <ElasticForm form, Integration order>
 inline void advance_points(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                            const UbcSandArrays& points)
 {
@@ -274,11 +284,11 @@ inline void advance_points(const UbcSand& law, double dt, std::size_t first, std
     for (std::size_t p = first; p < last; p += width) {
         const std::size_t count = last - p < width ? last - p : width;
         load(law, points, p, count, dt, block);
-        take_substep<square_roots, order, Round::first>(law, block);
+        take_substep<form, order, Round::first>(law, block);
         store(block, p, count, points);
         note_unfinished(block, p, count, unfinished);
         if (unfinished.count + width > segment || p + count == last) {
-            finish<square_roots, order>(law, unfinished, points);
+            finish<form, order>(law, unfinished, points);
             unfinished.count = 0;
         }
     }
@@ -288,7 +298,7 @@ WIDE_VECTOR_KERNEL
 void advance_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                          const UbcSandArrays& points)
 {
-    advance_points<false, Integration::first_order>(law, dt, first, last, points);
+    advance_points<ElasticForm::powers, Integration::first_order>(law, dt, first, last, points);
 }
 
 /// With the exponents of the generic set.
@@ -296,34 +306,77 @@ WIDE_VECTOR_KERNEL
 void advance_generic_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                                  const UbcSandArrays& points)
 {
-    advance_points<true, Integration::first_order>(law, dt, first, last, points);
+    advance_points<ElasticForm::square_roots, Integration::first_order>(law, dt, first, last, points);
+}
+
+WIDE_VECTOR_KERNEL
+void advance_softening_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                                   const UbcSandArrays& points)
+{
+    advance_points<ElasticForm::softening_powers, Integration::first_order>(law, dt, first, last, points);
+}
+
+WIDE_VECTOR_KERNEL
+void advance_generic_softening_first_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                                           const UbcSandArrays& points)
+{
+    advance_points<ElasticForm::softening_square_roots, Integration::first_order>(law, dt, first, last,
+                                                                                  points);
 }
 
 WIDE_VECTOR_KERNEL
 void advance_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                           const UbcSandArrays& points)
 {
-    advance_points<false, Integration::second_order>(law, dt, first, last, points);
+    advance_points<ElasticForm::powers, Integration::second_order>(law, dt, first, last, points);
 }
 
 WIDE_VECTOR_KERNEL
 void advance_generic_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                                   const UbcSandArrays& points)
 {
-    advance_points<true, Integration::second_order>(law, dt, first, last, points);
+    advance_points<ElasticForm::square_roots, Integration::second_order>(law, dt, first, last, points);
+}
+
+WIDE_VECTOR_KERNEL
+void advance_softening_second_order(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                                    const UbcSandArrays& points)
+{
+    advance_points<ElasticForm::softening_powers, Integration::second_order>(law, dt, first, last, points);
+}
+
+WIDE_VECTOR_KERNEL
+void advance_generic_softening_second_order(const UbcSand& law, double dt, std::size_t first,
+                                            std::size_t last, const UbcSandArrays& points)
+{
+    advance_points<ElasticForm::softening_square_roots, Integration::second_order>(law, dt, first, last,
+                                                                                   points);
 }
 
 } // namespace
 
 void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, const UbcSandArrays& points)
 {
-    if (law.integration == Integration::first_order) {
-        (law.square_roots ? advance_generic_first_order : advance_first_order)(law, dt, first, last, points);
-    } else {
-        (law.square_roots ? advance_generic_second_order : advance_second_order)(law, dt, first, last,
-                                                                                 points);
-    }
+    using Advance = void (*)(const UbcSand&, double, std::size_t, std::size_t, const UbcSandArrays&);
+    constexpr Advance first_order[] = {advance_first_order, advance_generic_first_order, // by ElasticForm
+                                       advance_softening_first_order, advance_generic_softening_first_order};
+    constexpr Advance second_order[] = {advance_second_order, advance_generic_second_order,
+                                        advance_softening_second_order,
+                                        advance_generic_softening_second_order};
+    const auto form = static_cast<std::size_t>(law.elastic);
+    (law.integration == Integration::first_order ? first_order : second_order)[form](law, dt, first, last,
+                                                                                     points);
 }
+
+namespace {
+
+inline Moduli moduli_at(const UbcSand& law, double s)
+{
+    return has_square_roots(law.elastic) ? elastic_moduli<ElasticForm::square_roots>(law, s)
+                                         : elastic_moduli<ElasticForm::powers>(law, s);
+}
+
+} // namespace
 
 VECTOR_KERNEL
 ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
@@ -331,7 +384,7 @@ ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_
 {
     return collect_moduli(first, last, volume, [&](std::size_t p) {
         const double s = larger(law.s_min, -0.5 * (stress_xx[p] + stress_yy[p]));
-        return law.square_roots ? elastic_moduli<true>(law, s).E1 : elastic_moduli<false>(law, s).E1;
+        return moduli_at(law, s).E1;
     });
 }
 
@@ -344,8 +397,7 @@ ParticleModuli expected_moduli(const UbcSand& law, double dt, std::size_t first,
     const double dilation = larger(0.0, law.eta_f - law.sin_cv); // of a shear strain
     return collect_moduli(first, last, volume, [&](std::size_t p) {
         const double s = larger(law.s_min, -0.5 * (stress_xx[p] + stress_yy[p]));
-        const Moduli present =
-            law.square_roots ? elastic_moduli<true>(law, s) : elastic_moduli<false>(law, s);
+        const Moduli present = moduli_at(law, s);
         const double x = L_xx[p] - L_yy[p], xy = L_xy[p] + L_yx[p];
         const double strain =
             larger(0.0, -dt * (L_xx[p] + L_yy[p])) + dt * dilation * std::sqrt(x * x + xy * xy);

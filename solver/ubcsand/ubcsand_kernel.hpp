@@ -27,12 +27,22 @@ inline Moduli moduli_of(double G, double B)
     return {G, B, B + G * (4.0 / 3.0), B - G * (2.0 / 3.0), B + G * (1.0 / 3.0)};
 }
 
-/// [3] Elastic moduli at a mean stress. `square_roots`: both exponents are 1/2, as in the generic set.
-template <bool square_roots>
+inline constexpr bool has_square_roots(ElasticForm form)
+{
+    return form == ElasticForm::square_roots || form == ElasticForm::softening_square_roots;
+}
+
+inline constexpr bool softens(ElasticForm form)
+{
+    return form == ElasticForm::softening_powers || form == ElasticForm::softening_square_roots;
+}
+
+/// [3] Elastic moduli at a mean stress, G that of the smallest strains.
+template <ElasticForm form>
 Moduli elastic_moduli(const UbcSand& m, double s)
 {
     const double ratio = s * (1.0 / atmospheric_pressure);
-    if constexpr (square_roots) {
+    if constexpr (has_square_roots(form)) {
         const double root = std::sqrt(ratio);
         return moduli_of(m.G_atm * root, m.B_atm * root);
     } else {
@@ -70,7 +80,7 @@ struct Start {
     double squared;       // t^2 [Pa^2]
 };
 
-template <bool square_roots>
+template <ElasticForm form>
 Start start_of(const UbcSand& m, const UbcSandState& state)
 {
     Start start;
@@ -83,7 +93,7 @@ Start start_of(const UbcSand& m, const UbcSandState& state)
     start.q_x = 0.5 * (state.sigma_x - state.sigma_y);
     start.q_y = state.tau_xy;
     start.squared = start.q_x * start.q_x + start.q_y * start.q_y;
-    start.moduli = elastic_moduli<square_roots>(m, start.s);
+    start.moduli = elastic_moduli<form>(m, start.s);
     return start;
 }
 
@@ -165,8 +175,25 @@ inline void place_locus(const UbcSand& m, const UbcSandState& state, Trial& tria
     trial.eta_y = smaller(std::sqrt(held), m.eta_f);
 }
 
+/// G over that of the smallest strains, mean over a shear strain: with the strain since it turned G falls by
+/// (1 + gamma/(2 gamma_r))^-2, so that the shear stress goes by gamma/(1 + gamma/(2 gamma_r)). On the way
+/// back from the farthest point the strain counts from there.
+inline double small_strain_fraction(const UbcSand& m, const UbcSandState& state, double shear_x,
+                                    double shear_y)
+{
+    const double back = state.back_x * state.back_x + state.back_y * state.back_y;
+    const double along = state.leg_x * shear_x + state.leg_y * shear_y;
+    const double goes_on = select(along < 0.0, 0.0, 1.0);
+    const double x = select(back > 0.0, state.back_x, goes_on * state.leg_x);
+    const double y = select(back > 0.0, state.back_y, goes_on * state.leg_y);
+    const double end_x = x + shear_x, end_y = y + shear_y;
+    const double start = 1.0 + m.per_small_strain * std::sqrt(x * x + y * y);
+    const double end = 1.0 + m.per_small_strain * std::sqrt(end_x * end_x + end_y * end_y);
+    return larger(m.least_fraction, 1.0 / (start * end));
+}
+
 /// [3] to [7] up to the decision. In second order with the moduli of the middle of the substep.
-template <Integration order>
+template <Integration order, ElasticForm form>
 Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Start& start, const Strain& strain)
 {
     Trial trial;
@@ -179,10 +206,14 @@ Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Start& st
     trial.shear_y = strain.xy;
 
     // [4] d s = K' d eps_v, d q = G (d eps_x - d eps_y, d gamma_xy); s as it is, be it below the floor
-    Moduli moduli = start.moduli;
+    if constexpr (softens(form)) {
+        const double fraction = small_strain_fraction(m, state, trial.shear_x, trial.shear_y);
+        trial.start.moduli = moduli_of(fraction * start.moduli.G, start.moduli.B);
+    }
+    Moduli moduli = trial.start.moduli;
     if constexpr (order == Integration::second_order) {
-        const double change = half_change(start, start.s + start.moduli.K * trial.volumetric);
-        moduli = changed_moduli(m, start.moduli, change);
+        const double change = half_change(start, start.s + moduli.K * trial.volumetric);
+        moduli = changed_moduli(m, trial.start.moduli, change);
     }
     trial.q_x = start.q_x + moduli.G * trial.shear_x;
     trial.q_y = start.q_y + moduli.G * trial.shear_y;
@@ -194,13 +225,14 @@ Trial elastic_trial(const UbcSand& m, const UbcSandState& state, const Start& st
     return trial;
 }
 
-/// [10] Stress from its parts in the plane.
-inline void set_stress(const UbcSand& m, double s, double q_x, double q_y, double sigma_z,
+/// [10] Stress from its parts in the plane, t = |q|.
+inline void set_stress(const UbcSand& m, double s, double q_x, double q_y, double t, double sigma_z,
                        UbcSandState& state)
 {
+    const double sb = s + m.a, most = (sb - t) * m.most_z - m.a, least = (sb + t) * m.least_z - m.a;
     state.sigma_x = s + q_x;
     state.sigma_y = s - q_x;
-    state.sigma_z = larger(sigma_z, 0.2 * m.s_min);
+    state.sigma_z = larger(larger(smaller(sigma_z, most), least), 0.2 * m.s_min);
     state.tau_xy = q_y;
 }
 
@@ -215,7 +247,7 @@ inline void finish_elastic(const UbcSand& m, const Trial& trial, UbcSandState& s
     const double branch = select(reversal, just_reversed, resumed);
     state.branch = select(turned > 0.0, larger(branch, strain_reversed), branch);
     count_half_cycles(turned, 0.0, state);
-    set_stress(m, trial.s, trial.q_x, trial.q_y, trial.sigma_z + trial.E2 * trial.volumetric, state);
+    set_stress(m, trial.s, trial.q_x, trial.q_y, trial.t, trial.sigma_z + trial.E2 * trial.volumetric, state);
 }
 
 } // namespace quicksand::ubcsand

@@ -75,6 +75,25 @@ UbcSandParameters ubcsand_from_relative_density(double relative_density)
     return ubcsand_from_blow_count(blow_count(relative_density));
 }
 
+UbcSandParameters calibrated(UbcSandParameters generic)
+{
+    const double N = blow_count(generic.relative_density);
+    UbcSandParameters parameters = generic;
+    parameters.secondary_factor = 0.6 * std::pow(6.0 / N, 0.25);
+    parameters.softened_factor = 0.02;
+    parameters.confining_exponent = 0.18;
+    parameters.lateral_exponent = 12.0 / N;
+    parameters.static_shear_stiffening = 9.0 + N * N / 50.0;
+    parameters.least_start_ratio = 1.0 / 3.0; // that of K_0 = 1/2
+    parameters.dilation_strain = 2.0 / N;
+    parameters.reference_strain = 4.5e-4;
+    parameters.least_modulus_fraction = 0.35;
+    parameters.reconsolidation_slope = 1.5 * std::exp(-0.369 * std::sqrt(N));
+    parameters.liquefied_conductivity = 5.0;
+    parameters.out_of_plane = OutOfPlaneStress::within_failure;
+    return parameters;
+}
+
 UbcSandParameters with(const UbcSandRunSettings& settings, UbcSandParameters parameters)
 {
     parameters.integration = settings.integration;
@@ -115,6 +134,18 @@ void check(const UbcSandParameters& m)
     require_not_negative("ripple_strain", m.ripple_strain);
     require_not_negative("dilation_softening", m.dilation_softening);
     require_positive("softened_factor", m.softened_factor);
+    require_not_negative("confining_exponent", m.confining_exponent);
+    require_not_negative("lateral_exponent", m.lateral_exponent);
+    require_not_negative("static_shear_stiffening", m.static_shear_stiffening);
+    require(m.least_start_ratio >= 0.0 && m.least_start_ratio < 1.0, "least_start_ratio", m.least_start_ratio,
+            "from 0 to below 1");
+    require(m.dilation_strain > 0.0, "dilation_strain", m.dilation_strain, "positive");
+    require(m.reference_strain > 0.0, "reference_strain", m.reference_strain, "positive");
+    require(m.least_modulus_fraction > 0.0 && m.least_modulus_fraction <= 1.0, "least_modulus_fraction",
+            m.least_modulus_fraction, "above 0 and at most 1");
+    require_not_negative("reconsolidation_slope", m.reconsolidation_slope);
+    require(m.liquefied_conductivity >= 1.0 && std::isfinite(m.liquefied_conductivity),
+            "liquefied_conductivity", m.liquefied_conductivity, "at least 1");
     require(m.static_poisson_ratio >= 0.0 && m.static_poisson_ratio < 0.5, "static_poisson_ratio",
             m.static_poisson_ratio, "from 0 to below 0.5");
     require_positive("largest_ratio_step", m.largest_ratio_step);

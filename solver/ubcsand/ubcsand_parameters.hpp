@@ -5,6 +5,9 @@
 //            [own]  the memory of cycles, a reconstruction: h2 calibrated to [IB08], the others chosen
 //            [DL82] Dobry, Ladd, Yokel, Chung and Powell (1982): sand keeps its volume below a shear strain
 //            of 1e-4
+//            [YWS06] Yoshimine, Nishizaki, Amano and Hosono (2006), after Ishihara and Yoshimine (1992):
+//            volumetric strain of reconsolidation, as [IB08] put it for blow counts
+//            [Sha12] Shahir, Pak, Taiebat and Jeremic (2012): conductivity of liquefied sand
 // Limits     Plane strain. The set is tied to a density: a soil that densifies keeps its parameters.
 #pragma once
 
@@ -16,6 +19,9 @@ namespace quicksand {
 /// How a substep is integrated. The published algorithm is of first order; its reference strengths hold for
 /// it and for small steps. Second order allows substeps some twenty times longer, as runs need.
 enum class Integration { first_order, second_order };
+
+/// What bounds the stress out of the plane: only the stress floor, or the failure limit as well.
+enum class OutOfPlaneStress { free, within_failure };
 
 /// Defaults are the generic set for (N1)60 = 13.9 in round numbers; `ubcsand_from_blow_count` gives all
 /// digits of one.
@@ -47,6 +53,27 @@ struct UbcSandParameters {
     double ripple_strain = 0.0;       // shear strain of ripples, which are no half cycles; 0: no ripples [-]
     double dilation_softening = 1000.0; // a_dil [-]; F falls by exp(-a_dil x shear strain in dilation)
     double softened_factor = 0.05;      // least F after dilation [-]
+
+    // strength by the stress at the start of shaking: F times (sigma'_v/P_a)^-m_v ((1 + K_0)/1.5)^m_h
+    // (1 + a |tau|/sigma'_v) [own], as practice fits h1 to depth and slope
+    double confining_exponent = 0.0;      // m_v [-]
+    double lateral_exponent = 0.0;        // m_h [-]
+    double static_shear_stiffening = 0.0; // a [-]
+    double least_start_ratio = 0.0;       // of the stress that the start remembers as its largest [-]
+
+    // dilation fades: above the ratio of constant volume D over 1 + g_dil/this, g_dil of the last half cycle
+    double dilation_strain = std::numeric_limits<double>::infinity(); // [-] [own]
+
+    // small strains: G falls by (1 + gamma/(2 gamma_r))^-2 with the shear strain since it turned, which is
+    // the hyperbola of Hardin and Drnevich (1972) with the rule of Masing (1926); not below a fraction [own]
+    double reference_strain = std::numeric_limits<double>::infinity(); // gamma_r [-]
+    double least_modulus_fraction = 1.0;                               // [-]
+
+    // after liquefaction
+    double reconsolidation_slope = 0.0;  // volumetric strain per largest shear strain [-] [YWS06]
+    double liquefied_conductivity = 1.0; // k at ru = 1 over k before [-] [Sha12]
+
+    OutOfPlaneStress out_of_plane = OutOfPlaneStress::free;
 
     // the loosest sand: it does not dilate; without contact of its grains it has no stiffness until they
     // touch [own]
@@ -84,6 +111,11 @@ UbcSandParameters with(const UbcSandRunSettings& settings, UbcSandParameters par
 /// [deg] follows those given.
 UbcSandParameters ubcsand_from_blow_count(double n1_60, std::optional<double> elastic_shear_number = {},
                                           std::optional<double> constant_volume_friction_deg = {});
+
+/// The generic set with the factors that bring static shear, confining stress, K_0, strains after
+/// liquefaction and small strains to what laboratories measure; triggering at one atmosphere and K_0 = 1/2
+/// stays. [own]
+UbcSandParameters calibrated(UbcSandParameters generic);
 
 /// The generic set for a relative density [-], by (N1)60 = 46 Dr^2 [IB08].
 UbcSandParameters ubcsand_from_relative_density(double relative_density);

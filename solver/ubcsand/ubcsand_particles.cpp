@@ -1,6 +1,7 @@
 #include "solver/ubcsand/ubcsand_particles.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/ubcsand/ubcsand_history.hpp"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +12,9 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::array<MemoryNumber, 15> memory = {{
+constexpr std::size_t of_cycles = 15; // numbers that every law of the kind remembers [-]
+
+constexpr std::array<MemoryNumber, 22> memory = {{
     {"eta_max", "-", "largest stress ratio so far", Component::scalar, true},
     {"branch", "-", "0 just reversed, 0.5 strain too, 1 far from there, 1.5 in a ripple, 2 loading",
      Component::scalar, true},
@@ -28,6 +31,14 @@ constexpr std::array<MemoryNumber, 15> memory = {{
     {"half_cycles", "-", "reversals that were followed by loading", Component::scalar, true},
     {"dilation", "-", "plastic shear strain in dilation", Component::scalar, true},
     {"active_dilation", "-", "its value at the last counted half cycle"},
+    {"start_factor", "-", "of the plastic modulus, by the stress at the start of shaking"},
+    {"start_mean", "Pa", "mean stress in the plane at the start of shaking"},
+    {"shear_x", "-", "strain since the start of shaking, eps_x - eps_y", Component::x},
+    {"shear_y", "-", "the same, gamma_xy", Component::y},
+    {"largest_shear", "-", "largest shear strain since the start of shaking", Component::scalar, true},
+    {"liquefied_shear", "-", "the same when the sand last had liquefied; 0: it has not", Component::scalar,
+     true},
+    {"compaction", "-", "volumetric strain of reconsolidation", Component::scalar, true},
 }};
 
 UbcSandState at_one_atmosphere()
@@ -37,12 +48,13 @@ UbcSandState at_one_atmosphere()
     return state;
 }
 
-UbcSandArrays arrays_of(Particles& particles)
+UbcSandArrays arrays_of(const UbcSand& law, Particles& particles)
 {
     const Gradients& L = particles.velocity_gradient_solid;
     SymmetricTensors& stress = particles.stress;
-    std::array<double*, memory.size()> m{}; // columns
+    std::array<double*, of_cycles> m{}; // columns
     for (std::size_t k = 0; k < m.size(); ++k) m[k] = particles.memory[k].data();
+    const bool has_factors = keeps_history(law);
     return {L.xx.data(),
             L.xy.data(),
             L.yx.data(),
@@ -67,7 +79,47 @@ UbcSandArrays arrays_of(Particles& particles)
             m[13],
             m[14],
             particles.volume.data(),
-            particles.mass_solid.data()};
+            particles.mass_solid.data(),
+            has_factors ? particles.memory[of_cycles].data() : nullptr};
+}
+
+UbcSandHistory history_of(Particles& particles)
+{
+    SoilMemory& m = particles.memory;
+    std::size_t k = of_cycles;
+    return {m[k].data(),     m[k + 1].data(), m[k + 2].data(), m[k + 3].data(),
+            m[k + 4].data(), m[k + 5].data(), m[k + 6].data()};
+}
+
+/// The arrays from point p on.
+UbcSandArrays from(std::size_t p, const UbcSandArrays& a)
+{
+    return {a.L_xx + p,
+            a.L_xy + p,
+            a.L_yx + p,
+            a.L_yy + p,
+            a.stress_xx + p,
+            a.stress_yy + p,
+            a.stress_zz + p,
+            a.stress_xy + p,
+            a.eta_max + p,
+            a.branch + p,
+            a.peak_x + p,
+            a.peak_y + p,
+            a.origin_x + p,
+            a.origin_y + p,
+            a.leg_x + p,
+            a.leg_y + p,
+            a.back_x + p,
+            a.back_y + p,
+            a.last_leg + p,
+            a.waiting + p,
+            a.half_cycles + p,
+            a.dilation + p,
+            a.active_dilation + p,
+            a.volume + p,
+            a.mass_solid + p,
+            a.start_factor + p};
 }
 
 /// One particle, as one point of the laboratory.
@@ -77,9 +129,34 @@ void update_alone(const UbcSand& law, double dt, std::size_t p, const UbcSandArr
     const double volume = points.volume[p], mass = points.mass_solid[p];
     state.least_contraction = volume > law.largest_specific_volume * mass ? 0.0 : -1.0;
     state.most_contraction = volume < law.smallest_specific_volume * mass ? 0.0 : 1.0;
+    if (points.start_factor != nullptr) state.start_factor = points.start_factor[p];
     update(law, {-dt * points.L_xx[p], -dt * points.L_yy[p], -dt * (points.L_xy[p] + points.L_yx[p]), 0.0},
            state);
     points.set(p, state);
+}
+
+void update_points(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                   const UbcSandArrays& points)
+{
+    if (last == first + 1) return update_alone(law, dt, first, points); // lanes would be empty
+    update(law, dt, first, last, points);
+}
+
+/// The strain that compaction leaves, in pieces of a size that the processor keeps at hand.
+void update_with_history(const UbcSand& law, double dt, std::size_t first, std::size_t last,
+                         Particles& particles)
+{
+    constexpr std::size_t piece = 512;
+    std::array<double, piece> L_xx, L_yy;
+    const UbcSandArrays arrays = arrays_of(law, particles);
+    const UbcSandHistory history = history_of(particles);
+    for (std::size_t p = first; p < last; p += piece) {
+        const std::size_t end = std::min(last, p + piece);
+        advance_history(law, dt, p, end, particles, history, L_xx.data(), L_yy.data());
+        UbcSandArrays points = from(p, arrays);
+        points.L_xx = L_xx.data(), points.L_yy = L_yy.data();
+        update_points(law, dt, 0, end - p, points);
+    }
 }
 
 /// Shrink the deviator in the plane to the failure limit and raise the mean stress to the floor; true when
@@ -99,9 +176,17 @@ bool limit_stress(const UbcSand& law, UbcSandState& state)
 
 } // namespace
 
-LawMemory memory_of(const UbcSand&)
+LawMemory memory_of(const UbcSand& law)
 {
-    return memory;
+    return keeps_history(law) ? LawMemory(memory) : LawMemory(memory).first(of_cycles);
+}
+
+double conductivity_factor(const UbcSand& law, std::size_t p, const Particles& particles)
+{
+    if (law.liquefied_conductivity <= 1.0) return 1.0;
+    const double s = std::max(law.s_min, -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]));
+    const SoilMemory& m = particles.memory;
+    return conductivity_factor(law, s, m[of_cycles + 1][p], m[of_cycles + 5][p] > 0.0);
 }
 
 void hold_water(UbcSand& law, double dry_fraction)
@@ -159,21 +244,22 @@ ParticleModuli expected_moduli(const UbcSand& law, double dt, std::size_t first,
 
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles)
 {
-    ENSURE(particles.memory.size() >= memory.size());
-    if (last == first + 1) return update_alone(law, dt, first, arrays_of(particles)); // lanes would be empty
-    update(law, dt, first, last, arrays_of(particles));
+    ENSURE(particles.memory.size() >= memory_of(law).size());
+    if (keeps_history(law)) return update_with_history(law, dt, first, last, particles);
+    update_points(law, dt, first, last, arrays_of(law, particles));
 }
 
 std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles)
 {
-    ENSURE(particles.memory.size() >= memory.size());
-    const UbcSandArrays arrays = arrays_of(particles);
+    ENSURE(particles.memory.size() >= memory_of(law).size());
+    const UbcSandArrays arrays = arrays_of(law, particles);
     std::size_t limited = 0;
     for (std::size_t p = first; p < last; ++p) {
         UbcSandState state = arrays.state(p);
         limited += limit_stress(law, state) ? 1U : 0U;
         begin_shaking(law, state);
         arrays.set(p, state);
+        if (keeps_history(law)) begin_history(state, p, history_of(particles));
     }
     return limited;
 }

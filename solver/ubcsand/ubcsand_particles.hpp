@@ -34,6 +34,14 @@ void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t
 /// What a particle remembers of its cycles; meaning and signs as in UbcSandState.
 LawMemory memory_of(const UbcSand& law);
 
+/// k of the particle's place in its liquefaction over that of sand at rest [-].
+double conductivity_factor(const UbcSand& law, std::size_t p, const Particles& particles);
+
+inline double largest_conductivity_factor(const UbcSand& law)
+{
+    return law.liquefied_conductivity;
+}
+
 /// Start of shaking: bring a stress that the sand cannot carry to its failure limit and its floor, and let
 /// the memory begin with the stress. Returns the number of particles whose stress was changed. Pre:
 /// add_memory.

@@ -6,6 +6,9 @@
 
 namespace quicksand {
 
+/// Elastic moduli with any exponents or with square roots, and G that stays or softens with small strains.
+enum class ElasticForm { powers, square_roots, softening_powers, softening_square_roots };
+
 /// The law made ready: parameters as the kernel uses them. Make it with `make_ubcsand` only.
 struct UbcSand {
     double G_atm, B_atm, Gp_atm;     // elastic shear, elastic bulk and plastic shear modulus at s = P_a [Pa]
@@ -18,6 +21,14 @@ struct UbcSand {
     double ripple_squared;           // strain of a ripple, squared [-]
     double a_dil_log2;               // softening after dilation, as a power of 2 [-]
     double fac_post;                 // least factor after dilation [-]
+    double m_v, m_h, static_shear;   // of the factor that the stress at the start gives [-]
+    double least_start_ratio;        // of the stress at the start [-]
+    double per_dilation;             // 1 / shear strain in dilation that halves it [-]
+    double per_small_strain;         // 1/(2 gamma_r) [-]
+    double least_fraction;           // of G at small strains [-]
+    double reconsolidation;          // volumetric strain per largest shear strain [-]
+    double liquefied_conductivity;   // k at ru = 1 over k before [-]
+    double most_z, least_z;          // bounds of sigma_z + a over the least and the largest stress + a [-]
     double s_min;                    // stress floor [Pa]
     double static_poisson;           // nu while settling under gravity [-]
     double per_ratio_step;           // 1 / largest elastic change of the stress ratio in a substep [-]
@@ -27,7 +38,7 @@ struct UbcSand {
     double resolved;                 // mean stress below which changes and errors count as there [Pa]
     double substep_tolerance;        // error of the stress in a substep of second order, relative [-]
     Integration integration;         // of the substeps
-    bool square_roots;               // ne = me = 1/2
+    ElasticForm elastic;             // which of the kernels
 };
 
 /// Stress and memory of a point. A new point has the memory `begin_shaking` gives.
@@ -54,6 +65,7 @@ struct UbcSandState {
     // bounds of D, given and not remembered: -1, or 0 where the sand is at its loosest, and 1, or 0 where it
     // is at its densest [-]
     double least_contraction = -1.0, most_contraction = 1.0;
+    double start_factor = 1.0; // of F, by the stress at the start of shaking; given likewise [-]
 };
 
 /// A strain increment, compression positive, and the rotation that comes with it.

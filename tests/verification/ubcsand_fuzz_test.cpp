@@ -70,10 +70,11 @@ double least_in_first_order(const UbcSand& law, ubcsand::Strain remaining, UbcSa
     using namespace ubcsand;
     double least = 0.0, fraction = 0.0;
     for (double budget = most_substeps; budget > 0.0 && fraction < 1.0; budget -= 1.0) {
-        const Start start = start_of<true>(law, state);
+        const Start start = start_of<ElasticForm::square_roots>(law, state);
         fraction = fixed_fraction(law, start, remaining, budget);
         const Strain strain = part_of(remaining, fraction);
-        const Trial trial = elastic_trial<Integration::first_order>(law, state, start, strain);
+        const Trial trial =
+            elastic_trial<Integration::first_order, ElasticForm::square_roots>(law, state, start, strain);
         if (trial.plastic) {
             least = std::min(least, dissipation(finish_in_first_order(law, trial, state)));
         } else {
@@ -91,10 +92,11 @@ double least_in_second_order(const UbcSand& law, ubcsand::Strain remaining, UbcS
     double least = 0.0, fraction = 1.0, size = 1.0;
     for (double budget = most_substeps + 1.0; budget > 0.0; budget -= 1.0) {
         const bool whole = budget > most_substeps;
-        const Start start = start_of<true>(law, state);
+        const Start start = start_of<ElasticForm::square_roots>(law, state);
         if (!whole) fraction = next_fraction(law, start, state, remaining, size, budget);
         const Strain strain = part_of(remaining, fraction);
-        const Trial trial = elastic_trial<Integration::second_order>(law, state, start, strain);
+        const Trial trial =
+            elastic_trial<Integration::second_order, ElasticForm::square_roots>(law, state, start, strain);
         const Events events = whole ? events_of(law, trial, state) : Events{0.0, 0.0};
         UbcSandState next = state;
         double error = 0.0, dissipated = 0.0;

@@ -178,7 +178,7 @@ TEST(UbcSandArrays, PowersOfOneHalfAreSquareRootsToRounding)
     UbcSandParameters parameters = nevada_sand_55();
     const UbcSand roots = make_ubcsand(parameters);
     UbcSand powers = roots;
-    powers.square_roots = false;
+    powers.elastic = ElasticForm::powers;
     RandomPoints points(roots, 1, 4);
     UbcSandState a = points.points().state(0), b = a;
     for (int step = 0; step < 200; ++step) {

@@ -90,8 +90,8 @@ TEST(UbcSandSubstepsOfSecondOrder, HaveAnErrorEstimateOfSecondOrder)
     const UbcSand law = sand_of_runs();
     const auto estimate = [&](double gamma) {
         UbcSandState state = at(law, 50e3, 100e3);
-        const Trial trial = elastic_trial<Integration::second_order>(law, state, start_of<true>(law, state),
-                                                                     {-0.5 * gamma, 0.5 * gamma, gamma});
+        const Trial trial = elastic_trial<Integration::second_order, ElasticForm::square_roots>(
+            law, state, start_of<ElasticForm::square_roots>(law, state), {-0.5 * gamma, 0.5 * gamma, gamma});
         double error = 0.0;
         finish_in_second_order(law, trial, state, error);
         return error;

@@ -1,0 +1,204 @@
+// UBCSAND with the calibrated factors: closed forms of its parts, and published numbers of the whole.
+#include "solver/element/sand_survey.hpp"
+#include "solver/ubcsand/ubcsand_history.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace quicksand {
+namespace {
+
+UbcSandParameters generic(double n1_60)
+{
+    return ubcsand_from_blow_count(n1_60);
+}
+
+/// Its plasticity is that of a rock, so that the elastic part shows.
+UbcSandParameters elastic_at_small_strains()
+{
+    UbcSandParameters parameters = generic(12.0);
+    parameters.plastic_shear_number = 1e12;
+    parameters.reference_strain = 5e-4;
+    parameters.least_modulus_fraction = 0.01;
+    return parameters;
+}
+
+TEST(UbcSandCalibrated, PublishedLawHasNoFactorsAndNoHistory)
+{
+    const UbcSand law = make_ubcsand(generic(12.0));
+    EXPECT_FALSE(keeps_history(law));
+    EXPECT_EQ(law.elastic, ElasticForm::square_roots);
+    UbcSandState state;
+    state.sigma_x = state.sigma_z = 400e3, state.sigma_y = 800e3, state.tau_xy = 80e3;
+    begin_shaking(law, state);
+    EXPECT_EQ(state.start_factor, 1.0);
+}
+
+TEST(UbcSandCalibrated, StartFactorIsThatOfItsThreePowers)
+{
+    const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    UbcSandState state;
+    state.sigma_x = state.sigma_z = 400e3, state.sigma_y = 400e3, state.tau_xy = -40e3;
+    begin_shaking(law, state);
+    const double expected =
+        std::pow(400.0 / 100.0, -0.18) * std::pow(2.0 / 1.5, 1.0) * (1.0 + 0.1 * (9.0 + 2.88));
+    EXPECT_NEAR(state.start_factor, expected, 0.02 * expected); // one atmosphere is not 100 kPa quite
+    EXPECT_NEAR(state.eta_max, 1.0 / 3.0, 1e-15);
+}
+
+/// Hardin and Drnevich (1972) with Masing's rule: G/Gmax = 1/(1 + g), and the area of the loop in closed
+/// form.
+TEST(UbcSandCalibrated, SmallStrainsFollowTheHyperbola)
+{
+    const SkeletonLaw law = make_ubcsand(elastic_at_small_strains());
+    const Consolidation start{100e3, 1.0, 0.0};
+    for (const double gamma : {1e-5, 1e-4, 5e-4}) {
+        StrainCycles loading;
+        loading.gamma = gamma, loading.cycles = 3.0;
+        const CycleSummary second = summarize_cycles(shear_cyclically(law, start, loading).path).at(1);
+        const double g = gamma / 5e-4, largest = shear_modulus(consolidate(law, start));
+        EXPECT_NEAR(second.secant_modulus / largest, 1.0 / (1.0 + g), 2e-3);
+        const double damping =
+            4.0 / std::numbers::pi * (1.0 + 1.0 / g) * (1.0 - std::log(1.0 + g) / g) - 2.0 / std::numbers::pi;
+        EXPECT_NEAR(second.damping_ratio, damping, 0.02 * damping + 2e-5);
+    }
+}
+
+struct OnePoint {
+    std::array<double, 7> numbers{};
+    UbcSandHistory history{&numbers[0], &numbers[1], &numbers[2], &numbers[3],
+                           &numbers[4], &numbers[5], &numbers[6]};
+};
+
+/// On the way from the floor to s_0 the compaction is the slope times the shear strain, at most 8 %, and the
+/// line goes with the root of the stress.
+TEST(UbcSandCalibrated, ReconsolidationIsThatOfYoshimineAndOthers)
+{
+    const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    for (const double shear : {0.02, 0.2}) {
+        OnePoint point;
+        *point.history.start_mean = 75e3;
+        *point.history.liquefied_shear = shear;
+        const double whole = 1.5 * std::exp(-0.369 * std::sqrt(12.0)) * std::min(shear, 0.08);
+        const double K_atm = law.B_atm + law.G_atm / 3.0, step = 1e-6;
+        double s = 750.0, at_quarter = 0.0;
+        const double begin = std::sqrt(s);
+        while (s < 75e3) {
+            const double compaction = compaction_of(law, step, s, 0, point.history);
+            *point.history.compaction += compaction;
+            s += (step - compaction) * K_atm * std::sqrt(s / atmospheric_pressure);
+            if (s < 0.25 * 75e3) at_quarter = *point.history.compaction;
+        }
+        EXPECT_NEAR(*point.history.compaction, whole, 0.02 * whole);
+        const double line = (std::sqrt(0.25 * 75e3) - begin) / (std::sqrt(75e3) - begin);
+        EXPECT_NEAR(at_quarter, line * whole, 0.02 * whole);
+    }
+}
+
+TEST(UbcSandCalibrated, SandThatHasNotLiquefiedOrSwellsDoesNotCompact)
+{
+    const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    OnePoint point;
+    *point.history.start_mean = 75e3;
+    EXPECT_EQ(compaction_of(law, 1e-4, 50e3, 0, point.history), 0.0);
+    *point.history.liquefied_shear = 0.05;
+    EXPECT_EQ(compaction_of(law, -1e-4, 50e3, 0, point.history), 0.0);
+    *point.history.compaction = 1.0; // more than there is
+    EXPECT_EQ(compaction_of(law, 1e-4, 50e3, 0, point.history), 0.0);
+}
+
+/// Below the line it is elastic: a ripple there compacts nothing.
+TEST(UbcSandCalibrated, RipplesBelowTheLineDoNotCompact)
+{
+    const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    OnePoint point;
+    *point.history.start_mean = 75e3;
+    *point.history.liquefied_shear = 0.05;
+    const double whole = law.reconsolidation * 0.05;
+    *point.history.compaction = 0.8 * whole; // the line is at 0.64 s_0
+    EXPECT_EQ(compaction_of(law, 1e-6, 30e3, 0, point.history), 0.0);
+    EXPECT_GT(compaction_of(law, 1e-6, 50e3, 0, point.history), 0.9e-6);
+}
+
+/// Shahir and others (2012): exponents 1 while the pressure rises, 8.9 when it has been there.
+TEST(UbcSandCalibrated, ConductivityRisesWithThePressureAndReturns)
+{
+    const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    EXPECT_EQ(conductivity_factor(law, 75e3, 75e3, false), 1.0);
+    EXPECT_DOUBLE_EQ(conductivity_factor(law, 37.5e3, 75e3, false), 3.0);
+    EXPECT_DOUBLE_EQ(conductivity_factor(law, 0.0, 75e3, true), 5.0);
+    EXPECT_NEAR(conductivity_factor(law, 37.5e3, 75e3, true), 1.0 + 4.0 * std::pow(0.5, 8.9), 1e-12);
+}
+
+/// Blocks of lanes give the bits of single points.
+TEST(UbcSandCalibrated, LanesAreThePointsOneByOne)
+{
+    for (const Integration integration : {Integration::first_order, Integration::second_order}) {
+        UbcSandParameters parameters = calibrated(generic(12.0));
+        parameters.integration = integration;
+        const UbcSand law = make_ubcsand(parameters);
+        constexpr std::size_t count = 21;
+        std::vector<UbcSandState> states(count);
+        std::array<std::vector<double>, 26> columns;
+        for (auto& column : columns) column.assign(count, 0.0);
+        auto& c = columns;
+        const UbcSandArrays arrays = {
+            c[0].data(),  c[1].data(),  c[2].data(),  c[3].data(),  c[4].data(),  c[5].data(),  c[6].data(),
+            c[7].data(),  c[8].data(),  c[9].data(),  c[10].data(), c[11].data(), c[12].data(), c[13].data(),
+            c[14].data(), c[15].data(), c[16].data(), c[17].data(), c[18].data(), c[19].data(), c[20].data(),
+            c[21].data(), c[22].data(), c[23].data(), c[24].data(), c[25].data()};
+        for (std::size_t p = 0; p < count; ++p) {
+            states[p].sigma_y = 50e3 + 5e3 * static_cast<double>(p);
+            states[p].sigma_x = states[p].sigma_z = 0.5 * states[p].sigma_y;
+            begin_shaking(law, states[p]);
+            arrays.set(p, states[p]);
+            c[25][p] = states[p].start_factor;
+        }
+        for (int step = 0; step < 400; ++step) {
+            const double shear = 4e-5 * std::cos(0.05 * step);
+            for (std::size_t p = 0; p < count; ++p) {
+                const double strain = shear * (1.0 + 0.1 * static_cast<double>(p));
+                c[1][p] = -strain;
+                update(law, {0.0, 0.0, strain, 0.0}, states[p]);
+                UbcSandState turned = arrays.state(p); // a turn by nothing rounds
+                turn(0.0, turned);
+                arrays.set(p, turned);
+            }
+            update(law, 1.0, 0, count, arrays);
+        }
+        for (std::size_t p = 0; p < count; ++p) {
+            EXPECT_EQ(states[p].sigma_y, arrays.state(p).sigma_y);
+            EXPECT_EQ(states[p].tau_xy, arrays.state(p).tau_xy);
+            EXPECT_EQ(states[p].sigma_z, arrays.state(p).sigma_z);
+        }
+    }
+}
+
+/// The table at (N1)60 = 12: Idriss and Boulanger (2008), Yoshimine and others (2006), Seed and
+/// Idriss (1970), Darendeli (2001).
+TEST(UbcSandCalibrated, MeetsWhatLaboratoriesKnow)
+{
+    const SandSurvey s = survey(make_ubcsand(calibrated(generic(12.0))));
+    ASSERT_TRUE(s.strength && s.k_sigma && s.k_0 && s.k_alpha);
+    EXPECT_NEAR(s.strength->csr_15, 0.1325, 0.08 * 0.1325); // triggering curve
+    EXPECT_NEAR(*s.k_sigma, 0.79, 0.07);
+    EXPECT_NEAR(*s.k_0, 1.3, 0.2 + 0.15);
+    EXPECT_NEAR(*s.k_alpha, 1.1, 0.2 + 0.15);
+    ASSERT_EQ(s.strain_of_cycles.size(), 6U);
+    for (std::size_t k = 1; k < 6; ++k) EXPECT_GT(s.strain_of_cycles[k], 1.005 * s.strain_of_cycles[k - 1]);
+    EXPECT_GT(s.strain_of_cycles[5], 0.03);
+    EXPECT_LE(s.most_out_of_plane, 1.0001);
+    EXPECT_GT(s.reconsolidation, 0.0334 / 1.5);
+    EXPECT_LT(s.reconsolidation, 0.0334 * 1.5);
+    EXPECT_NEAR(s.curve[1].modulus_ratio, 0.81, 0.11);
+    EXPECT_NEAR(s.curve[2].modulus_ratio, 0.61, 0.13);
+    EXPECT_NEAR(s.curve[0].damping_ratio, 0.010, 0.006);
+}
+
+} // namespace
+} // namespace quicksand
