@@ -13,6 +13,8 @@ ExitCode assess_stability(const StabilityChoice& choice);
 ExitCode list_keys(const KeysChoice& choice);
 ExitCode run_element_tests(const ElementChoice& choice);
 ExitCode examine_motion(const MotionChoice& choice);
+ExitCode tell_validity(const ValidityChoice& choice);
+ExitCode calibrate_sand(const CalibrateChoice& choice);
 ExitCode create_scene(const NewChoice& choice);
 ExitCode extract_probe(const ProbeChoice& choice);
 ExitCode draw_pictures(const PictureChoice& choice);

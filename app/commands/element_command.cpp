@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <vector>
 
 namespace quicksand {
@@ -104,15 +105,22 @@ ExitCode run_element_tests(const ElementChoice& choice)
                            programme);
     journal.keep(results.add("report.txt"));
     if (!programme.title.empty()) journal.say(programme.title + "\n");
+    std::optional<FailureRecord> failure; // of the first test that fails; the others are done all the same
     for (const ElementTest& test : programme.tests) {
-        const ElementOutcome outcome = perform_test(test);
-        report(outcome, journal);
-        write_element_csv(outcome, results);
-        draw_element_pictures(outcome, programme.title, results);
+        try {
+            const ElementOutcome outcome = perform_test(test);
+            report(outcome, journal);
+            write_element_csv(outcome, results);
+            draw_element_pictures(outcome, programme.title, results);
+        } catch (const NumericalError& error) {
+            journal.say("Test " + test.name + "\n  fails: " + error.what() + "\n");
+            if (!failure) failure = error.record;
+        }
         results.finish();
     }
     journal.say("Look at " + (results.directory() / programme.tests.front().name / "report.png").string() +
                 "; paths and tables are the CSV files beside it");
+    if (failure) throw NumericalError(*failure);
     return ExitCode::good;
 }
 

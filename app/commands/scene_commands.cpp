@@ -118,6 +118,37 @@ void add_motion(CLI::App& program, Commands& commands)
         ->type_name("DIR");
 }
 
+void add_validity(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<ValidityChoice>(
+        program, commands, "validity", "Tell what a sand meets of what laboratories know, as Markdown",
+        tell_validity);
+    parser->add_option("TEST", choice->file, "File of element tests; a table for each material that they use")
+        ->required();
+    add_overrides(*parser, choice->overrides,
+                  "Replace a key of the file: --set materials.sand.law=calibrated");
+}
+
+void add_calibrate(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<CalibrateChoice>(
+        program, commands, "calibrate", "Fit keys of a sand to measured points of cyclic strength",
+        calibrate_sand);
+    parser->add_option("TEST", choice->file, "File of element tests, whose first test names the sand")
+        ->required();
+    parser
+        ->add_option("DATA", choice->data,
+                     "CSV file with columns CSR and N, and if you like alpha, k0, sigma_v (Pa) and criterion")
+        ->required();
+    parser
+        ->add_option("--fit", choice->keys,
+                     "Two to four keys of the sand: --fit secondary_factor,secondary_growth")
+        ->delimiter(',')
+        ->required()
+        ->expected(1, 4);
+    add_overrides(*parser, choice->overrides, "Replace a key of the file: --set materials.sand.n1_60=10");
+}
+
 } // namespace
 
 void add_threads(CLI::App& parser, int& threads)
@@ -142,6 +173,8 @@ void add_scene_commands(CLI::App& program, Commands& commands)
     add_new(program, commands);
     add_element(program, commands);
     add_motion(program, commands);
+    add_validity(program, commands);
+    add_calibrate(program, commands);
 }
 
 } // namespace quicksand

@@ -74,6 +74,17 @@ struct MotionChoice {
     std::filesystem::path directory; // empty: results/<name of the file>-motion
 };
 
+struct ValidityChoice {
+    std::filesystem::path file;         // of element tests
+    std::vector<std::string> overrides; // --set key=value
+};
+
+struct CalibrateChoice {
+    std::filesystem::path file, data;   // of element tests; points of cyclic strength
+    std::vector<std::string> keys;      // of the material that are fitted
+    std::vector<std::string> overrides; // --set key=value
+};
+
 struct NewChoice {
     std::string example; // "dike" or "column"
     std::filesystem::path folder;

@@ -42,7 +42,12 @@ std::vector<ElementLoading> read_loadings(const SceneValues& values, const std::
         }
     } else if (kind == "cyclic_shear_strain_controlled") {
         for (const double gamma : list("shear_strains")) {
-            loadings.push_back(StrainCycles{gamma, number("cycles")});
+            loadings.push_back(StrainCycles{
+                .gamma = gamma, .cycles = number("cycles"), .drainage = drainage_of(values, test)});
+        }
+    } else if (kind == "reconsolidation") {
+        for (const double gamma : list("shear_strains")) {
+            loadings.push_back(Reconsolidation{gamma, number("cycles")});
         }
     } else if (kind == "monotonic_shear") {
         loadings.push_back(MonotonicShear{drainage_of(values, test), number("largest_shear_strain")});

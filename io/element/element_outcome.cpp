@@ -14,6 +14,10 @@ struct Labeller {
     {
         return fmt::format("gamma {:.4g} %", 100.0 * loading.gamma);
     }
+    std::string operator()(const Reconsolidation& loading) const
+    {
+        return fmt::format("gamma {:.4g} %", 100.0 * loading.gamma);
+    }
     template <class Loading>
     std::string operator()(const Loading&) const
     {
@@ -31,9 +35,15 @@ struct Namer {
     {
         return "undrained cyclic simple shear at constant volume, stress-controlled";
     }
-    std::string operator()(const StrainCycles&) const
+    std::string operator()(const StrainCycles& loading) const
     {
-        return "undrained cyclic simple shear at constant volume, strain-controlled";
+        return loading.drainage == Drainage::drained
+                   ? "drained cyclic simple shear at constant vertical stress, strain-controlled"
+                   : "undrained cyclic simple shear at constant volume, strain-controlled";
+    }
+    std::string operator()(const Reconsolidation&) const
+    {
+        return "undrained strain-controlled cyclic simple shear, then drainage without lateral strain";
     }
     std::string operator()(const MonotonicShear& loading) const
     {

@@ -244,7 +244,7 @@ PlotPanel strength_panel(const ElementOutcome& outcome)
             most = std::max(most, *cycles);
             largest = std::max(largest, curve.y.back());
         }
-        panel.curves.push_back(std::move(curve));
+        if (!curve.x.empty()) panel.curves.push_back(std::move(curve)); // else nothing of it can be drawn
     }
     if (outcome.test.data) {
         bool named = false;
@@ -391,7 +391,7 @@ std::vector<NamedPanel> element_panels(const ElementOutcome& outcome)
         return shear_panels(outcome, shear->drainage);
     if (const auto* biaxial = std::get_if<BiaxialCompression>(&first))
         return biaxial_panels(outcome, biaxial->drainage);
-    return compression_panels(outcome, std::holds_alternative<OedometerLoading>(first));
+    return compression_panels(outcome, !std::holds_alternative<IsotropicLoading>(first));
 }
 
 } // namespace quicksand

@@ -154,6 +154,21 @@ std::vector<std::string> strain_table(const ElementOutcome& outcome, std::size_t
     return cut(aligned(rows), most_rows);
 }
 
+/// Where the water begins to leave and where it has left.
+std::vector<std::string> reconsolidation_table(const ElementOutcome& outcome, std::size_t most_rows)
+{
+    std::vector<std::vector<std::string>> rows = {
+        {"", "N ru 0.95", "s'v kPa from", "to", "s'h/s'v", "eps_vol %"}};
+    for (const ElementRun& run : outcome.runs) {
+        const ElementPoint &from = run.result.path[run.result.drained_from], &to = run.result.path.back();
+        rows.push_back({run_label(outcome, run), short_text(run.result.cycles_to_ru_95, 4),
+                        fmt::format("{:.1f}", 1e-3 * from.sigma_y), fmt::format("{:.1f}", 1e-3 * to.sigma_y),
+                        fmt::format("{:.3f}", to.sigma_x / to.sigma_y),
+                        fmt::format("{:.3f}", 100.0 * to.volumetric_strain())});
+    }
+    return cut(aligned(rows), most_rows);
+}
+
 /// Coordinate and two stresses at round strains, and phase transformation: the least mean stress in the
 /// plane.
 std::vector<std::string> monotonic_table(const ElementOutcome& outcome, bool shear, std::size_t most_rows)
@@ -225,6 +240,7 @@ std::vector<std::string> result_table(const ElementOutcome& outcome, std::size_t
     const ElementLoading& first = outcome.test.loadings.front();
     if (std::holds_alternative<StressCycles>(first)) return cyclic_table(outcome, most_rows);
     if (std::holds_alternative<StrainCycles>(first)) return strain_table(outcome, most_rows);
+    if (std::holds_alternative<Reconsolidation>(first)) return reconsolidation_table(outcome, most_rows);
     if (std::holds_alternative<MonotonicShear>(first)) return monotonic_table(outcome, true, most_rows);
     if (std::holds_alternative<BiaxialCompression>(first)) return monotonic_table(outcome, false, most_rows);
     return compression_table(outcome, most_rows);

@@ -1,5 +1,6 @@
 #include "io/laws/ubcsand_keys.hpp"
 
+#include "solver/base/conventions.hpp"
 #include "solver/base/failure.hpp"
 
 #include <algorithm>
@@ -13,12 +14,16 @@ namespace {
 
 constexpr Interval positive{.lower = 0.0, .lower_open = true};
 constexpr Interval not_negative{.lower = 0.0};
+/// Mean stress in the plane over one atmosphere at which G and V_s are measured: K0 = 1/2 below 100 kPa.
+constexpr double mean_of_measured_stiffness = 0.75; // [-]
+
 constexpr Interval exponent{.lower = 0.0, .upper = 1.0};
 constexpr Interval friction{.lower = 0.0, .upper = 60.0, .lower_open = true, .upper_open = true};
 
 using Parameter = double UbcSandParameters::*;
 
-constexpr std::array<std::pair<const char*, Parameter>, 20> parameters = {{
+/// Those whose standard value is that of the key, or of the generic set.
+constexpr std::array<std::pair<const char*, Parameter>, 18> parameters = {{
     {"elastic_shear_number", &UbcSandParameters::elastic_shear_number},
     {"elastic_bulk_number", &UbcSandParameters::elastic_bulk_number},
     {"elastic_shear_exponent", &UbcSandParameters::elastic_shear_exponent},
@@ -30,15 +35,28 @@ constexpr std::array<std::pair<const char*, Parameter>, 20> parameters = {{
     {"peak_friction_deg", &UbcSandParameters::peak_friction_deg},
     {"cohesion", &UbcSandParameters::cohesion},
     {"virgin_factor", &UbcSandParameters::virgin_factor},
-    {"secondary_factor", &UbcSandParameters::secondary_factor},
     {"secondary_start", &UbcSandParameters::secondary_start},
     {"secondary_growth", &UbcSandParameters::secondary_growth},
     {"reversal_tolerance", &UbcSandParameters::reversal_tolerance},
     {"dilation_softening", &UbcSandParameters::dilation_softening},
-    {"softened_factor", &UbcSandParameters::softened_factor},
     {"largest_ratio_step", &UbcSandParameters::largest_ratio_step},
     {"largest_stress_step", &UbcSandParameters::largest_stress_step},
     {"stress_floor", &UbcSandParameters::stress_floor},
+}};
+
+/// Those whose standard value hangs on the word of `law`.
+constexpr std::array<std::pair<const char*, Parameter>, 11> parameters_of_words = {{
+    {"softened_factor", &UbcSandParameters::softened_factor},
+    {"secondary_factor", &UbcSandParameters::secondary_factor},
+    {"confining_exponent", &UbcSandParameters::confining_exponent},
+    {"lateral_exponent", &UbcSandParameters::lateral_exponent},
+    {"static_shear_stiffening", &UbcSandParameters::static_shear_stiffening},
+    {"least_start_ratio", &UbcSandParameters::least_start_ratio},
+    {"dilation_strain", &UbcSandParameters::dilation_strain},
+    {"reference_strain", &UbcSandParameters::reference_strain},
+    {"least_modulus_fraction", &UbcSandParameters::least_modulus_fraction},
+    {"reconsolidation_slope", &UbcSandParameters::reconsolidation_slope},
+    {"liquefied_conductivity", &UbcSandParameters::liquefied_conductivity},
 }};
 
 constexpr std::array density_keys = {"n1_60", "relative_density", "preset"};
@@ -85,6 +103,34 @@ void show_density(const std::string& material, double n1_60, SceneValues& values
     if (!values.given(material + ".preset")) show_words(material + ".preset", "none", values);
 }
 
+/// K_G^e of the one of its keys that is given, if any; what is wrong with them is reported.
+std::optional<double> find_shear_number(const NamedTable& material, const SceneValues& values,
+                                        Diagnostics& findings)
+{
+    std::vector<std::string> given;
+    for (const char* key : {"elastic_shear_number", "small_strain_shear_modulus", "shear_wave_velocity"})
+        if (values.given(material.path + "." + key)) given.emplace_back(key);
+    if (given.empty()) return std::nullopt;
+    for (std::size_t k = 1; k < given.size(); ++k) {
+        findings.add(
+            error_at(values.place(material.path + "." + given[k]), "conflict",
+                     "[" + material.path + "] has its elastic shear stiffness already, by " + given[0],
+                     "one of elastic_shear_number, small_strain_shear_modulus and shear_wave_velocity",
+                     "remove one of the two"));
+    }
+    const auto number = values.find<double>(material.path + "." + given[0]);
+    if (!number || given[0] == "elastic_shear_number") return number;
+    double modulus = *number; // [Pa]
+    if (given[0] == "shear_wave_velocity") {
+        const double n = values.number(material.path + ".porosity");
+        constexpr double water_density = 1000.0; // [kg/m3]
+        modulus = ((1.0 - n) * values.number(material.path + ".grain_density") + n * water_density) *
+                  *number * *number;
+    }
+    const double ne = values.number(material.path + ".elastic_shear_exponent");
+    return modulus / (atmospheric_pressure * std::pow(mean_of_measured_stiffness, ne));
+}
+
 // clang-format off
 
 /// The density of the sand, in three ways.
@@ -112,6 +158,9 @@ std::vector<SceneKey> stiffness_keys()
         {.pattern = "materials.*.elastic_shear_number", .default_note = "434 (N1)60^(1/3)", .allowed = positive,
          .plausible = {100.0, 5000.0},
          .doc = "K_G^e: G = K_G^e Pa (s/Pa)^ne, s the in-plane mean effective stress [Beaty and Byrne 2011]."},
+        {.pattern = "materials.*.small_strain_shear_modulus", .dimension = Dimension::pressure,
+         .default_note = "elastic_shear_number gives it", .allowed = positive, .plausible = {1e7, 1e9},
+         .doc = "G of the smallest strains at a vertical effective stress of 100 kPa and K0 = 1/2; sets elastic_shear_number."},
         {.pattern = "materials.*.elastic_bulk_number", .default_note = "0.7 elastic_shear_number", .allowed = positive,
          .plausible = {50.0, 5000.0}, .caution = "this is the drained stiffness, not the pore water's",
          .doc = "K_B^e: drained bulk modulus B = K_B^e Pa (s/Pa)^me [Beaty and Byrne 2011]."},
@@ -154,7 +203,7 @@ std::vector<SceneKey> memory_keys()
     return {
         {.pattern = "materials.*.virgin_factor", .default_value = m.virgin_factor, .allowed = positive,
          .plausible = {0.2, 5.0}, .doc = "h1, factor on the plastic modulus in all loading."},
-        {.pattern = "materials.*.secondary_factor", .default_value = m.secondary_factor, .allowed = positive,
+        {.pattern = "materials.*.secondary_factor", .default_note = "0.6; calibrated 0.6 (6/(N1)60)^0.25", .allowed = positive,
          .plausible = {0.1, 5.0},
          .doc = "h2 in h1 h2 (s0 + s1 n) below the largest ratio so far; calibrated to the triggering curve."},
         {.pattern = "materials.*.secondary_start", .default_value = m.secondary_start, .allowed = positive,
@@ -167,9 +216,48 @@ std::vector<SceneKey> memory_keys()
         {.pattern = "materials.*.dilation_softening", .default_value = m.dilation_softening, .allowed = not_negative,
          .plausible = {0.0, 5000.0},
          .doc = "The plastic modulus falls by exp(-dilation_softening times shear strain in dilation)."},
-        {.pattern = "materials.*.softened_factor", .default_value = m.softened_factor, .allowed = positive,
+        {.pattern = "materials.*.softened_factor", .default_note = "0.05; calibrated 0.02", .allowed = positive,
          .plausible = {0.005, 1.0},
          .doc = "Least factor after dilation; with 1 there is no softening, and ru never reaches 1."},
+    };
+}
+
+/// What follows the stress at the start, liquefaction and small strains, by the word of `law`.
+std::vector<SceneKey> calibration_keys()
+{
+    return {
+        {.pattern = "materials.*.law", .type = ValueType::word, .default_value = "published",
+         .words = {"published", "calibrated"},
+         .doc = "Standard values of the keys that have two: those of the published law, or those that meet K_sigma, K_alpha, "
+                "K0, strains after liquefaction and small strains as laboratories measure them [own]. Calibrated also "
+                "bounds the stress out of the plane by the failure limit."},
+        {.pattern = "materials.*.confining_exponent", .default_note = "0; calibrated 0.18", .allowed = not_negative,
+         .plausible = {0.0, 0.5},
+         .doc = "m_v: the plastic modulus goes with (sigma'_v/Pa)^-m_v of the start of shaking, which sets K_sigma [own]."},
+        {.pattern = "materials.*.lateral_exponent", .default_note = "0; calibrated 12/(N1)60", .allowed = not_negative,
+         .plausible = {0.0, 4.0},
+         .doc = "m_h: it goes with ((1 + K0)/1.5)^m_h of the start of shaking [own]."},
+        {.pattern = "materials.*.static_shear_stiffening", .default_note = "0; calibrated 9 + (N1)60^2/50", .allowed = not_negative,
+         .plausible = {0.0, 40.0},
+         .doc = "a: it goes with 1 + a |tau|/sigma'_v of the start of shaking on horizontal planes, which sets K_alpha [own]."},
+        {.pattern = "materials.*.least_start_ratio", .default_note = "0; calibrated 1/3",
+         .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.0, 0.5},
+         .doc = "The sand remembers at least this stress ratio from before the shaking; 1/3 is that of K0 = 1/2 [own]."},
+        {.pattern = "materials.*.dilation_strain", .default_note = "without end; calibrated 2/(N1)60", .allowed = positive,
+         .plausible = {0.01, 10.0},
+         .doc = "Shear strain in dilation after which later half cycles dilate half as much, so that strain grows from cycle to cycle [own]."},
+        {.pattern = "materials.*.reference_strain", .default_note = "without end; calibrated 4.5e-4", .allowed = positive,
+         .plausible = {1e-4, 0.01},
+         .doc = "gamma_r: G falls by (1 + gamma/(2 gamma_r))^-2 with the shear strain since it turned: small-strain modulus and damping."},
+        {.pattern = "materials.*.least_modulus_fraction", .default_note = "1; calibrated 0.35",
+         .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true}, .plausible = {0.1, 1.0},
+         .doc = "G falls to this fraction at least; 1 keeps it."},
+        {.pattern = "materials.*.reconsolidation_slope", .default_note = "0; calibrated 1.5 exp(-0.369 (N1)60^(1/2))",
+         .allowed = not_negative, .plausible = {0.0, 1.5},
+         .doc = "Volumetric strain of reconsolidation over the largest shear strain, which counts to 8 % [Yoshimine et al. 2006]."},
+        {.pattern = "materials.*.liquefied_conductivity", .default_note = "1; calibrated 5",
+         .allowed = {.lower = 1.0}, .plausible = {1.0, 20.0},
+         .doc = "Hydraulic conductivity at ru = 1 over that of sand at rest; it returns as ru falls [Shahir et al. 2012]."},
     };
 }
 
@@ -192,6 +280,9 @@ std::vector<SceneKey> substep_keys()
 std::vector<SceneKey> sand_run_keys()
 {
     return {
+        {.pattern = "materials.*.shear_wave_velocity", .dimension = Dimension::velocity,
+         .default_note = "elastic_shear_number gives it", .allowed = positive, .plausible = {80.0, 400.0},
+         .doc = "Of saturated sand at a vertical effective stress of 100 kPa and K0 = 1/2, as V_s1; sets elastic_shear_number."},
         {.pattern = "materials.*.static_poisson_ratio",
          .default_value = UbcSandParameters().static_poisson_ratio,
          .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true}, .plausible = {0.2, 0.45},
@@ -223,8 +314,8 @@ std::vector<SceneKey> sand_run_keys()
 std::vector<SceneKey> ubcsand_keys()
 {
     std::vector<SceneKey> keys;
-    for (const auto& part :
-         {density_keys_of_sand(), stiffness_keys(), strength_keys(), memory_keys(), substep_keys()})
+    for (const auto& part : {density_keys_of_sand(), stiffness_keys(), strength_keys(), memory_keys(),
+                             calibration_keys(), substep_keys()})
         keys.insert(keys.end(), part.begin(), part.end());
     return keys;
 }
@@ -263,8 +354,13 @@ UbcSandParameters resolve_ubcsand(const NamedTable& material, SceneValues& value
         return values.given(path) ? values.find<double>(path) : std::nullopt;
     };
     show_density(material.path, *n1_60, values);
-    UbcSandParameters set =
-        ubcsand_from_blow_count(*n1_60, given("elastic_shear_number"), given("constant_volume_friction_deg"));
+    UbcSandParameters set = ubcsand_from_blow_count(*n1_60, find_shear_number(material, values, findings),
+                                                    given("constant_volume_friction_deg"));
+    if (values.text(material.path + ".law") == "calibrated") set = calibrated(set);
+    for (const auto& [key, parameter] : parameters_of_words) {
+        if (const auto value = given(key)) set.*parameter = *value;
+        if (std::isfinite(set.*parameter)) show(material.path + "." + key, set.*parameter, values);
+    }
     for (const auto& [key, parameter] : parameters) { // those of the generic set have no value of their own
         if (const auto value = values.find<double>(material.path + "." + key)) set.*parameter = *value;
         show(material.path + "." + key, set.*parameter, values);

@@ -167,6 +167,7 @@ std::string panel_commands(const PlotPanel& panel, const PixelBox& box)
     script += axis_words("y", panel.y_scale, y_range(panel), panel.curves, &PlotCurve::y,
                          room_for_ticks(box.height, 34.0, 9));
     script += "set key default\nset key " + key_words(panel.key) + "\nplot ";
+    if (panel.curves.empty()) script += "NaN notitle"; // the axes alone
     for (std::size_t c = 0; c < panel.curves.size(); ++c) {
         const PlotCurve& curve = panel.curves[c];
         script += fmt::format("{}$curve_{} using 1:2 with {} {}", c == 0 ? "" : ", \\\n     ", c,

@@ -26,6 +26,8 @@ std::vector<SceneKey> motion_keys()
          .doc = "Number of cycles."},
         {.pattern = "motion.ramp_cycles", .default_value = 0.0, .allowed = not_negative, .when = sine_only,
          .doc = "Cycles over which the amplitude rises from zero."},
+        {.pattern = "motion.ramp_down_cycles", .default_value = 0.0, .allowed = not_negative, .when = sine_only,
+         .doc = "Last of the cycles, over which the amplitude falls to zero; without them the base keeps moving at a/omega."},
         {.pattern = "motion.file", .type = path, .required = true, .when = file_only,
          .doc = "A record in PEER's AT2 form, or two columns, time in s and acceleration, at equal intervals. "
                 "Values beyond 1000 g and intervals beyond 10 s are refused."},

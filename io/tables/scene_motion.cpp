@@ -23,6 +23,43 @@ void check_shaking(const SceneValues& values, const BaseMotion& motion, Diagnost
     }
 }
 
+/// A sine wave whose amplitude falls linearly over its last cycles, as a record that resolves it.
+SampledMotion falling(const SineMotion& sine, double ramp_down_cycles)
+{
+    constexpr double samples_per_cycle = 200.0; // as resolving_step() asks for
+    SampledMotion record;
+    record.interval = 1.0 / (samples_per_cycle * sine.frequency);
+    const auto samples = static_cast<std::size_t>(std::ceil(samples_per_cycle * sine.cycles - 1e-9));
+    for (std::size_t k = 0; k <= samples; ++k) {
+        const double time = static_cast<double>(k) * record.interval;
+        const double left = (sine.cycles - time * sine.frequency) / ramp_down_cycles;
+        record.accelerations.push_back(std::clamp(left, 0.0, 1.0) * base_acceleration(sine, time));
+    }
+    return record;
+}
+
+/// With its last cycles falling, where the scene asks for it.
+BaseMotion with_fall(const SineMotion& sine, const SceneValues& values, Diagnostics& findings)
+{
+    const double fall = values.number("motion.ramp_down_cycles");
+    if (!(fall > 0.0)) return sine;
+    const SourcePlace place = values.place("motion.ramp_down_cycles");
+    if (!std::isfinite(sine.cycles)) {
+        findings.add(error_at(place, "conflict", "motion.ramp_down_cycles needs an end of the sine wave",
+                              "motion.cycles beside it", "cycles = 20, for example"));
+        return sine;
+    }
+    if (sine.ramp_cycles + fall > sine.cycles) {
+        findings.add(error_at(place, "range",
+                              "the amplitude rises over " + number_text(sine.ramp_cycles) +
+                                  " and falls over " + number_text(fall) + " of only " +
+                                  number_text(sine.cycles) + " cycles",
+                              "ramp_cycles + ramp_down_cycles at most cycles"));
+        return sine;
+    }
+    return falling(sine, fall);
+}
+
 BaseMotion read_sine(const SceneValues& values, Diagnostics& findings)
 {
     SineMotion sine;
@@ -35,7 +72,7 @@ BaseMotion read_sine(const SceneValues& values, Diagnostics& findings)
                                 "the amplitude rises over " + number_text(sine.ramp_cycles) +
                                     " cycles but there are only " + number_text(sine.cycles)));
     }
-    return sine;
+    return with_fall(sine, values, findings);
 }
 
 /// Warn of what is no record of an earthquake in all likelihood, though it can be run.

@@ -1,0 +1,50 @@
+#include "app/commands/commands.hpp"
+#include "io/element/sand_calibration.hpp"
+#include "io/keys/scene_units.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iostream>
+
+namespace quicksand {
+
+namespace {
+
+void print_points(const std::vector<StrengthObservation>& points, const SandCalibration& fit)
+{
+    std::cout << "    CSR   alpha      k0  s'v kPa  N measured   before   fitted\n";
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const StrengthObservation& point = points[k];
+        std::cout << fmt::format("{:7.4g} {:7.3g} {:7.3g} {:8.4g} {:11.4g} {:8.3g} {:8.3g}\n", point.csr,
+                                 point.static_shear_ratio, point.k0, 1e-3 * point.vertical_stress,
+                                 point.cycles, fit.cycles_before[k], fit.cycles_after[k]);
+    }
+}
+
+/// "materials.sand.h" -> "h"
+std::string last_word(const std::string& path)
+{
+    return path.substr(path.rfind('.') + 1);
+}
+
+} // namespace
+
+ExitCode calibrate_sand(const CalibrateChoice& choice)
+{
+    const std::vector<StrengthObservation> points = read_observations(choice.data);
+    const SandCalibration fit = calibrate_sand(choice.file, choice.overrides, choice.keys, points);
+    print_points(points, fit);
+    const auto percent = [](double error) { return 100.0 * (std::exp(error) - 1.0); };
+    std::cout << fmt::format(
+        "Cycles differ by {:.0f} % before and {:.0f} % fitted (root mean square of ln N; {} "
+        "evaluations)\n\nFor the scene:\n",
+        percent(fit.error_before), percent(fit.error_after), fit.evaluations);
+    const std::string& path = fit.keys.front().path;
+    std::cout << "[" << path.substr(0, path.rfind('.')) << "]\n";
+    for (const FittedKey& key : fit.keys)
+        std::cout << fmt::format("{} = {:.4g} # was {:.4g}\n", last_word(key.path), key.value, key.start);
+    return ExitCode::good;
+}
+
+} // namespace quicksand
