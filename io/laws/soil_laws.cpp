@@ -1,6 +1,7 @@
 #include "io/laws/soil_laws.hpp"
 
 #include "io/laws/mohr_coulomb_soil.hpp"
+#include "io/laws/pm4sand_soil.hpp"
 #include "io/laws/ubcsand_soil.hpp"
 #include "solver/base/failure.hpp"
 
@@ -83,6 +84,11 @@ std::vector<SoilLaw> particular_laws()
          .element_keys = ubcsand_keys(),
          .read_for_element = read_ubcsand_for_element,
          .example = example_of_ubcsand},
+        {.form = Pm4Sand(),
+         .read = read_pm4sand,
+         .describe = describe_pm4sand,
+         .read_for_element = read_pm4sand_for_element,
+         .example = example_of_pm4sand},
     };
 }
 

@@ -2,6 +2,7 @@
 // particle; what it has to offer: law_interface.hpp.
 #pragma once
 
+#include "solver/pm4sand/pm4sand_particles.hpp"
 #include "solver/soil/law_interface.hpp"
 #include "solver/soil/linear_elastic.hpp"
 #include "solver/soil/mohr_coulomb.hpp"
@@ -18,7 +19,7 @@
 
 namespace quicksand {
 
-using SkeletonLaw = std::variant<LinearElastic, MohrCoulomb, UbcSand, NeoHookean, SettlingSand>;
+using SkeletonLaw = std::variant<LinearElastic, MohrCoulomb, UbcSand, NeoHookean, SettlingSand, Pm4Sand>;
 
 /// One of every law that users can choose.
 std::vector<SkeletonLaw> laws_of_scenes();

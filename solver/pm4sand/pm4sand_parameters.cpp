@@ -1,0 +1,67 @@
+#include "solver/pm4sand/pm4sand_parameters.hpp"
+
+#include "solver/base/failure.hpp"
+#include "solver/ubcsand/ubcsand_parameters.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace quicksand {
+
+namespace {
+
+void fill(double& parameter, double value)
+{
+    if (std::isnan(parameter)) parameter = value;
+}
+
+/// c_eps: 0.5 in loose sand, 0.2 in dense sand; the limits of 0.55 and 0.75 are those of [CA19], which differ
+/// from the report's and match its authors' program.
+double strain_accumulation_at(double relative_density)
+{
+    return std::clamp(0.5 - 1.5 * (relative_density - 0.55), 0.2, 0.5);
+}
+
+} // namespace
+
+double shear_coefficient_at(double n1_60)
+{
+    return 167.0 * std::sqrt(n1_60 + 2.5);
+}
+
+double contraction_rate_at(double relative_density)
+{
+    constexpr std::array<double, 3> densities = {0.35, 0.55, 0.75}, rates = {0.53, 0.40, 0.63};
+    // parabola through the three
+    double rate = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        double weight = rates[i];
+        for (std::size_t j = 0; j < 3; ++j)
+            if (j != i) weight *= (relative_density - densities[j]) / (densities[i] - densities[j]);
+        rate += weight;
+    }
+    return rate;
+}
+
+Pm4Sand complete(Pm4Sand law)
+{
+    ENSURE(std::isfinite(law.relative_density) || std::isfinite(law.n1_60));
+    fill(law.relative_density, std::sqrt(law.n1_60 / blow_count(1.0)));
+    fill(law.n1_60, blow_count(law.relative_density));
+    const double density = law.relative_density;
+    fill(law.shear_coefficient, shear_coefficient_at(law.n1_60));
+    fill(law.contraction_rate, contraction_rate_at(density));
+    fill(law.modulus_ratio, std::max(0.3, 0.5 * (0.25 + density)));
+    fill(law.strain_accumulation, strain_accumulation_at(density));
+    fill(law.rotated_dilatancy, std::min(10.0, 5.0 + 25.0 * (density - 0.35)));
+    fill(law.static_shear_factor, std::clamp(5.0 + 220.0 * std::pow(density - 0.26, 3.0), 4.0, 35.0));
+    fill(law.sedimentation_floor, std::min(0.99, 0.03 * std::exp(2.6 * density)));
+    law.critical_ratio = 2.0 * std::sin(law.constant_volume_friction_deg * std::numbers::pi / 180.0);
+    const double nu = law.drained_poisson_ratio;
+    law.bulk_over_shear = 2.0 * (1.0 + nu) / (3.0 * (1.0 - 2.0 * nu));
+    return law;
+}
+
+} // namespace quicksand
