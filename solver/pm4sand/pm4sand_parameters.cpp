@@ -33,16 +33,25 @@ double shear_coefficient_at(double n1_60)
 
 double contraction_rate_at(double relative_density)
 {
-    constexpr std::array<double, 3> densities = {0.35, 0.55, 0.75}, rates = {0.53, 0.40, 0.63};
-    // parabola through the three
-    double rate = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        double weight = rates[i];
-        for (std::size_t j = 0; j < 3; ++j)
-            if (j != i) weight *= (relative_density - densities[j]) / (densities[i] - densities[j]);
-        rate += weight;
+    struct Calibrated {
+        double density, rate; // [-]
+    };
+    constexpr std::array<Calibrated, 8> table = {{{0.25, 0.58},
+                                                  {0.35, 0.56},
+                                                  {0.45, 0.49},
+                                                  {0.55, 0.43},
+                                                  {0.65, 0.41},
+                                                  {0.70, 0.45},
+                                                  {0.75, 0.72},
+                                                  {0.80, 2.9}}};
+    if (relative_density <= table.front().density) return table.front().rate;
+    for (std::size_t k = 1; k < table.size(); ++k) {
+        const Calibrated &below = table[k - 1], &above = table[k];
+        if (relative_density > above.density) continue;
+        const double part = (relative_density - below.density) / (above.density - below.density);
+        return below.rate + part * (above.rate - below.rate);
     }
-    return rate;
+    return table.back().rate;
 }
 
 Pm4Sand complete(Pm4Sand law)
