@@ -7,14 +7,52 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace quicksand {
 
 namespace {
 
 constexpr double small_residual = 0.02; // velocity at a record's end over its peak that passes for zero [-]
+constexpr double small_drift = 0.02;    // displacement at the end per period over a/omega, likewise [-]
+
+std::string describe_rest(const MotionMeasures& measures)
+{
+    return fmt::format("  at its end the velocity is {} m/s, the displacement {} m\n",
+                       short_number(measures.residual_velocity, 2),
+                       short_number(measures.residual_displacement, 2));
+}
+
+/// What the base is left with at the end; nothing of a wave without end.
+std::string describe_end(const SineMotion& sine)
+{
+    if (!std::isfinite(sine.cycles)) return "";
+    constexpr double samples_per_cycle = 400.0, most_samples = 1e6;
+    SampledMotion record;
+    record.interval = 1.0 / (samples_per_cycle * sine.frequency);
+    const double samples = std::min(most_samples, samples_per_cycle * sine.cycles);
+    for (double k = 0.0; k <= samples; k += 1.0)
+        record.accelerations.push_back(base_acceleration(sine, k * record.interval));
+    const MotionMeasures measures = measure(record);
+    std::string text = describe_rest(measures);
+    const double amplitude = sine.amplitude / (2.0 * std::numbers::pi * sine.frequency); // a/omega [m/s]
+    if (std::abs(measures.residual_displacement) * sine.frequency > small_drift * amplitude)
+        text +=
+            "  The base has drifted: motion.ramp_cycles and motion.ramp_down_cycles bring it back to rest\n";
+    return text;
+}
 
 } // namespace
+
+std::string describe_sine(const SineMotion& sine)
+{
+    return fmt::format("  PGA {} g, PGV {} m/s at {} Hz{}\n", short_number(sine.amplitude / standard_gravity),
+                       short_number(sine.amplitude / (2.0 * std::numbers::pi * sine.frequency)),
+                       short_number(sine.frequency, 4),
+                       std::isfinite(sine.cycles) ? fmt::format(", {} cycles", short_number(sine.cycles, 4))
+                                                  : "") +
+           describe_end(sine);
+}
 
 std::string describe_motion_measures(const SampledMotion& motion, const std::string& remedy)
 {
@@ -27,9 +65,7 @@ std::string describe_motion_measures(const SampledMotion& motion, const std::str
                     short_number(measures.peak_displacement), short_number(measures.arias_intensity),
                     short_number(duration(motion), 4), short_number(motion.interval),
                     short_number(0.5 / motion.interval), short_number(measures.significant_duration));
-    text += fmt::format("  at its end the velocity is {} m/s, the displacement {} m\n",
-                        short_number(measures.residual_velocity, 2),
-                        short_number(measures.residual_displacement, 2));
+    text += describe_rest(measures);
     if (std::abs(measures.residual_velocity) > small_residual * measures.peak_velocity)
         text += "  That velocity should be zero: the record's baseline is off; see " + remedy + "\n";
     return text;

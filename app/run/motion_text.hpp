@@ -1,4 +1,4 @@
-// A recorded motion in words.
+// Motions of the base in words.
 #pragma once
 
 #include "solver/problem/response_spectrum.hpp"
@@ -11,6 +11,9 @@ namespace quicksand {
 /// Peaks, intensity, duration and what is left at the end, in three lines; a fourth where the velocity at the
 /// end is not zero, which names the `remedy`.
 std::string describe_motion_measures(const SampledMotion& motion, const std::string& remedy);
+
+/// Peaks, frequency and cycles of a wave, and what is left at its end, with the remedy where that is a drift.
+std::string describe_sine(const SineMotion& sine);
 
 /// The largest pseudo-acceleration and its period, in one line. `damping` in per cent.
 std::string describe_spectrum(const std::vector<OscillatorPeaks>& spectrum, double damping);

@@ -6,13 +6,10 @@
 #include "io/results/output_observers.hpp"
 #include "solver/base/threads.hpp"
 #include "solver/measure/monitors.hpp"
-#include "solver/problem/motion_measures.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <numeric>
 #include <variant>
 
@@ -53,38 +50,6 @@ const char* name_of(TimeScheme scheme)
         return "implicit";
     }
     return "";
-}
-
-/// What the base is left with at the end; nothing of a wave without end.
-std::string describe_end(const SineMotion& sine)
-{
-    if (!std::isfinite(sine.cycles)) return "";
-    constexpr double samples_per_cycle = 400.0, most_samples = 1e6;
-    SampledMotion record;
-    record.interval = 1.0 / (samples_per_cycle * sine.frequency);
-    const double samples = std::min(most_samples, samples_per_cycle * sine.cycles);
-    for (double k = 0.0; k <= samples; k += 1.0)
-        record.accelerations.push_back(base_acceleration(sine, k * record.interval));
-    const MotionMeasures measures = measure(record);
-    std::string text = fmt::format("  at its end the velocity is {} m/s, the displacement {} m\n",
-                                   short_number(measures.residual_velocity, 2),
-                                   short_number(measures.residual_displacement, 2));
-    const double amplitude = sine.amplitude / (2.0 * std::numbers::pi * sine.frequency); // a/omega
-    if (std::abs(measures.residual_displacement) * sine.frequency > small_residual * amplitude)
-        text += "  The ground drifts by it at up to a/omega: motion.ramp_cycles and motion.ramp_down_cycles "
-                "of some "
-                "cycles bring it to rest\n";
-    return text;
-}
-
-std::string describe_sine(const SineMotion& sine)
-{
-    return fmt::format("  PGA {} g, PGV {} m/s at {} Hz{}\n", short_number(sine.amplitude / standard_gravity),
-                       short_number(sine.amplitude / (2.0 * std::numbers::pi * sine.frequency)),
-                       short_number(sine.frequency, 4),
-                       std::isfinite(sine.cycles) ? fmt::format(", {} cycles", short_number(sine.cycles, 4))
-                                                  : "") +
-           describe_end(sine);
 }
 
 } // namespace

@@ -15,7 +15,7 @@ namespace {
 constexpr Interval positive{.lower = 0.0, .lower_open = true};
 constexpr Interval not_negative{.lower = 0.0};
 /// Mean stress in the plane over one atmosphere at which G and V_s are measured: K0 = 1/2 below 100 kPa.
-constexpr double mean_of_measured_stiffness = 0.75; // [-]
+constexpr double mean_of_measured_stiffness = 75e3 / atmospheric_pressure; // [-]
 
 constexpr Interval exponent{.lower = 0.0, .upper = 1.0};
 constexpr Interval friction{.lower = 0.0, .upper = 60.0, .lower_open = true, .upper_open = true};

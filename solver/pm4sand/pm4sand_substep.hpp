@@ -235,6 +235,15 @@ inline void remember_reversal(const Point& at, const Direction& u, Pm4SandState&
     set(memory.start_y, select(stays, apparent_y, at.alpha_y));
 }
 
+/// A long substep carries the fabric no farther than it ever gets.
+inline void limit_fabric(const Pm4SandState& memory, Point& at)
+{
+    const double most = memory.fabric_limit / root_2;
+    const double size = std::sqrt(at.fabric_x * at.fabric_x + at.fabric_y * at.fabric_y);
+    const double scale = most / larger(most, size);
+    at.fabric_x *= scale, at.fabric_y *= scale;
+}
+
 /// What is left of a distance to the yield surface goes to its centre.
 inline void return_to_surface(const Pm4Sand& m, Point& at)
 {
@@ -283,6 +292,7 @@ inline End finish(const Pm4Sand& m, const Pm4SandState& memory, const Contact& c
     Point flown = sum(sum(contact.at, 0.5, first), 0.5, second);
     const double d_p = second.p - first.p, d_x = second.s_x - first.s_x, d_y = second.s_y - first.s_y;
     limit_to_floor(m, memory, flown);
+    limit_fabric(memory, flown);
     return_to_surface(m, flown);
     const bool flows = contact.elastic < 1.0;
     const double error =

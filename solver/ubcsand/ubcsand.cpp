@@ -15,9 +15,7 @@ double mean_stress(const UbcSand& law, const UbcSandState& state)
 
 ubcsand::Moduli present_moduli(const UbcSand& law, const UbcSandState& state)
 {
-    const double s = mean_stress(law, state);
-    return ubcsand::has_square_roots(law.elastic) ? ubcsand::elastic_moduli<ElasticForm::square_roots>(law, s)
-                                                  : ubcsand::elastic_moduli<ElasticForm::powers>(law, s);
+    return ubcsand::moduli_at(law, mean_stress(law, state));
 }
 
 /// In substeps of first order.

@@ -368,41 +368,4 @@ void update(const UbcSand& law, double dt, std::size_t first, std::size_t last, 
                                                                                      points);
 }
 
-namespace {
-
-inline Moduli moduli_at(const UbcSand& law, double s)
-{
-    return has_square_roots(law.elastic) ? elastic_moduli<ElasticForm::square_roots>(law, s)
-                                         : elastic_moduli<ElasticForm::powers>(law, s);
-}
-
-} // namespace
-
-VECTOR_KERNEL
-ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
-                               const double* stress_xx, const double* stress_yy, const double* volume)
-{
-    return collect_moduli(first, last, volume, [&](std::size_t p) {
-        const double s = larger(law.s_min, -0.5 * (stress_xx[p] + stress_yy[p]));
-        return moduli_at(law, s).E1;
-    });
-}
-
-VECTOR_KERNEL
-ParticleModuli expected_moduli(const UbcSand& law, double dt, std::size_t first, std::size_t last,
-                               const Gradients& L, const double* stress_xx, const double* stress_yy,
-                               const double* volume)
-{
-    const double *L_xx = L.xx.data(), *L_xy = L.xy.data(), *L_yx = L.yx.data(), *L_yy = L.yy.data();
-    const double dilation = larger(0.0, law.eta_f - law.sin_cv); // of a shear strain
-    return collect_moduli(first, last, volume, [&](std::size_t p) {
-        const double s = larger(law.s_min, -0.5 * (stress_xx[p] + stress_yy[p]));
-        const Moduli present = moduli_at(law, s);
-        const double x = L_xx[p] - L_yy[p], xy = L_xy[p] + L_yx[p];
-        const double strain =
-            larger(0.0, -dt * (L_xx[p] + L_yy[p])) + dt * dilation * std::sqrt(x * x + xy * xy);
-        return present.E1 * (1.0 + 0.5 * present.K / s * strain);
-    });
-}
-
 } // namespace quicksand

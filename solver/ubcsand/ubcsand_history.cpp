@@ -15,12 +15,6 @@ constexpr double least_distance = 0.02;  // of root s to root s_0, over the latt
 constexpr double rising_exponent = 1.0;  // of ru until the sand has liquefied [-] [Sha12]
 constexpr double falling_exponent = 8.9; // and from then on [-] [Sha12]
 
-ubcsand::Moduli moduli_at(const UbcSand& law, double s)
-{
-    return ubcsand::has_square_roots(law.elastic) ? ubcsand::elastic_moduli<ElasticForm::square_roots>(law, s)
-                                                  : ubcsand::elastic_moduli<ElasticForm::powers>(law, s);
-}
-
 double mean_stress(const UbcSand& law, const Particles& particles, std::size_t p)
 {
     return std::max(law.s_min, -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]));
@@ -62,7 +56,7 @@ double compaction_of(const UbcSand& law, double strain, double s, std::size_t p,
     if (!(strain > 0.0 && pending > 0.0)) return 0.0;
     // in y = root s both ways are straight: elastic d eps = (2 y/K') dy, on the line d eps = (... + c) dy
     const double y = std::sqrt(s), y_0 = std::sqrt(history.start_mean[p]);
-    const double per_y = 2.0 * y / moduli_at(law, s).K;
+    const double per_y = 2.0 * y / ubcsand::moduli_at(law, s).K;
     const double from = std::max(y, y_0 * history.compaction[p] / whole);
     const double on_line = std::max(0.0, strain - per_y * (from - y));
     const double c = pending / std::max(y_0 - from, least_distance * y_0);
@@ -83,7 +77,7 @@ void advance_history(const UbcSand& law, double dt, std::size_t first, std::size
         L_yy[p - first] = L.yy[p];
         if (compaction <= 0.0) continue;
         // elastic strain of K_0 = 1/2: dq_x = -ds/3 needs eps_x - eps_y = -K'/(3G) eps_v
-        const ubcsand::Moduli stiffest = moduli_at(law, s);
+        const ubcsand::Moduli stiffest = ubcsand::moduli_at(law, s);
         const ubcsand::Moduli m = ubcsand::moduli_of(law.least_fraction * stiffest.G, stiffest.B);
         const double excess = std::max(0.0, 1.0 - m.K / (3.0 * m.G));
         const double sideways = 0.5 * excess * (strain - compaction) * compaction / strain;

@@ -50,6 +50,13 @@ Moduli elastic_moduli(const UbcSand& m, double s)
     }
 }
 
+/// The same for a law whose form is asked here.
+inline Moduli moduli_at(const UbcSand& m, double s)
+{
+    return has_square_roots(m.elastic) ? elastic_moduli<ElasticForm::square_roots>(m, s)
+                                       : elastic_moduli<ElasticForm::powers>(m, s);
+}
+
 /// The moduli after a relative change of the mean stress, (1 + fraction)^n = 1 + n fraction + ...
 inline Moduli changed_moduli(const UbcSand& m, const Moduli& moduli, double fraction)
 {
