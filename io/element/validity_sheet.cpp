@@ -137,6 +137,13 @@ std::optional<double> value_of(const Row& row, const SurveyedSand& sand)
     return sand.survey.strength->csr_15 / triggering_curve(sand.n1_60);
 }
 
+/// Without a sign where nothing is left of the number.
+std::string rounded_text(double value, int decimals)
+{
+    const double unit = std::pow(10.0, -decimals);
+    return fmt::format("{:.{}f}", std::abs(value) < 0.5 * unit ? 0.0 : value, decimals);
+}
+
 std::string line_of(const Row& row, const std::vector<SurveyedSand>& sands, int& met, int& judged)
 {
     std::string line = "| " + row.name + " |";
@@ -147,7 +154,7 @@ std::string line_of(const Row& row, const std::vector<SurveyedSand>& sands, int&
         const bool inside = value && band && *value >= band->low && *value <= band->high;
         judged_here += band ? 1 : 0;
         met_here += inside ? 1 : 0;
-        const std::string text = value ? fmt::format("{:.{}f}", *value, row.decimals) : "none";
+        const std::string text = value ? rounded_text(*value, row.decimals) : "none";
         line += band && !inside ? " **" + text + "** |" : " " + text + " |";
     }
     met += met_here, judged += judged_here;

@@ -77,7 +77,7 @@ std::vector<SoilLaw> particular_laws()
 {
     return {
         {.form = MohrCoulomb(), .check = check_mohr_coulomb},
-        {.form = UbcSand(),
+        {.form = make_ubcsand(calibrated(nevada_sand_55())), // which remembers all that the law can
          .keys = ubcsand_scene_keys(),
          .read = read_ubcsand,
          .describe = describe_ubcsand,

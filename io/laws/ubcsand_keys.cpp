@@ -109,7 +109,7 @@ std::optional<double> find_shear_number(const NamedTable& material, const SceneV
 {
     std::vector<std::string> given;
     for (const char* key : {"elastic_shear_number", "small_strain_shear_modulus", "shear_wave_velocity"})
-        if (values.given(material.path + "." + key)) given.emplace_back(key);
+        if (values.written.contains(material.path + "." + key)) given.emplace_back(key);
     if (given.empty()) return std::nullopt;
     for (std::size_t k = 1; k < given.size(); ++k) {
         findings.add(

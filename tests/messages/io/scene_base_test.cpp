@@ -72,7 +72,7 @@ TEST_F(Variant, IsReportedWhereTheMistakeIs)
               R"_(scene.toml:4:1: error[unknown-key]: unknown key 'amplitud' in [motion]
     4 | amplitud = "12 g"
       | ^~~~~~~~
-expected: one of kind, amplitude, frequency, cycles, ramp_cycles
+expected: one of kind, amplitude, frequency, cycles, ramp_cycles, ramp_down_cycles
 hint: did you mean amplitude?
 )_");
     folder.write("column.toml",

@@ -90,7 +90,7 @@ R"_(
 scene.toml:23:9: error[conflict]: materials.sand.model = "neo_hookean" cannot settle in [relaxation]: its stress follows from its deformation, and the shaking takes the settled shape as undeformed
    23 | model = "neo_hookean"
       |         ^~~~~~~~~~~~~
-expected: linear_elastic, mohr_coulomb or ubcsand beside [relaxation]
+expected: linear_elastic, mohr_coulomb, ubcsand or pm4sand beside [relaxation]
 hint: remove [relaxation]: gravity is then switched on at once
 )_"},
 SceneMistake{"FrictionInPascal",

@@ -65,7 +65,36 @@ R"_(
 scene.toml:22:1: error[unknown-key]: unknown key 'peak_friction' in [materials.sand]
    22 | peak_friction = 40.0
       | ^~~~~~~~~~~~~
-expected: one of model, volumetric_strain, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, cohesion, n1_60, relative_density, preset, elastic_shear_number, elastic_bulk_number, elastic_shear_exponent, elastic_bulk_exponent, plastic_shear_number, plastic_shear_exponent, failure_ratio, constant_volume_friction_deg, peak_friction_deg, virgin_factor, secondary_factor, secondary_start, secondary_growth, reversal_tolerance, dilation_softening, softened_factor, largest_ratio_step, largest_stress_step, stress_floor, static_poisson_ratio, ripple_strain, largest_porosity, smallest_porosity, resolved_floors, substep_tolerance
+expected: one of model, volumetric_strain, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, cohesion, n1_60, relative_density, preset, elastic_shear_number, small_strain_shear_modulus, elastic_bulk_number, elastic_shear_exponent, elastic_bulk_exponent, plastic_shear_number, plastic_shear_exponent, failure_ratio, constant_volume_friction_deg, peak_friction_deg, virgin_factor, secondary_factor, secondary_start, secondary_growth, reversal_tolerance, dilation_softening, softened_factor, law, confining_exponent, lateral_exponent, static_shear_stiffening, least_start_ratio, dilation_strain, reference_strain, least_modulus_fraction, reconsolidation_slope, liquefied_conductivity, largest_ratio_step, largest_stress_step, stress_floor, shear_wave_velocity, static_poisson_ratio, ripple_strain, largest_porosity, smallest_porosity, resolved_floors, substep_tolerance
+)_"},
+SceneMistake{"UnknownFormOfTheLaw",
+    elastic,
+    "model = \"ubcsand\"\nn1_60 = 13.9\nlaw = \"calibrate\"",
+R"_(
+scene.toml:22:7: error[word]: materials.sand.law = "calibrate" is not known
+   22 | law = "calibrate"
+      |       ^~~~~~~~~~~
+expected: one of published, calibrated
+hint: did you mean "calibrated"?
+)_"},
+SceneMistake{"TwoStiffnesses",
+    elastic,
+    "model = \"ubcsand\"\nn1_60 = 13.9\nelastic_shear_number = 900\nshear_wave_velocity = \"180 m/s\"",
+R"_(
+scene.toml:23:23: error[conflict]: [materials.sand] has its elastic shear stiffness already, by elastic_shear_number
+   23 | shear_wave_velocity = "180 m/s"
+      |                       ^~~~~~~~~
+expected: one of elastic_shear_number, small_strain_shear_modulus and shear_wave_velocity
+hint: remove one of the two
+)_"},
+SceneMistake{"ConductivityThatFalls",
+    elastic,
+    "model = \"ubcsand\"\nn1_60 = 13.9\nliquefied_conductivity = 0.5",
+R"_(
+scene.toml:22:26: error[range]: materials.sand.liquefied_conductivity = 0.5 is out of range
+   22 | liquefied_conductivity = 0.5
+      |                          ^~~
+expected: at least 1
 )_"},
 SceneMistake{"LoosestDenserThanTheSand",
     elastic + "\ngrain_density = 2670\nporosity = 0.405\nhydraulic_conductivity = 5.8e-5\n",

@@ -218,7 +218,7 @@ R"_(
 scene.toml:20:9: error[word]: materials.sand.model = "linear-elastic" is not known
    20 | model = "linear-elastic"
       |         ^~~~~~~~~~~~~~~~
-expected: one of linear_elastic, mohr_coulomb, ubcsand, neo_hookean
+expected: one of linear_elastic, mohr_coulomb, ubcsand, neo_hookean, pm4sand
 hint: did you mean "linear_elastic"?
 )_"},
 SceneMistake{"RampLongerThanTheShaking",

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -147,7 +148,10 @@ std::string material_of(const SoilLaw& law)
         if (!keys[k].standard && keys[k].absent.empty())
             text += std::string(keys[k].name) + " = " + std::to_string(value_of(example, k)) +
                     (keys[k].unit == "deg" ? "e0\n" : "\n");
-    return keys.empty() ? text + "n1_60 = 13.9\n" : text; // a law with a reader of its own
+    const bool has_density = keys.empty() || std::any_of(keys.begin(), keys.end(), [](const LawKeyText& key) {
+                                 return key.name == "n1_60";
+                             });
+    return has_density ? text + "n1_60 = 13.9\n" : text; // one of the keys of a density is needed
 }
 
 TEST(ElementFile, EveryLawOfScenesGoesThroughEveryTest)

@@ -21,7 +21,7 @@ TEST(SoilLaws, GiveEveryKeyTheModelsThatHaveIt)
     EXPECT_EQ(key_named(keys, "shear_modulus").when.words,
               (Words{"linear_elastic", "mohr_coulomb", "neo_hookean"}));
     EXPECT_EQ(key_named(keys, "cohesion").when.words, (Words{"mohr_coulomb", "ubcsand"}));
-    EXPECT_EQ(key_named(keys, "n1_60").when.words, Words{"ubcsand"});
+    EXPECT_EQ(key_named(keys, "n1_60").when.words, (Words{"ubcsand", "pm4sand"}));
     for (const SceneKey& key : keys) {
         EXPECT_EQ(key.when.sibling, "model") << key.pattern;
         EXPECT_EQ(std::count_if(keys.begin(), keys.end(),

@@ -71,10 +71,11 @@ TEST(UbcSandKeys, EveryKeyReplacesItsParameterOnly)
 {
     for (const SceneKey& key : ubcsand_keys()) {
         const std::string name(last_part(key.pattern));
-        if (name == "n1_60" || name == "relative_density" || name == "preset") continue;
-        const double value = key.plausible.lower > 0.0 ? key.plausible.lower : key.plausible.upper;
-        const Reading plain = read("n1_60 = 10"),
-                      changed = read("n1_60 = 10\n" + name + " = " + number_text(value));
+        if (name == "n1_60" || name == "relative_density" || key.type == ValueType::word) continue;
+        const Reading plain = read("n1_60 = 10");
+        const double low = key.plausible.lower;
+        const double value = low > 0.0 && number_text(low) != plain.shown(name) ? low : key.plausible.upper;
+        const Reading changed = read("n1_60 = 10\n" + name + " = " + number_text(value));
         EXPECT_FALSE(changed.findings.has_errors()) << changed.findings.render("");
         EXPECT_EQ(changed.shown(name), number_text(value));
         EXPECT_NE(plain.shown(name), changed.shown(name)) << name;
@@ -88,6 +89,31 @@ TEST(UbcSandKeys, WhatFollowsFromAKeyFollowsTheOneGiven)
     EXPECT_DOUBLE_EQ(set.elastic_bulk_number, 560.0);
     EXPECT_DOUBLE_EQ(set.plastic_shear_number, 0.003 * 800.0 * 400.0 + 100.0);
     EXPECT_DOUBLE_EQ(set.peak_friction_deg, 31.0 + 2.0 + 1.0);
+}
+
+TEST(UbcSandKeys, TheWordOfTheLawGivesTheSetAndKeysReplaceItsNumbers)
+{
+    const UbcSandParameters set = read("n1_60 = 10\nlaw = \"calibrated\"").parameters,
+                            expected = calibrated(ubcsand_from_blow_count(10.0));
+    expect_equal(set, expected);
+    EXPECT_DOUBLE_EQ(set.confining_exponent, expected.confining_exponent);
+    EXPECT_DOUBLE_EQ(set.reconsolidation_slope, expected.reconsolidation_slope);
+    EXPECT_EQ(set.out_of_plane, OutOfPlaneStress::within_failure);
+    const UbcSandParameters replaced =
+        read("n1_60 = 10\nlaw = \"calibrated\"\nconfining_exponent = 0.1").parameters;
+    EXPECT_DOUBLE_EQ(replaced.confining_exponent, 0.1);
+    EXPECT_DOUBLE_EQ(replaced.lateral_exponent, expected.lateral_exponent);
+    const UbcSandParameters published = read("n1_60 = 10\nlaw = \"published\"").parameters;
+    expect_equal(published, ubcsand_from_blow_count(10.0));
+    EXPECT_EQ(published.out_of_plane, OutOfPlaneStress::free);
+}
+
+TEST(UbcSandKeys, AMeasuredShearModulusGivesTheElasticNumber)
+{
+    // at 100 kPa and K0 = 1/2 the mean stress in the plane is 75 kPa
+    const UbcSandParameters set = read("n1_60 = 10\nsmall_strain_shear_modulus = \"60 MPa\"").parameters;
+    EXPECT_NEAR(set.elastic_shear_number * 100e3 * std::sqrt(0.75), 60e6, 1.0);
+    EXPECT_DOUBLE_EQ(set.elastic_bulk_number, 0.7 * set.elastic_shear_number);
 }
 
 TEST(UbcSandKeys, TheListOfKeysShowsTheNumbers)
