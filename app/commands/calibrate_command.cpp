@@ -11,14 +11,22 @@ namespace quicksand {
 
 namespace {
 
+/// "12.4", or ">49" where the test ended before.
+std::string cycles_text(double cycles, const StrengthObservation& point)
+{
+    return cycles > longest_test(point) ? fmt::format(">{:.3g}", longest_test(point))
+                                        : fmt::format("{:.3g}", cycles);
+}
+
 void print_points(const std::vector<StrengthObservation>& points, const SandCalibration& fit)
 {
     std::cout << "    CSR   alpha      k0  s'v kPa  N measured   before   fitted\n";
     for (std::size_t k = 0; k < points.size(); ++k) {
         const StrengthObservation& point = points[k];
-        std::cout << fmt::format("{:7.4g} {:7.3g} {:7.3g} {:8.4g} {:11.4g} {:8.3g} {:8.3g}\n", point.csr,
+        std::cout << fmt::format("{:7.4g} {:7.3g} {:7.3g} {:8.4g} {:11.4g} {:>8} {:>8}\n", point.csr,
                                  point.static_shear_ratio, point.k0, 1e-3 * point.vertical_stress,
-                                 point.cycles, fit.cycles_before[k], fit.cycles_after[k]);
+                                 point.cycles, cycles_text(fit.cycles_before[k], point),
+                                 cycles_text(fit.cycles_after[k], point));
     }
 }
 

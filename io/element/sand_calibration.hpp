@@ -27,8 +27,12 @@ struct StrengthObservation {
 /// tests.*.criterion). Throws InputError.
 std::vector<StrengthObservation> read_observations(const std::filesystem::path& file);
 
-/// Cycles to the criterion, at most `most` where it is not reached; between reversals as the path goes. [-]
-double cycles_of(const SkeletonLaw& law, const StrengthObservation& observation, double most);
+/// Cycles after which a test of the fit ends [-].
+double longest_test(const StrengthObservation& observation);
+
+/// Cycles to the criterion, between reversals as the path goes; beyond the longest test where the criterion
+/// is not reached, the more the farther the specimen is from it. [-]
+double cycles_of(const SkeletonLaw& law, const StrengthObservation& observation);
 
 struct FittedKey {
     std::string path;    // "materials.sand.secondary_factor"

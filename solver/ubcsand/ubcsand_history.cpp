@@ -88,7 +88,9 @@ void advance_history(const UbcSand& law, double dt, std::size_t first, std::size
 
 double conductivity_factor(const UbcSand& law, double s, double start_mean, bool has_liquefied)
 {
-    const double ru = std::clamp(1.0 - s / start_mean, 0.0, 1.0);
+    // counted from the floor, so that sand at the floor floats however little stress it had
+    const double lost = start_mean - s, whole = start_mean - law.s_min;
+    const double ru = whole > 0.0 ? std::clamp(lost / whole, 0.0, 1.0) : 1.0;
     const double exponent = has_liquefied ? falling_exponent : rising_exponent;
     return 1.0 + (law.liquefied_conductivity - 1.0) * std::pow(ru, exponent);
 }

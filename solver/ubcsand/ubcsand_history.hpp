@@ -8,8 +8,7 @@
 //            carried there, catches up on the way to s_0. The compaction is vertical, and what remains of the
 //            strain leads to K_0 = 1/2 [own].
 // Conductivity  [Sha12]: k grows by 1 + (factor - 1) ru^1.0 until the sand has liquefied, then falls by
-// ru^8.9;
-//            ru = 1 - s/s_0 here.
+//            ru^8.9; ru is the part of s_0 above the floor that is lost.
 #pragma once
 
 #include "solver/particles/particles.hpp"

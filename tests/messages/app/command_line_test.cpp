@@ -56,7 +56,8 @@ TEST(CommandLine, AnUnknownCommandListsTheCommands)
 {
     const Outcome outcome = run_program("frobnicate");
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "expected: run, check, stability, new, element, motion, validity, calibrate, probe, picture, figures, "
+    expect_mention(outcome, "expected: run, check, stability, new, element, motion, validity, calibrate, "
+                            "probe, picture, figures, "
                             "compare, report, demo, "
                             "verify, bench, stress, keys, manual, version");
 }
