@@ -18,7 +18,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double largest_factor = 4.0;    // by which a key may change [-]
+constexpr double largest_factor = 20.0;   // by which a key may change [-]
 constexpr int most_evaluations = 60;      // of the law's fit [-]
 constexpr double factor_tolerance = 1e-2; // of a key, relative [-]
 constexpr double weak_law = 1e3;          // root mean square of a law that its keys refuse [-]

@@ -110,7 +110,8 @@ std::string field_animation(const fs::path& results, const std::string& field, c
     const auto frames = choose_frames(read_series_index(ResultsFolder{results}.particle_series()), most);
     PictureRequest request;
     request.field = field;
-    request.range = common_range(results, frames, field);
+    // suction and rebounds beyond the range that matters would take all the colours
+    request.range = field == "ru" ? PlotRange{0.0, 1.0} : common_range(results, frames, field);
     std::vector<Drawing> drawings;
     std::vector<std::string> captions;
     for (std::size_t k = 0; k < frames.size(); ++k) {

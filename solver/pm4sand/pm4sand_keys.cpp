@@ -38,7 +38,7 @@ constexpr std::array<Key, 26> keys = {{
       .unit = "-",
       .meaning = "hpo: larger contracts less; calibrated to the cyclic strength, last of all.",
       .allowed = positive,
-      .usual = {0.05, 5.0},
+      .usual = {0.02, 5.0},
       .absent = "for the cyclic strength of the clean-sand curve at Dr"},
      &Pm4Sand::contraction_rate},
     {{.name = "modulus_ratio",
