@@ -129,10 +129,19 @@ TEST(UbcSandCalibrated, RipplesBelowTheLineDoNotCompact)
 TEST(UbcSandCalibrated, ConductivityRisesWithThePressureAndReturns)
 {
     const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    const double floor = law.s_min, middle = 0.5 * (floor + 75e3);
     EXPECT_EQ(conductivity_factor(law, 75e3, 75e3, false), 1.0);
-    EXPECT_DOUBLE_EQ(conductivity_factor(law, 37.5e3, 75e3, false), 3.0);
-    EXPECT_DOUBLE_EQ(conductivity_factor(law, 0.0, 75e3, true), 5.0);
-    EXPECT_NEAR(conductivity_factor(law, 37.5e3, 75e3, true), 1.0 + 4.0 * std::pow(0.5, 8.9), 1e-12);
+    EXPECT_DOUBLE_EQ(conductivity_factor(law, middle, 75e3, false), 3.0);
+    EXPECT_DOUBLE_EQ(conductivity_factor(law, floor, 75e3, true), 5.0);
+    EXPECT_NEAR(conductivity_factor(law, middle, 75e3, true), 1.0 + 4.0 * std::pow(0.5, 8.9), 1e-12);
+}
+
+/// Else water from below would lift sand near the surface, which has hardly any stress to lose.
+TEST(UbcSandCalibrated, SandAtTheFloorFloatsHoweverLittleStressItHad)
+{
+    const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    EXPECT_DOUBLE_EQ(conductivity_factor(law, law.s_min, 2.0 * law.s_min, true), 5.0);
+    EXPECT_DOUBLE_EQ(conductivity_factor(law, law.s_min, law.s_min, true), 5.0);
 }
 
 /// Blocks of lanes give the bits of single points.
