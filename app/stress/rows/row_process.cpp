@@ -1,12 +1,9 @@
 #include "app/stress/rows/row_process.hpp"
 
-#include "io/files/file_error.hpp"
+#include "app/machine/child_process.hpp"
 
-#include <fcntl.h>
 #include <signal.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <list>
@@ -26,23 +23,9 @@ struct RunningProcess {
     double seconds() const { return std::chrono::duration<double>(Clock::now() - start).count(); }
 };
 
-pid_t start_process(std::vector<std::string> words, const RowFiles& files)
+pid_t start_process(const std::vector<std::string>& words, const RowFiles& files)
 {
-    words.insert(words.begin(), "quicksand");
-    std::vector<char*> arguments;
-    for (std::string& word : words) arguments.push_back(word.data());
-    arguments.push_back(nullptr);
-    const std::string output = files.words().string(), messages = files.complaints().string();
-    constexpr int mode = O_WRONLY | O_CREAT | O_TRUNC, rights = 0644;
-    posix_spawn_file_actions_t actions;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output.c_str(), mode, rights);
-    posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, messages.c_str(), mode, rights);
-    pid_t child = 0;
-    const int error = posix_spawn(&child, "/proc/self/exe", &actions, nullptr, arguments.data(), environ);
-    posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw FileError(files.folder, "cannot start a process for", system_reason(error), "");
-    return child;
+    return start_program(words, {files.words(), files.complaints()}, ProcessTie::shares_terminal);
 }
 
 /// Whether it has ended, and how.
