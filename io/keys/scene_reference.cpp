@@ -37,6 +37,10 @@ std::string type_text(const SceneKey& key)
         return "list of numbers";
     case ValueType::count_list:
         return "list of whole numbers";
+    case ValueType::quantity:
+        return "number or quantity";
+    case ValueType::value_list:
+        return "list of values";
     case ValueType::word:
         break;
     }

@@ -42,6 +42,8 @@ enum class ValueType {
     number_list,   // numbers or quantities of the key's dimension
     quantity_list, // numbers or quantities of any dimension, as written
     count_list,    // [whole number, ...]
+    quantity,      // a number or a quantity of any dimension, as written
+    value_list,    // values of any kind, as TOML writes them
 };
 
 /// The key is used only where the key `sibling` of the same table is one of `words`.

@@ -2,6 +2,7 @@
 
 #include "geometry/drawing/nearest_name.hpp"
 #include "io/keys/quantity_hints.hpp"
+#include "io/keys/written_value.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,13 +10,6 @@
 namespace quicksand {
 
 namespace {
-
-/// With a decimal point, as a number that should have none was written.
-std::string decimal_text(double number)
-{
-    const std::string text = number_text(number);
-    return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
 
 using Kind = DocumentNode::Kind;
 
@@ -48,6 +42,7 @@ private:
     std::optional<SceneValue> read_number_list(const DocumentNode& node);
     std::optional<SceneValue> read_quantity_list(const DocumentNode& node);
     std::optional<SceneValue> read_count_list(const DocumentNode& node);
+    std::optional<SceneValue> read_as_written(const DocumentNode& node);
 
     bool check_range(double value, const DocumentNode& node, const ReadNumber* read);
     void check_plausibility(const ReadNumber& number, const DocumentNode& node);
@@ -325,6 +320,13 @@ std::optional<SceneValue> ValueReader::read_quantity_list(const DocumentNode& no
     return std::nullopt;
 }
 
+std::optional<SceneValue> ValueReader::read_as_written(const DocumentNode& node)
+{
+    auto value = as_written(key_.type, node);
+    if (!value) refuse_type(node, form_as_written(key_.type));
+    return value;
+}
+
 std::optional<SceneValue> ValueReader::read(const DocumentNode& node)
 {
     switch (key_.type) {
@@ -354,6 +356,9 @@ std::optional<SceneValue> ValueReader::read(const DocumentNode& node)
         return read_quantity_list(node);
     case ValueType::count_list:
         return read_count_list(node);
+    case ValueType::quantity:
+    case ValueType::value_list:
+        return read_as_written(node);
     case ValueType::table:
     case ValueType::named_tables:
         break;

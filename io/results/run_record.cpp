@@ -11,16 +11,34 @@ namespace quicksand {
 
 namespace {
 
-std::string text_of(const nlohmann::json& json, const char* name)
+using Json = nlohmann::ordered_json; // the summary in the order of the file
+
+std::string text_of(const Json& json, const char* name)
 {
     const auto found = json.find(name);
     return found != json.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
-double number_of(const nlohmann::json& json, const char* name)
+double number_of(const Json& json, const char* name)
 {
     const auto found = json.find(name);
     return found != json.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+/// The values of tables; what is largest in the last frame is none.
+std::vector<SummaryValue> summary_of(const Json& json)
+{
+    std::vector<SummaryValue> values;
+    const auto summary = json.find("summary");
+    if (summary == json.end() || !summary->is_object()) return values;
+    for (const auto& [table, columns] : summary->items()) {
+        if (!columns.is_object() || table == "last_frame") continue;
+        for (const auto& [column, value] : columns.items())
+            if (value.is_object() && value.contains("peak"))
+                values.push_back({table, column, number_of(value, "peak"), number_of(value, "peak_time_s"),
+                                  number_of(value, "final")});
+    }
+    return values;
 }
 
 } // namespace
@@ -30,7 +48,7 @@ RunRecord read_run_record(const std::filesystem::path& manifest)
     if (!std::filesystem::exists(manifest))
         throw InputError("there are no results in " + manifest.parent_path().string() +
                          "\nhint: name the results folder of a run, which holds run_manifest.json");
-    const auto json = nlohmann::json::parse(read_text(manifest), nullptr, false);
+    const auto json = Json::parse(read_text(manifest), nullptr, false);
     if (!json.is_object()) throw InputError(manifest.string() + " is damaged: it is no JSON");
     RunRecord record;
     record.version = text_of(json, "version");
@@ -47,6 +65,7 @@ RunRecord read_run_record(const std::filesystem::path& manifest)
     record.particles = number_of(json, "particles");
     record.threads = number_of(json, "threads");
     record.step_halvings = number_of(json, "step_halvings");
+    record.summary = summary_of(json);
     if (json.contains("overrides") && json["overrides"].is_array())
         for (const auto& word : json["overrides"])
             if (word.is_string()) record.overrides.push_back(word.get<std::string>());

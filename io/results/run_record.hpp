@@ -1,6 +1,8 @@
 // A run's manifest read back.
 #pragma once
 
+#include "io/results/run_summary.hpp"
+
 #include <filesystem>
 #include <map>
 #include <string>
@@ -22,6 +24,7 @@ struct RunRecord {
     double threads = 0.0;                         // [-]
     double step_halvings = 0.0;                   // [-]
     std::map<std::string, double> largest_errors; // by quantity; NaN where there was no number
+    std::vector<SummaryValue> summary;            // in the order of the file; empty before the end
 };
 
 /// Throws InputError where the folder of the file holds no run or the file is damaged, and FileError.

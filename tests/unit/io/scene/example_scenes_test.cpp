@@ -16,8 +16,9 @@ std::vector<fs::path> scenes()
 {
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(QUICKSAND_SOURCE_DIR "/examples")) {
-        const bool element = entry.path().parent_path().filename().string().starts_with("element");
-        if (entry.path().extension() == ".toml" && !element) files.push_back(entry.path());
+        const std::string folder = entry.path().parent_path().filename().string();
+        const bool other = folder.starts_with("element") || folder == "sweep"; // files of another kind
+        if (entry.path().extension() == ".toml" && !other) files.push_back(entry.path());
     }
     std::sort(files.begin(), files.end());
     return files;
