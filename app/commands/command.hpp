@@ -40,7 +40,7 @@ void add_threads(CLI::App& parser, int& threads);
 void add_overrides(CLI::App& parser, std::vector<std::string>& overrides,
                    const std::string& about = "Replace a key of the scene: --set motion.amplitude=\"0.2 g\"");
 
-/// Scenes: run, check, stability, new, element, motion, validity, calibrate.
+/// Scenes: run, sweep, check, stability, new, element, motion, validity, calibrate.
 void add_scene_commands(CLI::App& program, Commands& commands);
 
 /// Results: probe, picture, figures, compare, report.

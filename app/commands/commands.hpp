@@ -8,6 +8,7 @@
 namespace quicksand {
 
 ExitCode run_scene(const RunChoice& choice);
+ExitCode run_sweep(const SweepChoice& choice);
 ExitCode check_scene(const CheckChoice& choice);
 ExitCode assess_stability(const StabilityChoice& choice);
 ExitCode list_keys(const KeysChoice& choice);

@@ -25,7 +25,42 @@ void add_run(CLI::App& program, Commands& commands)
         ->type_name("DIR");
     CLI::Option* overwrite =
         parser->add_flag("--overwrite", choice->overwrite, "Replace the results of a former run");
-    parser->add_flag("--resume", choice->resume, "Go on from the last checkpoint")->excludes(overwrite);
+    CLI::Option* resume =
+        parser->add_flag("--resume", choice->resume, "Go on from the last checkpoint")->excludes(overwrite);
+    parser
+        ->add_flag("--continue", choice->go_on,
+                   "Go on with what the folder holds of this run; else begin. A finished run stays")
+        ->excludes(overwrite)
+        ->excludes(resume);
+}
+
+void add_sweep(CLI::App& program, Commands& commands)
+{
+    const auto [parser, choice] = add_command<SweepChoice>(
+        program, commands, "sweep", "Run a scene for many values of its keys, and collect what comes of it",
+        run_sweep);
+    parser->add_option("SWEEP", choice->file, "File of the sweep, or a folder that holds sweep.toml")
+        ->required();
+    parser
+        ->add_option("-o,--output", choice->directory,
+                     "Folder of the sweep; results/<file> when not given. What it holds is gone on with")
+        ->type_name("DIR");
+    parser->add_option("--jobs", choice->jobs, "Runs at a time; 1 when not given")
+        ->check(number_in(thread_number))
+        ->type_name("N");
+    parser
+        ->add_option("--threads", choice->threads,
+                     "Threads of a run; when not given the machine's over --jobs, with slurm and snakemake 1")
+        ->check(number_in(thread_number))
+        ->type_name("N");
+    parser
+        ->add_option("--engine", choice->engine,
+                     "local runs here; the others write files for GNU parallel, Slurm or Snakemake")
+        ->check(CLI::IsMember({"local", "parallel", "slurm", "snakemake"}));
+    CLI::Option* collect = parser->add_flag("--collect", choice->collect,
+                                            "Run nothing; make tables and pictures of what is there");
+    parser->add_flag("--dry-run", choice->dry_run, "Check and list the runs; write nothing")
+        ->excludes(collect);
 }
 
 void add_check(CLI::App& program, Commands& commands)
@@ -168,6 +203,7 @@ void add_overrides(CLI::App& parser, std::vector<std::string>& overrides, const 
 void add_scene_commands(CLI::App& program, Commands& commands)
 {
     add_run(program, commands);
+    add_sweep(program, commands);
     add_check(program, commands);
     add_stability(program, commands);
     add_new(program, commands);

@@ -107,7 +107,7 @@ Completion complete_value(CLI::App& command, CLI::Option& option, const LineRead
     if (is_one_of({"ROWS", "ROW"})) return {candidates_of(stress_groups())};
     if (value.name == "KIND") return {candidates_of(example_names())};
     if (is_one_of({"PROBLEM", "WORDS"})) return {candidates_of(verification_names()), FileCandidates::scenes};
-    if (is_one_of({"SCENE", "TEST", "SOURCE"})) return {{}, FileCandidates::scenes};
+    if (is_one_of({"SCENE", "SWEEP", "TEST", "SOURCE"})) return {{}, FileCandidates::scenes};
     if (is_one_of({"DIR", "RESULTS"})) return {{}, FileCandidates::folders};
     if (value.name == "FILE") return {{}, FileCandidates::all};
     return {};

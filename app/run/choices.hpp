@@ -34,6 +34,17 @@ struct RunChoice {
     std::filesystem::path directory; // empty: results/<name of the scene>
     bool overwrite = false;
     bool resume = false;
+    bool go_on = false; // with what the folder holds of the same run, else from the start
+};
+
+struct SweepChoice {
+    std::filesystem::path file;      // of the sweep, or a folder with sweep.toml
+    std::filesystem::path directory; // empty: results/<name of the file>
+    int jobs = 1;                    // runs at a time
+    int threads = 0;                 // of a run, 0: the machine's over the jobs, on other machines 1
+    std::string engine = "local";    // or "parallel", "slurm", "snakemake"
+    bool collect = false;            // only make tables and pictures of what is there
+    bool dry_run = false;            // only list the runs
 };
 
 struct CheckChoice {

@@ -19,8 +19,8 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
     const Outcome outcome = run_program("");
     EXPECT_EQ(outcome.code, 0);
     for (const char* command :
-         {"run", "check", "stability", "new", "element", "motion", "keys", "probe", "picture", "figures",
-          "demo", "verify", "bench", "stress", "manual", "version"}) {
+         {"run", "sweep", "check", "stability", "new", "element", "motion", "keys", "probe", "picture",
+          "figures", "demo", "verify", "bench", "stress", "manual", "version"}) {
         expect_mention(outcome, command);
     }
     expect_mention(outcome, "Exit codes");
@@ -29,8 +29,8 @@ TEST(CommandLine, WithoutWordsShowsTheHelp)
 TEST(CommandLine, EveryCommandHasHelp)
 {
     for (const char* command :
-         {"run", "check", "stability", "new", "element", "motion", "keys", "probe", "picture", "figures",
-          "demo", "verify", "bench", "stress", "manual", "version"}) {
+         {"run", "sweep", "check", "stability", "new", "element", "motion", "keys", "probe", "picture",
+          "figures", "demo", "verify", "bench", "stress", "manual", "version"}) {
         EXPECT_EQ(run_program(std::string(command) + " --help").code, 0) << command;
     }
 }
@@ -56,10 +56,11 @@ TEST(CommandLine, AnUnknownCommandListsTheCommands)
 {
     const Outcome outcome = run_program("frobnicate");
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "expected: run, check, stability, new, element, motion, validity, calibrate, "
-                            "probe, picture, figures, "
-                            "compare, report, demo, "
-                            "verify, bench, stress, keys, manual, version");
+    expect_mention(outcome,
+                   "expected: run, sweep, check, stability, new, element, motion, validity, calibrate, "
+                   "probe, picture, figures, "
+                   "compare, report, demo, "
+                   "verify, bench, stress, keys, manual, version");
 }
 
 TEST(CommandLine, AnUnknownPageOfTheManualListsThePages)
