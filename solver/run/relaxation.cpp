@@ -134,47 +134,16 @@ double out_of_balance(const Problem& problem, const State& state)
     return out_of_balance(problem, work);
 }
 
-namespace {
-
-/// The soil as it settles, in which sand bears at least the shear stress that the weight of so many cells
-/// allows.
-Problem settling_problem(const Problem& problem, double cells)
+Problem settling_problem(const Problem& problem)
 {
     Problem settling = problem;
     for (Material& material : settling.materials) {
         const double buoyancy = water_of(problem, material) ? problem.water->density : 0.0;
         const double cell_weight = (1.0 - material.porosity) * (material.grain_density - buoyancy) *
-                                   problem.gravity * problem.grid.cell_size * cells;
+                                   problem.gravity * problem.grid.cell_size;
         material.law = settling_form(material.law, cell_weight);
     }
     return settling;
-}
-
-/// Settle on with the strength of the shaking, which near the surface is less, so that nothing moves when the
-/// shaking begins. Single grains at a face may creep without end: what is out of balance after these steps
-/// is told. They are few, and taken in one piece, for a checkpoint does not know of them.
-void settle_at_strength(const Problem& shaken, const RelaxationControls& controls, State& state,
-                        RelaxationReport& report)
-{
-    constexpr std::int64_t most_steps = 2000;
-    const Problem problem = settling_problem(shaken, 0.0);
-    SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
-    for (std::int64_t step = 1; step <= most_steps; ++step) {
-        const double dt = stable_relaxation_step(problem, state.particles).dt;
-        advance_single_phase_step(problem, dt, controls.damping, state, work);
-        if (step % steps_between_checks != 0) continue;
-        check_particles(dt, state);
-        report.out_of_balance = out_of_balance(problem, work);
-        report.steps = state.step;
-        if (report.out_of_balance <= controls.tolerance) return;
-    }
-}
-
-} // namespace
-
-Problem settling_problem(const Problem& problem)
-{
-    return settling_problem(problem, 1.0);
 }
 
 RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls, State& state,
@@ -205,7 +174,6 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
         if (progress) progress(state.step, report.out_of_balance);
         if (stop && stop()) return report;
     }
-    if (memory_columns(shaken) > 0) settle_at_strength(shaken, controls, state, report);
     report.max_displacement = monitor(problem, state, {}).max_displacement;
     report.at_failure = count_at_failure(shaken, state.particles);
     set_at_rest(state.particles);

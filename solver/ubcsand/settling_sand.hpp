@@ -6,8 +6,7 @@
 // Failure    Perfectly plastic at t = (s + a) sin phi_f without volume change, so that a slope starts shaking
 //            from a stress that the sand can carry; no mean stress below the floor, so no tension. Within
 //            the stress of one cell's weight the limit is that of this stress: single particles at the
-//            surface of a slope are held by few nodes only and would creep without end. The last steps are
-//            taken without it, as the shaking is.
+//            surface of a slope are held by few nodes only and would creep without end.
 #pragma once
 
 #include "solver/particles/particle_moduli.hpp"
