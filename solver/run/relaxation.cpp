@@ -156,7 +156,7 @@ Problem settling_problem(const Problem& problem, double cells)
 void settle_at_strength(const Problem& shaken, const RelaxationControls& controls, State& state,
                         RelaxationReport& report)
 {
-    constexpr std::int64_t most_steps = 2000;
+    constexpr std::int64_t most_steps = 500;
     const Problem problem = settling_problem(shaken, 0.0);
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
     for (std::int64_t step = 1; step <= most_steps; ++step) {
