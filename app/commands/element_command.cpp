@@ -6,6 +6,7 @@
 #include "io/element/element_sheet.hpp"
 #include "io/element/element_table.hpp"
 #include "solver/base/failure.hpp"
+#include "solver/base/parallel_tasks.hpp"
 
 #include <algorithm>
 #include <exception>
@@ -62,26 +63,18 @@ ElementOutcome perform_test(const ElementTest& test)
     if (std::holds_alternative<StressCycles>(test.loadings.front()))
         outcome.strengths.resize(test.specimens.size());
     const std::size_t strengths = outcome.strengths.size(), tasks = strengths + outcome.runs.size();
-    std::vector<std::exception_ptr> failures(tasks);
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t k = 0; k < tasks; ++k) {
-        try {
-            if (k < strengths) {
-                const ElementSpecimen& specimen = test.specimens[k];
-                outcome.strengths[k] = cyclic_strength(specimen.soil.law, specimen.start);
-            } else {
-                ElementRun& run = outcome.runs[k - strengths];
-                run.result = perform_named(outcome, run);
-            }
-        } catch (...) {
-            failures[k] = std::current_exception();
+    std::vector<std::exception_ptr> failures = attempt_each(tasks, [&](std::size_t k) {
+        if (k < strengths) {
+            const ElementSpecimen& specimen = test.specimens[k];
+            outcome.strengths[k] = cyclic_strength(specimen.soil.law, specimen.start);
+        } else {
+            ElementRun& run = outcome.runs[k - strengths];
+            run.result = perform_named(outcome, run);
         }
-    }
+    });
     // the runs name themselves when they fail
     std::rotate(failures.begin(), failures.begin() + static_cast<std::ptrdiff_t>(strengths), failures.end());
-    for (const std::exception_ptr& failure : failures) {
-        if (failure) std::rethrow_exception(failure);
-    }
+    rethrow_first(failures);
     return outcome;
 }
 

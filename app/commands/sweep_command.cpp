@@ -108,10 +108,10 @@ ExitCode run_sweep(const SweepChoice& choice)
         return ExitCode::good;
     }
     journal.go_on_with(plan.folder / "sweep.txt");
-    journal.say(fmt::format("{}: {} runs, {} left to do, {} at a time with {} thread{} each; results in {}",
+    journal.say(fmt::format("{}: {} runs, {} left to do, {} at a time with {} each; results in {}",
                             plan.sweep.title.empty() ? plan.sweep.file.string() : plan.sweep.title,
-                            plan.runs.size(), plan.left.size(), plan.jobs, plan.threads,
-                            plan.threads == 1 ? "" : "s", plan.folder.string()));
+                            plan.runs.size(), plan.left.size(), plan.jobs, threads_text(plan.threads),
+                            plan.folder.string()));
     const bool failed = run_here(plan, journal);
     collect_sweep(plan, journal);
     return failed ? ExitCode::numerical : ExitCode::good;

@@ -1,13 +1,12 @@
 #include "app/commands/commands.hpp"
 #include "io/element/element_file.hpp"
 #include "io/element/validity_sheet.hpp"
-#include "solver/base/failure.hpp"
+#include "solver/base/parallel_tasks.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <exception>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -37,17 +36,9 @@ std::vector<SkeletonLaw> laws_of(const ValidityChoice& choice, const std::string
 std::vector<SurveyedSand> survey_all(const std::vector<SkeletonLaw>& laws)
 {
     std::vector<SurveyedSand> sands(laws.size());
-    std::vector<std::exception_ptr> failures(laws.size());
-#pragma omp parallel for schedule(dynamic)
-    for (std::size_t k = 0; k < laws.size(); ++k) {
-        try {
-            sands[k] = {blow_counts[k], survey(laws[k])};
-        } catch (...) {
-            failures[k] = std::current_exception();
-        }
-    }
-    for (const std::exception_ptr& failure : failures)
-        if (failure) std::rethrow_exception(failure);
+    rethrow_first(attempt_each(laws.size(), [&](std::size_t k) {
+        sands[k] = {blow_counts[k], survey(laws[k])};
+    }));
     return sands;
 }
 

@@ -51,4 +51,9 @@ std::string grouped(long long count)
     return digits;
 }
 
+std::string threads_text(int count)
+{
+    return fmt::format("{} thread{}", count, count == 1 ? "" : "s");
+}
+
 } // namespace quicksand

@@ -17,4 +17,7 @@ std::string bytes_text(double bytes);
 /// 11,344
 std::string grouped(long long count);
 
+/// "1 thread", "2 threads".
+std::string threads_text(int count);
+
 } // namespace quicksand

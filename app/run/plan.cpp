@@ -181,9 +181,8 @@ std::string describe_cost(const Forecast& forecast)
                                 ? ""
                                 : "; the soil did not settle in the trial, so this is the limit max_steps");
     }
-    text += fmt::format("  shaking    {} steps of {} ms, measured with {} thread{}\n",
-                        grouped(forecast.steps), short_number(1e3 * forecast.step_seconds), thread_count(),
-                        thread_count() == 1 ? "" : "s");
+    text += fmt::format("  shaking    {} steps of {} ms, measured with {}\n", grouped(forecast.steps),
+                        short_number(1e3 * forecast.step_seconds), threads_text(thread_count()));
     text += fmt::format("  run time   about {}: {}shaking {}, output {}\n", duration_text(forecast.seconds()),
                         relaxation.needed ? "settling " + duration_text(forecast.relaxation_seconds()) + ", "
                                           : "",

@@ -187,12 +187,11 @@ void introduce(Session& session)
     } else {
         session.journal.keep(session.folder.log());
     }
-    session.journal.say(fmt::format("{}{}\n{} particles, {} x {} cells of {} m, {} thread{}; results in {}",
-                                    session.resume ? "Going on with " : "",
-                                    scene.title.empty() ? scene.file.string() : scene.title,
-                                    grouped(static_cast<long long>(run.state().particles.size())),
-                                    grid.cells_x, grid.cells_y, short_number(grid.cell_size), thread_count(),
-                                    thread_count() == 1 ? "" : "s", session.folder.directory.string()));
+    session.journal.say(fmt::format(
+        "{}{}\n{} particles, {} x {} cells of {} m, {}; results in {}",
+        session.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
+        grouped(static_cast<long long>(run.state().particles.size())), grid.cells_x, grid.cells_y,
+        short_number(grid.cell_size), threads_text(thread_count()), session.folder.directory.string()));
     if (run.column()) session.journal.say(describe_column(*run.column()));
 }
 

@@ -82,13 +82,6 @@ void check_stresses(const SceneValues& values, const std::string& test,
     }
 }
 
-LiquefactionCriterion criterion_of(const std::string& word)
-{
-    if (word == "strain_3_percent") return LiquefactionCriterion::strain_3_percent;
-    if (word == "strain_3.75_percent") return LiquefactionCriterion::strain_375_percent;
-    return LiquefactionCriterion::ru_95;
-}
-
 /// The material that the test names, or the only one; null, and a finding, when there is none.
 const NamedTable* find_material(const SceneValues& values, const std::string& test, const SourcePlace& place,
                                 Diagnostics& findings)
@@ -200,7 +193,8 @@ ElementTest read_test(const DocumentNode& document, SceneValues& values, const N
     test.specimens = read_specimens(document, values, *material, table, findings);
     test.loadings = read_loadings(values, table.path);
     check_stresses(values, table.path, test.specimens, findings);
-    test.criterion = criterion_of(values.text(table.path + ".criterion"));
+    test.criterion =
+        find_criterion(values.text(table.path + ".criterion")).value_or(LiquefactionCriterion::ru_95);
     if (const std::string data = values.text(table.path + ".data"); !data.empty()) {
         const std::string path = table.path + ".data", label = values.text(table.path + ".data_label");
         test.data = read_strength_data(folder / data, test.varied, values.place(path), findings);
@@ -237,6 +231,14 @@ bool check_version(const DocumentNode& document, Diagnostics& findings)
 }
 
 } // namespace
+
+std::optional<LiquefactionCriterion> find_criterion(std::string_view word)
+{
+    if (word == "ru_95") return LiquefactionCriterion::ru_95;
+    if (word == "strain_3_percent") return LiquefactionCriterion::strain_3_percent;
+    if (word == "strain_3.75_percent") return LiquefactionCriterion::strain_375_percent;
+    return std::nullopt;
+}
 
 ElementReading read_element_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
 {

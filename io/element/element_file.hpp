@@ -4,6 +4,9 @@
 #include "io/element/element_programme.hpp"
 #include "io/scene/scene_file.hpp"
 
+#include <optional>
+#include <string_view>
+
 namespace quicksand {
 
 struct ElementReading {
@@ -16,5 +19,8 @@ struct ElementReading {
 /// Throws InputError with all errors at once.
 ElementReading read_element_file(const std::filesystem::path& file,
                                  const std::vector<std::string>& overrides);
+
+/// The criterion of a word of tests.*.criterion; none of another word.
+std::optional<LiquefactionCriterion> find_criterion(std::string_view word);
 
 } // namespace quicksand

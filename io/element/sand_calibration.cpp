@@ -4,13 +4,13 @@
 #include "io/files/csv_file.hpp"
 #include "io/keys/scene_units.hpp"
 #include "solver/base/failure.hpp"
+#include "solver/base/parallel_tasks.hpp"
 
 #include <fmt/format.h>
 #include <nlopt.h>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <fstream>
 #include <memory>
 
@@ -41,9 +41,8 @@ std::string cell_of(const CsvRow& names, const CsvRow& cells, std::string_view c
 
 LiquefactionCriterion criterion_of(const std::filesystem::path& file, const std::string& word)
 {
-    if (word.empty() || word == "ru_95") return LiquefactionCriterion::ru_95;
-    if (word == "strain_3_percent") return LiquefactionCriterion::strain_3_percent;
-    if (word == "strain_3.75_percent") return LiquefactionCriterion::strain_375_percent;
+    if (word.empty()) return LiquefactionCriterion::ru_95;
+    if (const auto criterion = find_criterion(word)) return *criterion;
     refuse(file, "criterion " + word + " is none of ru_95, strain_3_percent and strain_3.75_percent");
 }
 
@@ -99,17 +98,8 @@ struct Fit {
                                           result.keys[k].start * std::exp(logarithms[k])));
         const SkeletonLaw law = read_element_file(file, changed).programme.tests.front().soil.law;
         std::vector<double> cycles(observations.size());
-        std::vector<std::exception_ptr> failures(observations.size());
-#pragma omp parallel for schedule(dynamic)
-        for (std::size_t k = 0; k < cycles.size(); ++k) {
-            try {
-                cycles[k] = cycles_of(law, observations[k]);
-            } catch (...) {
-                failures[k] = std::current_exception();
-            }
-        }
-        for (const std::exception_ptr& failure : failures)
-            if (failure) std::rethrow_exception(failure);
+        rethrow_first(
+            attempt_each(cycles.size(), [&](std::size_t k) { cycles[k] = cycles_of(law, observations[k]); }));
         return cycles;
     }
 

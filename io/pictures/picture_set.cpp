@@ -1,6 +1,5 @@
 #include "io/pictures/picture_set.hpp"
 
-#include "geometry/drawing/nearest_name.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/file_error.hpp"
 #include "io/frames/vtk_series.hpp"
@@ -90,20 +89,11 @@ std::string note_of(const ParticleFrame& frame, const std::string& field, double
     return exaggeration == 1.0 ? "" : fmt::format("displacements × {:g}", exaggeration);
 }
 
-[[noreturn]] void refuse_field(const std::string& field, const ParticleFrame& frame)
-{
-    const std::vector<std::string> known = drawable_fields(frame);
-    const std::string near = nearest_name(field, known);
-    throw InputError(fmt::format("there is no field '{}' in the results{} Available: {}", field,
-                                 near.empty() ? "." : "; did you mean '" + near + "'?",
-                                 fmt::join(known, ", ")));
-}
-
 Drawing drawing_of(const FramePair& frames, const std::string& field, const std::string& title,
                    const PictureRequest& request, const fs::path& file)
 {
     std::optional<DrawnField> drawn = drawn_field(frames.present, field);
-    if (!drawn) refuse_field(field, frames.present);
+    if (!drawn) refuse_field(field, drawable_fields(frames.present));
     FieldPicture picture;
     picture.domains = exaggerate(frames.initial, frames.present.domains, request.exaggeration);
     picture.initial_domains = frames.initial;
@@ -205,7 +195,8 @@ std::vector<Drawing> result_drawings(const fs::path& results, const PictureReque
         return {drawing_of(frames, request.field, title, request, folder)};
     }
     const bool one_field = !request.field.empty();
-    if (one_field && !drawn_field(frames.present, request.field)) refuse_field(request.field, frames.present);
+    if (one_field && !drawn_field(frames.present, request.field))
+        refuse_field(request.field, drawable_fields(frames.present));
     make_folder(folder);
     std::vector<Drawing> drawings;
     for (const std::string& field : one_field ? std::vector{request.field} : default_fields(frames.present))

@@ -4,6 +4,7 @@
 #include "io/files/csv_file.hpp"
 #include "io/pictures/picture_ticks.hpp"
 #include "io/results/results_folder.hpp"
+#include "io/results/run_summary.hpp"
 #include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
@@ -19,7 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* history_name = "history";
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 /// The last `parts` names of the path: "b" or "a/b".

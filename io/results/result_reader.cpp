@@ -66,11 +66,7 @@ std::vector<FieldComponent> select(const std::vector<FrameArray>& arrays,
         std::copy_if(all.begin(), all.end(), std::back_inserter(selected), [&](const FieldComponent& field) {
             return field.name == name || arrays[field.array].name == name;
         });
-        if (selected.size() > before) continue;
-        const std::string near = nearest_name(name, known);
-        throw InputError(fmt::format("there is no field '{}' in the results{} Available: {}", name,
-                                     near.empty() ? "." : "; did you mean '" + near + "'?",
-                                     fmt::join(known, ", ")));
+        if (selected.size() == before) refuse_field(name, known);
     }
     return selected;
 }
@@ -219,6 +215,14 @@ HistoryTable extract(const std::filesystem::path& index, std::vector<FrameArray>
 }
 
 } // namespace
+
+void refuse_field(const std::string& name, const std::vector<std::string>& known)
+{
+    const std::string near = nearest_name(name, known);
+    throw InputError(fmt::format("there is no field '{}' in the results{} Available: {}", name,
+                                 near.empty() ? "." : "; did you mean '" + near + "'?",
+                                 fmt::join(known, ", ")));
+}
 
 ParticleFrame read_particle_frame(const std::filesystem::path& file)
 {

@@ -25,6 +25,9 @@ struct ParticleFrame {
 /// Read a frame file of fields.pvd. Throws FileError.
 ParticleFrame read_particle_frame(const std::filesystem::path& file);
 
+/// Say that results have no field of that name, and which they have. Throws InputError.
+[[noreturn]] void refuse_field(const std::string& name, const std::vector<std::string>& known);
+
 /// What to take from the frames, and where.
 struct ExtractRequest {
     Vector2 at = Vector2::Zero();      // [m]

@@ -6,9 +6,12 @@
 
 namespace quicksand {
 
+/// What tables of histories call that of the whole body, history.csv, beside those of the probes.
+inline constexpr const char* history_name = "history";
+
 /// A column of history.csv or of a probe.
 struct SummaryValue {
-    std::string table;        // "history" or the probe's name
+    std::string table;        // history_name or the probe's
     std::string column;       // with its unit
     double peak = 0.0;        // largest in amount, with its sign
     double peak_time = 0.0;   // [s]

@@ -20,8 +20,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* history_name = "history";
-
 SweepOutcome read_outcome(const CheckedRun& checked, const fs::path& folder)
 {
     SweepOutcome outcome{checked, "missing", "", "", std::nan(""), {}};

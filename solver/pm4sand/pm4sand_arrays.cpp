@@ -16,10 +16,12 @@ namespace {
 
 using namespace pm4sand;
 
+constexpr std::size_t memory_numbers = 24; // of a point [-]
+
 /// Stress (tension positive) and memory of particles, by column.
 struct Columns {
     double *xx, *yy, *zz, *xy;
-    double* memory[24];
+    double* memory[memory_numbers];
 
     Pm4SandState state(std::size_t p) const
     {
@@ -64,7 +66,7 @@ Columns columns_of(Particles& particles)
 {
     SymmetricTensors& stress = particles.stress;
     Columns columns = {stress.xx.data(), stress.yy.data(), stress.zz.data(), stress.xy.data(), {}};
-    for (std::size_t k = 0; k < 24; ++k) columns.memory[k] = particles.memory[k].data();
+    for (std::size_t k = 0; k < memory_numbers; ++k) columns.memory[k] = particles.memory[k].data();
     return columns;
 }
 

@@ -14,4 +14,10 @@ TEST(ShortNumber, HasFewDigitsAndAnExponentOnlyWhereItIsShorter)
     EXPECT_EQ(short_number(12345.0), "1.23e4");
 }
 
+TEST(ThreadsText, CountsOneAndMany)
+{
+    EXPECT_EQ(threads_text(1), "1 thread");
+    EXPECT_EQ(threads_text(2), "2 threads");
+}
+
 } // namespace quicksand
