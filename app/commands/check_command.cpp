@@ -5,8 +5,12 @@
 #include "app/run/trial.hpp"
 #include "io/results/output_observers.hpp"
 #include "io/results/results_folder.hpp"
+#include "io/scene/stage_changes.hpp"
+#include "io/tables/stage_keys.hpp"
 #include "solver/run/staged_run.hpp"
 #include "solver/vibration/step_bound.hpp"
+
+#include <fmt/format.h>
 
 namespace quicksand {
 
@@ -28,29 +32,65 @@ void write_initial_frame(const AssembledCase& assembled, const ResultsFolder& fo
     }
 }
 
-} // namespace
-
-ExitCode check_scene(const CheckChoice& choice)
+void say_stage(const SceneReading& stage, std::size_t number, std::size_t count, Journal& journal)
 {
-    Journal journal;
-    const SceneSetup setup = set_up_scene(choice.scene, journal);
+    if (!stage.scene.stage) return;
+    journal.say(fmt::format("{}Stage {} of {}: {} ({})", number > 1 ? "\n" : "", number, count,
+                            stage.scene.stage->name, word_of_kind(stage.scene.stage->kind)));
+}
+
+/// Of a stage that is a run in time, or settles.
+void say_run(const SceneSetup& setup, const ResultsFolder& folder, Journal& journal)
+{
     const AssembledCase& assembled = setup.assembled;
-    const std::vector<PatchTest> patch_tests = test_patches(assembled.problem, assembled.state);
-    refuse_failed_patches(assembled, patch_tests);
-    const ResultsFolder folder = prepare_report_folder(
-        report_folder(choice.directory, assembled.scene.file, "check"), plan_file, assembled.scene);
-    journal.keep(folder.directory / plan_file);
-    journal.say(describe_scene_keys(setup));
-    journal.say(describe_soil(assembled));
-    journal.say(describe_boundaries(assembled, patch_tests));
-    if (const std::string laws = describe_laws(assembled); !laws.empty()) journal.say(laws);
-    journal.say(describe_initial_state(assembled));
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
     const TimeStep step = measure_time_step(assembled.problem, assembled.state);
     journal.say(describe_time_step(assembled, step));
     const StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
     journal.say(describe_cost(forecast_run(assembled, run, step.dt, folder.directory)));
     journal.say(describe_left_out(assembled.scene, run));
+}
+
+/// What a stage changes of the one before.
+void say_changes(const SceneReading& before, const SceneReading& now, Journal& journal)
+{
+    std::string text = "  changes of the stage before:";
+    for (const std::string& line : changed_keys(before.keys, now.keys)) text += "\n    " + line;
+    journal.say(text);
+}
+
+bool runs_in_time(const SceneReading& stage)
+{
+    return !stage.scene.stage || stage.scene.stage->kind == StageKind::shake ||
+           stage.scene.stage->kind == StageKind::consolidate;
+}
+
+} // namespace
+
+ExitCode check_scene(const CheckChoice& choice)
+{
+    Journal journal;
+    const std::vector<SceneReading> stages = read_stages(choice.scene, journal);
+    const SceneSetup setup = set_up_reading(choice.scene, stages.front(), journal);
+    const AssembledCase& assembled = setup.assembled;
+    const std::vector<PatchTest> patch_tests = test_patches(assembled.problem, assembled.state);
+    refuse_failed_patches(assembled, patch_tests);
+    const ResultsFolder folder = prepare_report_folder(
+        report_folder(choice.directory, assembled.scene.file, "check"), plan_file, assembled.scene);
+    journal.keep(folder.directory / plan_file);
+    say_stage(stages.front(), 1, stages.size(), journal);
+    journal.say(describe_scene_keys(setup));
+    journal.say(describe_soil(assembled));
+    journal.say(describe_boundaries(assembled, patch_tests));
+    if (const std::string laws = describe_laws(assembled); !laws.empty()) journal.say(laws);
+    journal.say(describe_initial_state(assembled));
+    if (runs_in_time(stages.front())) say_run(setup, folder, journal);
+    for (std::size_t k = 1; k < stages.size(); ++k) {
+        say_stage(stages[k], k + 1, stages.size(), journal);
+        say_changes(stages[k - 1], stages[k], journal);
+        if (!runs_in_time(stages[k])) continue;
+        say_run(set_up_reading(choice.scene, stages[k], journal), folder, journal);
+    }
     write_initial_frame(assembled, folder);
     journal.say("The initial state is in " + folder.particle_series().string() + " and " +
                 folder.grid_series().string() + "; this plan is in " +

@@ -6,6 +6,7 @@
 #include "io/reports/run_comparison.hpp"
 #include "io/results/results_folder.hpp"
 #include "io/results/run_manifest.hpp"
+#include "io/results/stage_table.hpp"
 #include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
@@ -70,7 +71,9 @@ std::vector<Drawing> draw_difference(const CompareChoice& choice, const std::vec
 
 ExitCode compare_results(const CompareChoice& choice)
 {
-    const std::vector<ComparedRun> runs = read_compared_runs(choice.results);
+    std::vector<std::filesystem::path> folders;
+    for (const std::filesystem::path& results : choice.results) folders.push_back(with_histories(results));
+    const std::vector<ComparedRun> runs = read_compared_runs(folders);
     const std::vector<ComparedValue> values = compare_runs(runs);
     if (values.empty()) throw InputError("the runs have no column of history.csv or of a probe in common");
     make_output_folder(choice.directory, report_file);

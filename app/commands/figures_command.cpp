@@ -2,6 +2,7 @@
 #include "app/run/scene_setup.hpp"
 #include "io/pictures/figure_set.hpp"
 #include "io/results/results_folder.hpp"
+#include "io/results/stage_table.hpp"
 #include "solver/base/failure.hpp"
 
 #include <iostream>
@@ -21,11 +22,12 @@ bool holds_results(const fs::path& folder)
 
 ExitCode draw_scene_figures(const FiguresChoice& choice)
 {
-    const bool from_results = choice.results.empty() && holds_results(choice.source);
-    const fs::path scene =
-        from_results ? ResultsFolder{choice.source}.scene_copy() : find_scene_file(choice.source);
+    const fs::path source = with_histories(choice.source);
+    const bool from_results = choice.results.empty() && holds_results(source);
+    const fs::path scene = from_results ? ResultsFolder{source}.scene_copy() : find_scene_file(choice.source);
     fs::path results = choice.results;
-    if (results.empty()) results = from_results ? choice.source : default_results(scene);
+    if (results.empty()) results = from_results ? source : default_results(scene);
+    results = with_histories(results);
     if (!holds_results(results))
         throw InputError("there are no results in " + results.string() + "\nhint: quicksand run " +
                          choice.source.string() + " makes them; --results names another folder");

@@ -1,5 +1,6 @@
 #include "app/commands/commands.hpp"
 #include "io/pictures/picture_set.hpp"
+#include "io/results/stage_table.hpp"
 
 #include <iostream>
 
@@ -14,7 +15,7 @@ ExitCode draw_pictures(const PictureChoice& choice)
     if (!choice.range.empty()) request.range = parse_range(choice.range);
     request.exaggeration = choice.exaggeration;
     request.notify = [](const std::string& text) { std::cerr << text << std::endl; };
-    for (const std::filesystem::path& file : draw_results(choice.results, request)) {
+    for (const std::filesystem::path& file : draw_results(with_histories(choice.results), request)) {
         std::cout << file.string() << '\n';
     }
     return ExitCode::good;

@@ -6,9 +6,10 @@ namespace quicksand {
 
 namespace {
 
-void add_scene(CLI::App& parser, SceneChoice& choice)
+void add_scene(CLI::App& parser, SceneChoice& choice,
+               const std::string& about = "Scene file, or a folder that holds scene.toml")
 {
-    parser.add_option("SCENE", choice.scene, "Scene file, or a folder that holds scene.toml")->required();
+    parser.add_option("SCENE", choice.scene, about)->required();
     add_threads(parser, choice.threads);
     parser.add_option("--until", choice.until, "End of the run in s, in place of run.end_time")
         ->check(number_in(positive_number))
@@ -23,6 +24,10 @@ void add_run(CLI::App& program, Commands& commands)
     add_scene(*parser, choice->scene);
     parser->add_option("-o,--output", choice->directory, "Results folder; results/<scene> when not given")
         ->type_name("DIR");
+    parser
+        ->add_option("--from", choice->from,
+                     "Begin with the end of another run, or of one of its stages, instead of settling")
+        ->type_name("RESULTS[:STAGE]");
     CLI::Option* overwrite =
         parser->add_flag("--overwrite", choice->overwrite, "Replace the results of a former run");
     CLI::Option* resume =
@@ -45,6 +50,10 @@ void add_sweep(CLI::App& program, Commands& commands)
         ->add_option("-o,--output", choice->directory,
                      "Folder of the sweep; results/<file> when not given. What it holds is gone on with")
         ->type_name("DIR");
+    parser
+        ->add_option("--from", choice->from,
+                     "Begin all runs with the end of another one, or of one of its stages: settled once")
+        ->type_name("RESULTS[:STAGE]");
     parser->add_option("--jobs", choice->jobs, "Runs at a time; 1 when not given")
         ->check(number_in(thread_number))
         ->type_name("N");
@@ -79,10 +88,11 @@ void add_stability(CLI::App& program, Commands& commands)
     const auto [parser, choice] = add_command<StabilityChoice>(
         program, commands, "stability",
         "Find the factor of safety and the failure mode of a slope by strength reduction", assess_stability);
-    add_scene(*parser, choice->scene);
+    add_scene(*parser, choice->scene,
+              "Scene file, a folder that holds scene.toml, or the results folder of a run: from its end");
     parser
         ->add_option("-o,--output", choice->directory,
-                     "Results folder; results/<scene>-stability when not given")
+                     "Results folder; results/<scene>-stability, or RESULTS/stability, when not given")
         ->type_name("DIR");
     parser->add_option("--tolerance", choice->tolerance, "Width of the bracket over the factor; 0.005")
         ->check(number_in({.lower = 1e-4, .upper = 0.5}))

@@ -32,6 +32,7 @@ struct SceneChoice {
 struct RunChoice {
     SceneChoice scene;
     std::filesystem::path directory; // empty: results/<name of the scene>
+    std::string from;                // RESULTS[:STAGE] to go on from; empty: the state as drawn
     bool overwrite = false;
     bool resume = false;
     bool go_on = false; // with what the folder holds of the same run, else from the start
@@ -40,6 +41,7 @@ struct RunChoice {
 struct SweepChoice {
     std::filesystem::path file;      // of the sweep, or a folder with sweep.toml
     std::filesystem::path directory; // empty: results/<name of the file>
+    std::string from;                // RESULTS[:STAGE] that all runs go on from; empty: from the drawing
     int jobs = 1;                    // runs at a time
     int threads = 0;                 // of a run, 0: the machine's over the jobs, on other machines 1
     std::string engine = "local";    // or "parallel", "slurm", "snakemake"

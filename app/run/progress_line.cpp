@@ -26,7 +26,7 @@ ProgressLine::ProgressLine(double start_time, double end_time, std::size_t parti
       journal_(journal), terminal_(isatty(STDOUT_FILENO) == 1), began_(Clock::now()), last_line_(began_),
       last_plain_(began_)
 {
-    last_tenth_ = static_cast<int>(10.0 * start_time / end_time);
+    if (end_time > 0.0) last_tenth_ = static_cast<int>(10.0 * start_time / end_time);
 }
 
 double ProgressLine::elapsed() const

@@ -42,18 +42,29 @@ fs::path find_scene_file(const fs::path& scene)
                      " holds no scene.toml\nhint: name the scene file itself");
 }
 
-SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal)
+std::vector<SceneReading> read_stages(const SceneChoice& choice, Journal& journal)
 {
     start_threads(choice.threads > 0 ? choice.threads : thread_count(), journal);
-    SceneReading reading = read_scene_file(find_scene_file(choice.scene), choice.overrides);
-    if (choice.until) reading.scene.end_time = *choice.until;
+    return read_scene_stages(find_scene_file(choice.scene), choice.overrides);
+}
+
+SceneSetup set_up_reading(const SceneChoice& choice, SceneReading reading, Journal& journal)
+{
+    Scene& scene = reading.scene;
+    if (choice.until) scene.end_time = *choice.until;
+    if (scene.stage && scene.stage->kind == StageKind::settle) scene.end_time = 0.0; // one frame, settled
     SceneSetup setup;
     setup.keys = reading.keys;
-    setup.hash = scene_hash(reading.scene.text, choice.overrides);
+    setup.hash = scene_hash(scene.text, choice.overrides);
     setup.assembled = assemble_case(std::move(reading));
     const Diagnostics& warnings = setup.assembled.warnings;
     if (!warnings.empty()) journal.complain(warnings.render(setup.assembled.scene.text));
     return setup;
+}
+
+SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal)
+{
+    return set_up_reading(choice, std::move(read_stages(choice, journal).front()), journal);
 }
 
 RunControls run_controls(const Scene& scene)

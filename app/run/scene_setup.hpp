@@ -22,6 +22,13 @@ struct SceneSetup {
 /// InputError.
 SceneSetup set_up_scene(const SceneChoice& choice, Journal& journal);
 
+/// The stages of the scene as read, one in a scene without stages; sets the number of threads. Throws
+/// InputError.
+std::vector<SceneReading> read_stages(const SceneChoice& choice, Journal& journal);
+
+/// Draw and sample the section of a scene as read, and print the warnings. Throws InputError.
+SceneSetup set_up_reading(const SceneChoice& choice, SceneReading reading, Journal& journal);
+
 /// How a run of the scene goes.
 RunControls run_controls(const Scene& scene);
 

@@ -73,6 +73,7 @@ struct Session {
     const std::string& hash;
     ResultsFolder folder;
     bool resume = false;
+    bool resumes_shaking = false; // some of its results are there
     Journal& journal;
     ManifestKeeper& manifest;
 };
@@ -161,6 +162,7 @@ void shake(Session& session, bool begins)
     progress.clear();
     session.manifest.reach(run.state(), progress.steps());
     keep_state(session);
+    if (begins && progress.steps() == 0) return; // settled, and shown
     if (!begins && progress.steps() == 0) {
         session.journal.say(fmt::format(
             "No step was left: the results reach t = {} s, and what was missing at their end is written.",
@@ -228,11 +230,11 @@ SessionEnd run_stages(Session& session)
 {
     const StopSignal signal;
     introduce(session);
-    const bool begins = !session.run.is_shaking();
     const std::optional<RelaxationControls>& relaxation = session.scene.relaxation;
-    if (begins && relaxation) settle(session, *relaxation);
-    if (begins && !relaxation) begin_unsettled(session);
-    if (session.run.is_shaking()) shake(session, begins);
+    const bool goes_on = session.run.is_shaking(); // from a checkpoint or another stage
+    if (!goes_on && relaxation) settle(session, *relaxation);
+    if (!goes_on && !relaxation) begin_unsettled(session);
+    if (session.run.is_shaking()) shake(session, !session.resumes_shaking);
     if (!session.run.is_finished()) return end_at_stop(session);
     return end_with_verdict(session);
 }
@@ -262,7 +264,8 @@ SessionEnd run_guarded(Session& session)
 
 } // namespace
 
-SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& journal)
+SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& journal,
+                           std::optional<Origin> origin)
 {
     const Scene& scene = setup.assembled.scene;
     const FolderUse use = choice.resume      ? FolderUse::resume
@@ -279,12 +282,14 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
     }
     StagedRun run(setup.assembled.problem, std::move(setup.assembled.state), run_controls(scene),
                   std::move(kept));
+    if (origin && !choice.resume) run.go_on_from(std::move(origin->reached), origin->start);
     const State& state = run.state();
 
     RunManifest manifest =
         begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
     manifest.inputs = inputs;
-    if (run.is_shaking()) manifest.resumed_at = state.time;
+    const bool resumes_shaking = choice.resume && run.is_shaking();
+    if (resumes_shaking) manifest.resumed_at = state.time;
     if (is_complete(outcome.folder, run, scene.end_time)) {
         journal.go_on_with(outcome.folder.log());
         journal.say(
@@ -292,7 +297,7 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
         return outcome;
     }
     ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
-    Session session{scene, run, setup.hash, outcome.folder, choice.resume, journal, keeper};
+    Session session{scene, run, setup.hash, outcome.folder, choice.resume, resumes_shaking, journal, keeper};
     outcome.end = run_guarded(session);
     return outcome;
 }

@@ -5,6 +5,9 @@
 #include "app/run/journal.hpp"
 #include "app/run/scene_setup.hpp"
 #include "io/results/results_folder.hpp"
+#include "solver/run/stage_start.hpp"
+
+#include <optional>
 
 namespace quicksand {
 
@@ -17,8 +20,16 @@ struct SessionOutcome {
     ExitCode code() const { return end == SessionEnd::failed ? ExitCode::numerical : ExitCode::good; }
 };
 
-/// Run the scene into the results folder. A numerical failure is told, kept in the log and the manifest, and
-/// returned; other failures leave the manifest as failed and are thrown on.
-SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& journal);
+/// Where a run begins that goes on from another one.
+struct Origin {
+    State reached;
+    StageStart start;
+};
+
+/// Run the scene into the results folder, from the state as drawn or from an origin. A numerical failure is
+/// told, kept in the log and the manifest, and returned; other failures leave the manifest as failed and are
+/// thrown on.
+SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& journal,
+                           std::optional<Origin> origin = std::nullopt);
 
 } // namespace quicksand

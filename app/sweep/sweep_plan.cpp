@@ -1,6 +1,7 @@
 #include "app/sweep/sweep_plan.hpp"
 
 #include "app/run/number_format.hpp"
+#include "app/stages/run_origin.hpp"
 #include "io/results/results_folder.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/base/threads.hpp"
@@ -47,7 +48,7 @@ void refuse_other_results(const SweepPlan& plan, const std::vector<SweepOutcome>
                          "folder with -o, or remove this one");
     for (const SweepOutcome& outcome : outcomes)
         if (outcome.state != "missing")
-            require_same_inputs(ResultsFolder{plan.folder / outcome.checked.run.folder}.manifest(),
+            require_same_inputs(ResultsFolder{plan.folder / outcome.checked.results}.manifest(),
                                 outcome.checked.inputs);
 }
 
@@ -66,6 +67,8 @@ SweepPlan plan_sweep(const SweepChoice& choice)
     plan.runs = check_runs(plan.sweep);
     plan.folder = fs::absolute(choice.directory.empty() ? default_folder(plan.sweep.file) : choice.directory)
                       .lexically_normal();
+    if (!choice.from.empty())
+        plan.from = fs::absolute(folder_of_end(choice.from)).lexically_normal().string();
     plan.jobs = choice.jobs;
     const bool here = choice.engine == "local" || choice.engine == "parallel";
     plan.threads = choice.threads > 0 ? choice.threads
@@ -84,6 +87,7 @@ std::vector<std::string> words_of(const SweepPlan& plan, const CheckedRun& run)
     for (const std::string& word : run.run.overrides) words.insert(words.end(), {"--set", word});
     words.insert(words.end(), {"-o", (plan.folder / run.run.folder).string(), "--threads",
                                std::to_string(plan.threads), "--continue"});
+    if (!plan.from.empty()) words.insert(words.end(), {"--from", plan.from});
     return words;
 }
 
@@ -97,7 +101,7 @@ std::string describe_plan(const SweepPlan& plan)
         for (std::size_t v = 0; v < run.values.size(); ++v)
             text += "  " + value_text_of(plan.sweep.varied[v].key, run.values[v]);
         const bool left = std::find(plan.left.begin(), plan.left.end(), k) != plan.left.end();
-        const bool begun = fs::exists(ResultsFolder{plan.folder / run.run.folder}.checkpoint());
+        const bool begun = fs::exists(ResultsFolder{plan.folder / run.results}.checkpoint());
         text += !left ? "  finished" : begun ? "  goes on" : "";
     }
     return text;

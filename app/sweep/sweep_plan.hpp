@@ -15,6 +15,7 @@ struct SweepPlan {
     std::vector<CheckedRun> runs;
     std::vector<std::size_t> left; // numbers of the runs that are not finished
     std::filesystem::path folder;  // of the sweep, absolute
+    std::string from;              // results that all runs go on from, absolute; empty: from the drawing
     int jobs = 1, threads = 1;     // runs at a time, threads of each
 };
 

@@ -75,6 +75,18 @@ std::vector<FrameEntry> read_series_index(const fs::path& index)
     return entries;
 }
 
+void write_series_index(const fs::path& index, const std::vector<FrameEntry>& entries)
+{
+    std::string text = "<?xml version=\"1.0\"?>\n"
+                       "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
+                       "  <Collection>\n";
+    for (const FrameEntry& entry : entries)
+        text += fmt::format("    <DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}\"/>\n", entry.time,
+                            entry.file.generic_string());
+    text += "  </Collection>\n</VTKFile>\n";
+    write_atomically(index, text);
+}
+
 VtkSeries::VtkSeries(fs::path index) : VtkSeries(std::move(index), {}) {}
 
 VtkSeries::VtkSeries(fs::path index, std::vector<FrameEntry> entries)
@@ -85,7 +97,7 @@ VtkSeries::VtkSeries(fs::path index, std::vector<FrameEntry> entries)
     fs::create_directories(folder, error);
     if (error) throw FileError(folder, "cannot create the folder", error.message(), "");
     // The index first: a kill in between leaves frames without an entry, never entries without a frame.
-    write_index();
+    write_series_index(index_, entries_);
     remove_stray_frames();
 }
 
@@ -105,19 +117,7 @@ void VtkSeries::append(const Frame& frame)
     const fs::path file = folder.filename() / fmt::format("frame_{:06}.vtu", number);
     write_frame(index_.parent_path() / file, frame);
     entries_.push_back({frame.time, file});
-    write_index();
-}
-
-void VtkSeries::write_index() const
-{
-    std::string text = "<?xml version=\"1.0\"?>\n"
-                       "<VTKFile type=\"Collection\" version=\"1.0\" byte_order=\"LittleEndian\">\n"
-                       "  <Collection>\n";
-    for (const FrameEntry& entry : entries_)
-        text += fmt::format("    <DataSet timestep=\"{:.17g}\" part=\"0\" file=\"{}\"/>\n", entry.time,
-                            entry.file.generic_string());
-    text += "  </Collection>\n</VTKFile>\n";
-    write_atomically(index_, text);
+    write_series_index(index_, entries_);
 }
 
 void VtkSeries::remove_stray_frames() const

@@ -22,6 +22,9 @@ struct FrameEntry {
 /// damaged.
 std::vector<FrameEntry> read_series_index(const std::filesystem::path& index);
 
+/// Write a .pvd file with these entries, replacing a former one as a whole. Throws FileError.
+void write_series_index(const std::filesystem::path& index, const std::vector<FrameEntry>& entries);
+
 /// Whether the file has the name of a frame, complete or under way.
 bool is_frame_file(const std::filesystem::path& file);
 
@@ -40,7 +43,6 @@ public:
 
 private:
     VtkSeries(std::filesystem::path index, std::vector<FrameEntry> entries);
-    void write_index() const;
     void remove_stray_frames() const;
 
     std::filesystem::path index_;

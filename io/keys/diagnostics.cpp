@@ -120,6 +120,15 @@ void Diagnostics::add(const Diagnostics& others)
     texts_.insert(others.texts_.begin(), others.texts_.end());
 }
 
+void Diagnostics::add_new(const Diagnostic& diagnostic)
+{
+    const auto is_same = [&](const Diagnostic& other) {
+        return other.what == diagnostic.what && other.place.file == diagnostic.place.file &&
+               other.place.line == diagnostic.place.line && other.place.column == diagnostic.place.column;
+    };
+    if (std::none_of(findings_.begin(), findings_.end(), is_same)) add(diagnostic);
+}
+
 void Diagnostics::keep_text(const std::filesystem::path& file, std::string_view text)
 {
     texts_.emplace(file, text);

@@ -42,6 +42,8 @@ public:
 
     void add(Diagnostic diagnostic) { findings_.push_back(std::move(diagnostic)); }
     void add(const Diagnostics& others);
+    /// Add a finding unless the same is there already.
+    void add_new(const Diagnostic& diagnostic);
     /// Quote findings in this file from its own text, not from that of `render`. They are shown last.
     void keep_text(const std::filesystem::path& file, std::string_view text);
     /// Remove the warnings about these keys.

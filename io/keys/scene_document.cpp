@@ -264,14 +264,21 @@ void replace_keys(DocumentNode&& document, DocumentNode& target)
     }
 }
 
+void replace_by_overrides(const std::vector<std::string>& overrides, DocumentNode& document,
+                          Diagnostics& findings)
+{
+    for (const std::string& override : overrides) {
+        auto node = parse_override(override, findings);
+        if (node) replace_keys(std::move(*node), document);
+    }
+}
+
 std::optional<DocumentNode> read_document(const std::filesystem::path& file, std::string_view text,
                                           const std::vector<std::string>& overrides, Diagnostics& findings)
 {
     auto document = parse(file, text, findings);
-    for (const std::string& override : overrides) {
-        auto node = parse_override(override, findings);
-        if (node && document) replace_keys(std::move(*node), *document);
-    }
+    DocumentNode unread; // of a text that cannot be parsed: its overrides are checked all the same
+    replace_by_overrides(overrides, document ? *document : unread, findings);
     return document;
 }
 

@@ -30,6 +30,10 @@ struct DocumentNode {
 std::optional<DocumentNode> read_document(const std::filesystem::path& file, std::string_view text,
                                           const std::vector<std::string>& overrides, Diagnostics& findings);
 
+/// Put every `path=value` of `overrides` in place of that of the same path in the document, or add it.
+void replace_by_overrides(const std::vector<std::string>& overrides, DocumentNode& document,
+                          Diagnostics& findings);
+
 /// The text as a TOML string; control characters are escaped.
 std::string toml_text(std::string_view text);
 

@@ -32,10 +32,13 @@ constexpr std::array run_files = {
 };
 
 constexpr std::array other_files = {
+    DocumentedName{"run of a scene with stages",
+                   "a folder as above for each, stages.csv (stage, kind, status, start_s, duration_s, "
+                   "factor_of_safety), and stages.pvd with the frames of all of them on one clock"},
     DocumentedName{"check", "fields.pvd and grid.pvd of the start in results/SCENE-check"},
     DocumentedName{"stability",
                    "stability.txt, stability.csv (factor, displacement_m, out_of_balance, stands, steps), "
-                   "fields.pvd and grid.pvd of the failure in results/SCENE-stability"},
+                   "fields.pvd and grid.pvd of the failure in results/SCENE-stability or RESULTS/stability"},
     DocumentedName{"picture", "pictures/*.png: fields of the last frame, probes and history"},
     DocumentedName{"figures", "figures/NAME.png, one a table [figures.NAME] of the scene"},
     DocumentedName{"probe", "one CSV file with the time and the fields asked for; columns as above"},

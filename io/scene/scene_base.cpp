@@ -3,6 +3,8 @@
 #include "io/keys/scene_schema.hpp"
 #include "io/keys/scene_text.hpp"
 #include "io/keys/scene_units.hpp"
+#include "io/scene/scene_stages.hpp"
+#include "io/scene/scene_variant.hpp"
 
 #include <fmt/format.h>
 
@@ -107,9 +109,10 @@ std::optional<DocumentNode> merge_with_base(const std::filesystem::path& file, D
     if (!merged) return std::nullopt;
     if (merged->find(base_key) != nullptr)
         return refuse("the base has a base itself", "a scene that stands by itself");
+    name_stages(*merged, findings);
     take_out_keys(document, name->text, *merged, findings);
     if (findings.has_errors()) return std::nullopt;
-    replace_keys(std::move(document), *merged);
+    merge_variant(std::move(document), *merged);
     return merged;
 }
 

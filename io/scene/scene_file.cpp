@@ -8,10 +8,13 @@
 #include "io/laws/soil_laws.hpp"
 #include "io/scene/scene_base.hpp"
 #include "io/scene/scene_references.hpp"
+#include "io/scene/scene_stages.hpp"
+#include "io/scene/stage_changes.hpp"
 #include "io/tables/scene_boundaries.hpp"
 #include "io/tables/scene_figures.hpp"
 #include "io/tables/scene_motion.hpp"
 #include "io/tables/scene_verification.hpp"
+#include "io/tables/stage_keys.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -242,30 +245,44 @@ void read_soil_laws(SceneValues& values, Scene& scene, Diagnostics& findings)
     }
 }
 
-} // namespace
+/// The document of a scene with its base and overrides, and its text where it stands alone.
+struct SceneDocument {
+    DocumentNode document;
+    std::string text;
+    bool stands_alone = true;
+};
 
-SceneReading read_scene_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+SceneDocument read_scene_document(const std::filesystem::path& file,
+                                  const std::vector<std::string>& overrides, Diagnostics& findings)
 {
-    Diagnostics findings;
-    const auto text = read_text_file(file, {file, 0, 0}, findings);
+    auto text = read_text_file(file, {file, 0, 0}, findings);
     if (!text) throw_findings(findings, "");
     check_characters(file, *text, findings);
     if (findings.has_errors()) throw_findings(findings, *text);
-    auto document = read_document(file, *text, overrides, findings);
+    auto document = read_document(file, *text, {}, findings);
+    DocumentNode unread; // overrides of a text that is no TOML are checked all the same
+    if (document) name_stages(*document, findings);
+    replace_by_overrides(overrides, document ? *document : unread, findings);
     if (!document || !check_version(*document, findings)) throw_findings(findings, *text);
-    const bool stands_alone = document->find("base") == nullptr;
+    const bool stands_alone = document->find("base") == nullptr && document->find("stages") == nullptr;
     if (!stands_alone) findings.keep_text(file, *text);
     document = merge_with_base(file, std::move(*document), findings);
     if (!document || !check_version(*document, findings)) throw_findings(findings, *text);
+    return {std::move(*document), std::move(*text), stands_alone};
+}
 
-    SceneValues values = check_document(scene_key_table(), *document, findings);
+SceneReading read_scene(const std::filesystem::path& file, const DocumentNode& document, std::string text,
+                        Diagnostics& findings)
+{
+    SceneValues values = check_document(scene_key_table(), document, findings);
     check_references(values, findings);
     SceneReading reading;
     Scene& scene = reading.scene;
     scene.file = file;
-    scene.text = stands_alone ? *text : document_text(*document);
+    scene.text = std::move(text);
     scene.title = values.text("title");
     scene.accepted = values.find<std::vector<std::string>>("accept").value_or(std::vector<std::string>());
+    scene.stage = read_stage(values);
     fill_geometry(values, file.parent_path(), scene);
     fill_ground(values, scene);
     fill_run(values, scene);
@@ -276,12 +293,42 @@ SceneReading read_scene_file(const std::filesystem::path& file, const std::vecto
     static_cast<void>(read_figures(values, findings)); // drawn from the results, so only checked here
     check_geometry_file(values, scene.geometry_file, findings);
     check_intervals(values, findings);
-
     findings.accept(scene.accepted);
-    if (findings.has_errors()) throw_findings(findings, *text);
     reading.keys = std::move(values.keys);
-    reading.warnings = std::move(findings);
     return reading;
+}
+
+} // namespace
+
+std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
+                                            const std::vector<std::string>& overrides)
+{
+    Diagnostics findings;
+    const SceneDocument read = read_scene_document(file, overrides, findings);
+    const std::vector<std::string> stages = stage_names(read.document);
+    if (stages.empty()) {
+        SceneReading reading = read_scene(
+            file, read.document, read.stands_alone ? read.text : document_text(read.document), findings);
+        if (findings.has_errors()) throw_findings(findings, read.text);
+        reading.warnings = std::move(findings);
+        return {std::move(reading)};
+    }
+    std::vector<SceneReading> readings;
+    for (const std::string& stage : stages) {
+        const DocumentNode document = document_of_stage(read.document, stage);
+        Diagnostics found;
+        readings.push_back(read_scene(file, document, document_text(document), found));
+        for (const Diagnostic& finding : found.findings()) findings.add_new(finding);
+    }
+    check_stages(readings, findings);
+    if (findings.has_errors()) throw_findings(findings, read.text);
+    readings.front().warnings = std::move(findings); // of all stages
+    return readings;
+}
+
+SceneReading read_scene_file(const std::filesystem::path& file, const std::vector<std::string>& overrides)
+{
+    return std::move(read_scene_stages(file, overrides).front());
 }
 
 } // namespace quicksand

@@ -1,9 +1,7 @@
 // Reading a scene: TOML text to a checked Scene, by the key table of scene_schema.hpp.
 #pragma once
 
-#include "io/keys/diagnostics.hpp"
-#include "io/keys/scene_check.hpp"
-#include "io/tables/scene.hpp"
+#include "io/scene/scene_reading.hpp"
 
 #include <filesystem>
 #include <string>
@@ -11,14 +9,12 @@
 
 namespace quicksand {
 
-struct SceneReading {
-    Scene scene;
-    std::vector<ResolvedKey> keys;
-    Diagnostics warnings;
-};
-
-/// Read a scene file; every `--set path=value` of `overrides` replaces a key first.
-/// Throws InputError with all errors at once.
+/// Read a scene file; every `--set path=value` of `overrides` replaces a key first. Of a scene with stages
+/// this is the first one. Throws InputError with all errors at once.
 SceneReading read_scene_file(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+/// The same for every stage, in their order; a scene without stages is the only one.
+std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
+                                            const std::vector<std::string>& overrides);
 
 } // namespace quicksand

@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 SweepOutcome read_outcome(const CheckedRun& checked, const fs::path& folder)
 {
     SweepOutcome outcome{checked, "missing", "", "", std::nan(""), {}};
-    const ResultsFolder results{folder / checked.run.folder};
+    const ResultsFolder results{folder / checked.results};
     if (!fs::exists(results.manifest())) return outcome;
     try {
         RunRecord record = read_run_record(results.manifest());

@@ -39,10 +39,28 @@ RunValue value_of(const std::string& key, const std::vector<ResolvedKey>& keys)
     return value;
 }
 
+/// The last stage that shakes, or else the last one that is a run in time.
+const SceneReading& collected(const std::vector<SceneReading>& stages)
+{
+    const auto is = [](StageKind kind) {
+        return [kind](const SceneReading& reading) {
+            return reading.scene.stage && reading.scene.stage->kind == kind;
+        };
+    };
+    for (const StageKind kind : {StageKind::shake, StageKind::consolidate, StageKind::settle}) {
+        const auto found = std::find_if(stages.rbegin(), stages.rend(), is(kind));
+        if (found != stages.rend()) return *found;
+    }
+    return stages.back();
+}
+
 CheckedRun check_run(const Sweep& sweep, SweepRun run)
 {
-    const SceneReading reading = read_scene_file(sweep.scene, run.overrides);
+    const std::vector<SceneReading> stages = read_scene_stages(sweep.scene, run.overrides);
+    const SceneReading& reading = collected(stages);
     CheckedRun checked;
+    checked.results = run.folder;
+    if (reading.scene.stage) checked.results += "/" + reading.scene.stage->name;
     for (const VariedKey& key : sweep.varied) checked.values.push_back(value_of(key.key, reading.keys));
     checked.hash = scene_hash(reading.scene.text, run.overrides);
     checked.inputs = input_files(reading.scene, reading.keys);

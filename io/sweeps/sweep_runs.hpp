@@ -28,8 +28,9 @@ struct RunValue {
 /// A run whose scene has been read.
 struct CheckedRun {
     SweepRun run;
-    std::vector<RunValue> values;  // of the varied keys
-    std::string hash;              // scene_hash() of the run
+    std::vector<RunValue> values; // of the varied keys
+    std::string results; // its folder; of a scene with stages, in it that of the one that is collected
+    std::string hash;    // scene_hash() of the run, or of that stage
     std::vector<InputFile> inputs; // files that the scene names
 };
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "io/keys/source_place.hpp"
+#include "io/tables/scene_stage.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/run/staged_run.hpp"
 #include "solver/verification/studies/study.hpp"
@@ -113,7 +114,8 @@ struct Scene {
     std::optional<RelaxationControls> relaxation; // none: start from the K0 state as it is
     BaseMotion base_motion;
     std::vector<SceneProbe> probes;
-    double end_time = 0.0; // [s]
+    double end_time = 0.0;           // [s]
+    std::optional<SceneStage> stage; // none: the scene has no stages
     SceneOutput output;
     std::optional<SceneVerification> verification; // none: no problem with a known solution
     std::vector<std::string> accepted;             // key paths whose warnings the user has accepted

@@ -3,6 +3,7 @@
 #include "io/laws/soil_laws.hpp"
 #include "io/tables/figure_keys.hpp"
 #include "io/tables/motion_keys.hpp"
+#include "io/tables/stage_keys.hpp"
 #include "solver/verification/studies/study.hpp"
 
 #include <utility>
@@ -217,7 +218,7 @@ std::vector<SceneKey> run_keys()
     return {
         {.pattern = "run", .type = table, .required = true, .doc = "The run."},
         {.pattern = "run.end_time", .dimension = Dimension::time, .required = true, .allowed = positive,
-         .plausible = {1e-4, 1e4}, .doc = "End of the run, counted from the start of the shaking."},
+         .plausible = {1e-4, 1e8}, .doc = "End of the run, counted from the start of the shaking; a stage has a duration instead."},
         {.pattern = "output", .type = table, .doc = "Times at which results are written."},
         {.pattern = "output.frame_interval", .dimension = Dimension::time,
          .derived = {.key = "run.end_time", .divisor = 50.0},
@@ -301,7 +302,7 @@ std::vector<SceneKey> all_keys()
     };
     for (const auto& part : {geometry_keys(), analysis_keys(), ground_keys(), skeleton_keys(), phase_keys(),
                              soil_law_keys(), region_keys(), boundary_keys(), initial_keys(), motion_keys(),
-                             run_keys(), figure_keys(), verification_keys()}) {
+                             run_keys(), stage_keys(), figure_keys(), verification_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
     return keys;

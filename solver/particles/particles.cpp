@@ -3,6 +3,7 @@
 #include "solver/base/failure.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <string>
 
 namespace quicksand {
@@ -116,6 +117,14 @@ void return_to_reference(Particles& particles)
     particles.position = particles.reference_position;
     particles.half_edge_1 = particles.reference_edge_1;
     particles.half_edge_2 = particles.reference_edge_2;
+}
+
+void set_at_rest(Particles& particles)
+{
+    for_each_array(particles, [](const char* name, Scalars& values) {
+        if (std::string_view(name).find("velocity") != std::string_view::npos)
+            std::fill(values.begin(), values.end(), 0.0);
+    });
 }
 
 Eigen::Matrix2d deformation_gradient(const Particles& particles, std::size_t p)

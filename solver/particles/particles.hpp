@@ -182,6 +182,9 @@ void reset_reference(Particles& particles);
 /// equations.
 void return_to_reference(Particles& particles);
 
+/// Set all velocities and their gradients to zero.
+void set_at_rest(Particles& particles);
+
 /// Deformation gradient since the reference, from the domain's edges [-].
 Eigen::Matrix2d deformation_gradient(const Particles& particles, std::size_t p);
 

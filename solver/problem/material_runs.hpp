@@ -23,4 +23,7 @@ void for_each_material_run(const Problem& problem, const Particles& particles, s
     }
 }
 
+/// The longest memory of the problem's laws [numbers].
+std::size_t memory_columns(const Problem& problem);
+
 } // namespace quicksand

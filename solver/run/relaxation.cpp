@@ -24,23 +24,6 @@ double out_of_balance(const Problem& problem, const SinglePhaseWorkspace& work)
     return unbalanced_forces(problem, 0.0, work.conditions, work.walls, work.sums);
 }
 
-void set_at_rest(Particles& particles)
-{
-    for_each_array(particles, [](const char* name, Scalars& values) {
-        if (std::string_view(name).find("velocity") != std::string_view::npos)
-            std::fill(values.begin(), values.end(), 0.0);
-    });
-}
-
-/// The longest memory of the problem's laws.
-std::size_t memory_columns(const Problem& problem)
-{
-    std::size_t columns = 0;
-    for (const Material& material : problem.materials)
-        columns = std::max(columns, memory_of(material.law).size());
-    return columns;
-}
-
 /// Pores keep their pressure while soil settles: let it be that of the water at the start of the shaking.
 void sink_water_table(const Problem& problem, Particles& particles)
 {

@@ -110,7 +110,8 @@ void take_step(const Problem& problem, double dt, double event, Stepper& stepper
 bool run(const Problem& problem, double end_time, const std::vector<Observer*>& observers, State& state,
          const StopRule& stop)
 {
-    if (state.step == 0) hold_reactions(problem, state);
+    const bool goes_on = state.last_step > 0.0; // from another stage, with what was held then
+    if (state.step == 0 && !goes_on) hold_reactions(problem, state);
     Steps steps(problem);
     StepReport report{state.step, state.time, {}, 0, true};
     observe_due(problem, observers, state, report);

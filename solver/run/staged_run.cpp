@@ -5,6 +5,7 @@
 #include "solver/run/column_observer.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace quicksand {
@@ -21,6 +22,19 @@ StagedRun::StagedRun(const Problem& body, State initial, const RunControls& cont
     if (!kept) return;
     is_shaking_ = kept->stage == Stage::shaking;
     computed() = std::move(*kept);
+}
+
+void StagedRun::go_on_from(State reached, const StageStart& start)
+{
+    ENSURE(!is_shaking_);
+    if (reached.particles.size() != state().particles.size())
+        throw InputError(
+            "the stage before has " + std::to_string(reached.particles.size()) + " particles and this one " +
+            std::to_string(state().particles.size()) + "\nexpected: the same drawing, grid and sampling" +
+            "\nhint: where one of them computes one column for all, set analysis.columns = \"all\" in both");
+    computed() = begin_stage(problem(), state(), std::move(reached), start);
+    if (start.settles) return;
+    enter_shaking();
 }
 
 const State& StagedRun::state_of_body()

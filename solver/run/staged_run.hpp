@@ -7,6 +7,7 @@
 
 #include "solver/run/simulation.hpp"
 #include "solver/run/soil_column.hpp"
+#include "solver/run/stage_start.hpp"
 
 #include <cstddef>
 #include <functional>
@@ -33,6 +34,10 @@ public:
     /// either stage. The body outlives the run and its copies.
     StagedRun(const Problem& body, State initial, const RunControls& controls,
               std::optional<State> kept = std::nullopt);
+
+    /// Begin with the end of another run's stage: to settle anew, or to go on shaking from time zero. Before
+    /// anything is computed. Throws InputError where it was one column or a body and this run is not.
+    void go_on_from(State reached, const StageStart& start);
 
     const Problem& body() const { return *body_; }
     /// The computed problem: the body, or the column that represents it.

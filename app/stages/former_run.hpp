@@ -1,0 +1,16 @@
+// What --continue and --resume find in a results folder.
+#pragma once
+
+#include "io/results/results_folder.hpp"
+
+#include <string>
+
+namespace quicksand {
+
+/// Another run's results are left as they are, and refused later.
+enum class FormerRun { none, finished, with_checkpoint, without_checkpoint };
+
+/// Of the run whose scene has this hash. Throws InputError, FileError.
+FormerRun former_run(const ResultsFolder& folder, const std::string& hash);
+
+} // namespace quicksand

@@ -1,0 +1,86 @@
+#include "app/stages/run_origin.hpp"
+
+#include "io/results/checkpoint.hpp"
+#include "io/results/run_record.hpp"
+#include "io/results/stage_table.hpp"
+#include "io/scene/scene_keys.hpp"
+#include "io/scene/stage_changes.hpp"
+#include "solver/base/failure.hpp"
+
+namespace quicksand {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+StageStart start_of(const Scene& scene)
+{
+    StageStart start;
+    start.zero_pressures = true; // in a scene without stages the shaking begins here
+    if (!scene.stage) return start;
+    start.settles = scene.stage->kind == StageKind::settle;
+    start.zero_pressures = scene.stage->zero_pressures;
+    start.zero_displacements = scene.stage->zero_displacements;
+    return start;
+}
+
+/// Throws InputError where the scene differs from that of the results in what both have to share.
+void require_common(const fs::path& folder, const std::vector<ResolvedKey>& before,
+                    const std::vector<ResolvedKey>& now, bool settles)
+{
+    const std::vector<std::string> differing = uncommon_keys(before, now, settles);
+    if (differing.empty()) return;
+    std::string names;
+    for (const std::string& name : differing) names += (names.empty() ? "" : ", ") + name;
+    throw InputError("the run cannot go on from " + folder.string() + ", which has other values of " + names +
+                     "\nexpected: the same drawing, grid, sampling, gravity and still water");
+}
+
+} // namespace
+
+fs::path folder_of_end(const std::string& from)
+{
+    if (fs::exists(from)) return with_end(from);
+    const std::size_t colon = from.rfind(':');
+    const fs::path results = from.substr(0, colon);
+    if (colon == std::string::npos || !fs::exists(results))
+        throw InputError("--from: there are no results " + results.string() +
+                         "\nexpected: RESULTS or RESULTS:STAGE, as results/my_dike:gravity");
+    const std::string stage = from.substr(colon + 1);
+    const std::vector<StageRow> stages = read_stage_table(results);
+    std::vector<std::string> names;
+    for (const StageRow& row : stages) {
+        if (row.name == stage) return results / stage;
+        names.push_back(row.name);
+    }
+    throw InputError("--from: " + results.string() + " has no stage " + stage +
+                     "\nexpected: " + (names.empty() ? "a run with stages" : one_of(names)));
+}
+
+Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
+                   const AssembledCase& assembled)
+{
+    const ResultsFolder results{folder};
+    const RunRecord record = read_run_record(results.manifest());
+    if (record.status != "finished")
+        throw InputError("the run in " + folder.string() + " has not ended well (" + record.status +
+                         "): nothing can go on from it\nhint: let it reach its end first");
+    const std::vector<ResolvedKey> before = read_scene_keys(results.scene_copy(), record.overrides);
+    Origin origin;
+    origin.start = start_of(assembled.scene);
+    require_common(folder, before, now, origin.start.settles);
+    origin.start.changed_soils = changed_soils(before, now, assembled.problem.region_names);
+    origin.reached = read_checkpoint(results.checkpoint(), record.scene_hash);
+    return origin;
+}
+
+State end_as_state(const fs::path& folder, const SceneSetup& setup)
+{
+    Origin origin = origin_from(folder, setup.keys, setup.assembled);
+    origin.start.settles = origin.start.zero_pressures = origin.start.zero_displacements = false;
+    StagedRun run(setup.assembled.problem, setup.assembled.state, run_controls(setup.assembled.scene));
+    run.go_on_from(std::move(origin.reached), origin.start);
+    return run.state_of_body();
+}
+
+} // namespace quicksand

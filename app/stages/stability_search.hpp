@@ -1,0 +1,28 @@
+// The search for the factor of safety of a body at rest, with its report and its files.
+#pragma once
+
+#include "app/run/journal.hpp"
+#include "io/assembly/case_assembly.hpp"
+#include "io/results/results_folder.hpp"
+#include "solver/run/strength_reduction.hpp"
+
+namespace quicksand {
+
+/// The file that says of a folder that it is that of a search.
+inline constexpr const char* stability_report = "stability.txt";
+
+/// Throws InputError where no soil has a strength that can be reduced.
+void require_strength(const AssembledCase& assembled);
+
+/// Throws InputError where the water beyond a curve is not that of the pores.
+void require_still_water(const AssembledCase& assembled);
+
+/// Reduce the strength from the state's stresses and pore pressures, tell every trial, and write the curve
+/// and the mode of failure into the folder. Throws NumericalError, FileError.
+SafetyFactor search_stability(const AssembledCase& assembled, const StrengthReductionControls& controls,
+                              State& state, const ResultsFolder& folder, Journal& journal);
+
+/// The factor that a search has left in a folder; none where it has not come to its end. Throws FileError.
+std::optional<double> read_factor_of_safety(const ResultsFolder& folder);
+
+} // namespace quicksand

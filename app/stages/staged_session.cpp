@@ -1,0 +1,155 @@
+#include "app/stages/staged_session.hpp"
+
+#include "app/run/number_format.hpp"
+#include "app/stages/former_run.hpp"
+#include "app/stages/run_origin.hpp"
+#include "app/stages/stability_search.hpp"
+#include "io/results/run_record.hpp"
+#include "io/results/stage_table.hpp"
+#include "io/tables/stage_keys.hpp"
+#include "solver/base/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The stages on their way: what each has come to, and where the next one goes on from.
+class StageSequence {
+public:
+    StageSequence(const RunChoice& choice, std::vector<SceneReading> stages, fs::path directory)
+        : choice_(choice), stages_(std::move(stages)), directory_(std::move(directory))
+    {
+        if (choice.from.empty()) return;
+        before_ = folder_of_end(choice.from);
+        const auto same = std::find_if(stages_.begin(), stages_.end(), [&](const SceneReading& reading) {
+            return reading.scene.stage->name == before_->filename();
+        });
+        if (same != stages_.end()) next_ = static_cast<std::size_t>(same - stages_.begin()) + 1;
+        if (next_ == stages_.size())
+            throw InputError("--from " + choice.from +
+                             " is the last stage of this scene: nothing is left to run");
+    }
+
+    SessionOutcome run(Journal& journal)
+    {
+        SessionOutcome outcome;
+        for (; next_ < stages_.size(); ++next_) {
+            outcome = run_next(journal);
+            rows_.push_back(row_of(outcome.folder));
+            fs::create_directories(directory_);
+            write_stage_table(directory_, rows_);
+            if (outcome.end != SessionEnd::finished) break;
+            if (stage().kind != StageKind::stability) before_ = outcome.folder.directory;
+        }
+        return outcome;
+    }
+
+private:
+    const SceneStage& stage() const { return *stages_[next_].scene.stage; }
+
+    SessionOutcome run_next(Journal& journal)
+    {
+        journal.say(fmt::format("Stage {} of {}: {} ({})", next_ + 1, stages_.size(), stage().name,
+                                word_of_kind(stage().kind)));
+        const fs::path folder = directory_ / stage().name;
+        Journal of_stage; // keeps the log of the stage
+        SceneSetup setup = set_up_reading(choice_.scene, stages_[next_], of_stage);
+        if (stage().kind == StageKind::stability) return find_safety(folder, std::move(setup), of_stage);
+        RunChoice chosen = choice_;
+        chosen.directory = folder;
+        if (choice_.resume || choice_.go_on) {
+            const FormerRun former = former_run({folder}, setup.hash);
+            if (former == FormerRun::finished) {
+                journal.say("  finished already");
+                return {SessionEnd::finished, {folder}};
+            }
+            chosen.resume = former == FormerRun::with_checkpoint;
+            chosen.overwrite = former == FormerRun::without_checkpoint;
+        }
+        std::optional<Origin> origin;
+        if (before_ && !chosen.resume) origin = origin_from(*before_, setup.keys, setup.assembled);
+        return run_session(chosen, std::move(setup), of_stage, std::move(origin));
+    }
+
+    SessionOutcome find_safety(const fs::path& directory, SceneSetup setup, Journal& journal)
+    {
+        require_strength(setup.assembled);
+        if ((choice_.resume || choice_.go_on) && read_factor_of_safety({directory}))
+            return {SessionEnd::finished, {directory}};
+        const ResultsFolder folder =
+            prepare_report_folder(directory, stability_report, setup.assembled.scene);
+        journal.keep(folder.directory / stability_report);
+        State& state = setup.assembled.state;
+        if (before_) {
+            state = end_as_state(*before_, setup);
+        } else {
+            begin_shaking(setup.assembled.problem, state);
+        }
+        search_stability(setup.assembled, {}, state, folder, journal);
+        return {SessionEnd::finished, folder};
+    }
+
+    StageRow row_of(const ResultsFolder& folder) const
+    {
+        StageRow row;
+        row.name = stage().name;
+        row.kind = word_of_kind(stage().kind);
+        row.start = rows_.empty() ? 0.0 : rows_.back().start + rows_.back().duration;
+        if (stage().kind == StageKind::stability) {
+            row.status = "finished";
+            row.factor_of_safety = read_factor_of_safety(folder);
+            return row;
+        }
+        const RunRecord record = read_run_record(folder.manifest());
+        row.status = record.status;
+        row.duration = record.simulated_time;
+        return row;
+    }
+
+    const RunChoice& choice_;
+    std::vector<SceneReading> stages_;
+    fs::path directory_;
+    std::size_t next_ = 0;
+    std::optional<fs::path> before_; // results whose end the next stage goes on from
+    std::vector<StageRow> rows_;
+};
+
+SessionOutcome run_whole(const RunChoice& choice, SceneReading reading, Journal& journal)
+{
+    SceneSetup setup = set_up_reading(choice.scene, std::move(reading), journal);
+    RunChoice chosen = choice;
+    if (chosen.directory.empty()) chosen.directory = default_results(setup.assembled.scene.file);
+    if (choice.go_on) {
+        const FormerRun former = former_run({chosen.directory}, setup.hash);
+        chosen.resume = former == FormerRun::with_checkpoint;
+        chosen.overwrite = former == FormerRun::without_checkpoint;
+        if (former == FormerRun::finished) {
+            journal.say("Nothing to do: the run in " + chosen.directory.string() + " is finished.");
+            return {SessionEnd::finished, {}};
+        }
+    }
+    std::optional<Origin> origin;
+    if (!choice.from.empty() && !chosen.resume)
+        origin = origin_from(folder_of_end(choice.from), setup.keys, setup.assembled);
+    return run_session(chosen, std::move(setup), journal, std::move(origin));
+}
+
+} // namespace
+
+SessionOutcome run_stages(const RunChoice& choice, std::vector<SceneReading> stages, Journal& journal)
+{
+    if (!stages.front().scene.stage) return run_whole(choice, std::move(stages.front()), journal);
+    const fs::path directory =
+        choice.directory.empty() ? default_results(stages.front().scene.file) : choice.directory;
+    return StageSequence(choice, std::move(stages), directory).run(journal);
+}
+
+} // namespace quicksand

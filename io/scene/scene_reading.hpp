@@ -1,0 +1,18 @@
+// A scene as read, with its keys and what is to be said of it.
+#pragma once
+
+#include "io/keys/diagnostics.hpp"
+#include "io/keys/scene_check.hpp"
+#include "io/tables/scene.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+struct SceneReading {
+    Scene scene;
+    std::vector<ResolvedKey> keys;
+    Diagnostics warnings;
+};
+
+} // namespace quicksand

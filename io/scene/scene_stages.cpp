@@ -1,0 +1,187 @@
+#include "io/scene/scene_stages.hpp"
+
+#include "io/scene/scene_variant.hpp"
+#include "io/tables/stage_keys.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+using Kind = DocumentNode::Kind;
+
+constexpr const char* stages_key = "stages";
+
+/// A name that can be that of a folder, and of a key after --set without quotes.
+bool is_plain(const std::string& name)
+{
+    return !name.empty() &&
+           name.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-") ==
+               std::string::npos;
+}
+
+std::string text_of(const DocumentNode& table, std::string_view key)
+{
+    const DocumentNode* node = table.find(key);
+    return node != nullptr && node->kind == Kind::text ? node->text : "";
+}
+
+void check_names(const DocumentNode& stages, Diagnostics& findings)
+{
+    // files of a run lie beside the folders of its stages
+    constexpr const char* expected = "letters, digits, - and _, other than the names of a run's own folders";
+    const std::vector<std::string> taken = {"checkpoint", "fields", "grid", "probes", "pictures", "figures"};
+    for (const DocumentNode& stage : stages.children) {
+        if (!is_plain(stage.name) || std::find(taken.begin(), taken.end(), stage.name) != taken.end())
+            findings.add(error_at(stage.name_place, "stage", "a stage cannot be called '" + stage.name + "'",
+                                  expected, "its results are a folder of this name"));
+    }
+}
+
+void set(DocumentNode& table, const std::string& name, DocumentNode value)
+{
+    value.name = name;
+    std::erase_if(table.children, [&](const DocumentNode& node) { return node.name == name; });
+    table.children.push_back(std::move(value));
+}
+
+void remove(DocumentNode& table, std::string_view name)
+{
+    std::erase_if(table.children, [&](const DocumentNode& node) { return node.name == name; });
+}
+
+DocumentNode* find(DocumentNode& table, std::string_view name)
+{
+    for (DocumentNode& node : table.children)
+        if (node.name == name) return &node;
+    return nullptr;
+}
+
+/// The table of this name, made where there is none.
+DocumentNode& table_in(DocumentNode& document, const std::string& name, const SourcePlace& place)
+{
+    if (DocumentNode* node = find(document, name)) return *node;
+    DocumentNode table;
+    table.name = name;
+    table.name_place = table.place = place;
+    document.children.push_back(std::move(table));
+    return document.children.back();
+}
+
+DocumentNode text_value(std::string text, const SourcePlace& place)
+{
+    DocumentNode node;
+    node.kind = Kind::text;
+    node.text = std::move(text);
+    node.name_place = node.place = place;
+    return node;
+}
+
+bool gives(const DocumentNode& stage, std::string_view table, std::string_view key)
+{
+    const DocumentNode* node = stage.find(table);
+    return node != nullptr && node->find(key) != nullptr;
+}
+
+/// An end time of no account, for a stage that has no time.
+void give_instant(DocumentNode& run)
+{
+    if (run.find("end_time") != nullptr) return;
+    DocumentNode instant;
+    instant.kind = Kind::integer;
+    instant.number = static_cast<double>(instant.integer = 1);
+    set(run, "end_time", instant);
+}
+
+/// What a kind of stage has no use for, and what it cannot do without.
+void suit_kind(const DocumentNode& stage, bool is_first, DocumentNode& document)
+{
+    const auto kind = stage_kind(text_of(stage, "kind"));
+    if (!kind) { // the check of the keys tells
+        give_instant(table_in(document, "run", stage.place));
+        return;
+    }
+    if (*kind != StageKind::shake) remove(document, "motion");
+    if (*kind == StageKind::settle) {
+        table_in(document, "relaxation", stage.place);
+    } else if (*kind != StageKind::shake || !is_first) {
+        remove(document, "relaxation");
+    }
+    if (*kind == StageKind::consolidate) {
+        DocumentNode& analysis = table_in(document, "analysis", stage.place);
+        if (!gives(stage, "analysis", "scheme")) set(analysis, "scheme", text_value("implicit", stage.place));
+        if (DocumentNode* output = find(document, "output"); output != nullptr) {
+            for (const char* interval : {"frame_interval", "probe_interval", "history_interval"})
+                if (!gives(stage, "output", interval)) remove(*output, interval); // that of the shaking
+        }
+    }
+    const bool takes_time = *kind == StageKind::shake || *kind == StageKind::consolidate;
+    DocumentNode& run = table_in(document, "run", stage.place);
+    if (const DocumentNode* duration = stage.find("duration"); takes_time && duration != nullptr) {
+        set(run, "end_time", *duration);
+    } else if (!takes_time) {
+        give_instant(run);
+    }
+}
+
+} // namespace
+
+void name_stages(DocumentNode& document, Diagnostics& findings)
+{
+    DocumentNode* stages = find(document, stages_key);
+    if (stages == nullptr) return;
+    if (stages->kind == Kind::table) check_names(*stages, findings);
+    if (stages->kind != Kind::array) return;
+    DocumentNode named;
+    named.name = stages->name;
+    named.name_place = stages->name_place;
+    named.place = stages->place;
+    for (DocumentNode& item : stages->children) {
+        if (item.kind != Kind::table) {
+            findings.add(
+                error_at(item.place, "type", "a stage is a table", "lines [[stages]], each with its keys"));
+            continue;
+        }
+        const std::string name = text_of(item, "name");
+        const DocumentNode* written = item.find("name");
+        item.name = name.empty() ? text_of(item, "kind") : name;
+        item.name_place = written != nullptr ? written->place : item.place;
+        remove(item, "name");
+        if (named.find(item.name) != nullptr)
+            findings.add(error_at(item.name_place, "stage", "there are two stages '" + item.name + "'",
+                                  "a name for each stage",
+                                  "give one of them a name, as name = \"" + item.name + "_2\""));
+        named.children.push_back(std::move(item));
+    }
+    check_names(named, findings);
+    *stages = std::move(named);
+}
+
+std::vector<std::string> stage_names(const DocumentNode& document)
+{
+    std::vector<std::string> names;
+    const DocumentNode* stages = document.find(stages_key);
+    if (stages == nullptr || stages->kind != Kind::table) return names;
+    for (const DocumentNode& stage : stages->children)
+        if (stage.kind == Kind::table) names.push_back(stage.name);
+    return names;
+}
+
+DocumentNode document_of_stage(const DocumentNode& document, const std::string& name)
+{
+    DocumentNode result = document;
+    const DocumentNode stage = *document.find(stages_key)->find(name);
+    const bool is_first = stage_names(document).front() == name;
+    DocumentNode changes, own = stage;
+    own.children.clear();
+    for (const DocumentNode& node : stage.children)
+        (node.kind == Kind::table ? changes : own).children.push_back(node);
+    merge_variant(std::move(changes), result);
+    suit_kind(stage, is_first, result);
+    find(result, stages_key)->children = {own};
+    return result;
+}
+
+} // namespace quicksand

@@ -1,0 +1,141 @@
+#include "io/scene/stage_changes.hpp"
+
+#include "io/keys/scene_schema.hpp"
+#include "io/tables/stage_keys.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string_view>
+
+namespace quicksand {
+
+namespace {
+
+using Keys = std::vector<ResolvedKey>;
+using Values = std::map<std::string, const ResolvedKey*>;
+
+Values values_of(const Keys& keys)
+{
+    Values values;
+    for (const ResolvedKey& key : keys) values[key.path] = &key;
+    return values;
+}
+
+std::string value_of(const Values& values, const std::string& path)
+{
+    const auto found = values.find(path);
+    return found == values.end() ? "" : found->second->value;
+}
+
+bool begins_with_one_of(const std::string& path, const auto& prefixes)
+{
+    return std::any_of(prefixes.begin(), prefixes.end(), [&](std::string_view prefix) {
+        return path == prefix || (prefix.ends_with('.') && path.starts_with(prefix));
+    });
+}
+
+/// Paths whose values differ, in the order of the reference; those of the stages themselves left out.
+std::vector<std::string> differing_paths(const Keys& before, const Keys& now)
+{
+    const Values old = values_of(before), present = values_of(now);
+    std::vector<std::string> paths;
+    for (const ResolvedKey& key : now) {
+        if (!key.path.starts_with("stages.") && value_of(old, key.path) != key.value)
+            paths.push_back(key.path);
+    }
+    for (const ResolvedKey& key : before) {
+        if (!key.path.starts_with("stages.") && !present.contains(key.path)) paths.push_back(key.path);
+    }
+    return paths;
+}
+
+/// What particles and equations are made of.
+constexpr std::array<std::string_view, 6> common{"geometry.", "grid.",           "sampling.",
+                                                 "gravity.",  "analysis.strain", "analysis.interpolation"};
+/// Where soil is saturated, and what pore pressures are when nothing flows.
+constexpr std::array<std::string_view, 2> still_water{"water.level", "water.phreatic_line"};
+
+void check_stage(const SceneReading& before, const SceneReading& now, Diagnostics& findings)
+{
+    const SceneStage& stage = *now.scene.stage;
+    const bool settles = stage.kind == StageKind::settle;
+    for (const std::string& path : uncommon_keys(before.keys, now.keys, settles)) {
+        const bool is_water = begins_with_one_of(path, still_water);
+        findings.add(error_at(
+            stage.place, "stage", "the stage \"" + stage.name + "\" cannot change " + path,
+            is_water ? "a stage of kind = \"settle\", whose soil comes to rest under other still water"
+                     : "the same value in all stages",
+            is_water ? "outer water that rises or falls in time is the head of a boundary, with ramp_time or "
+                       "a history"
+                     : "give " + path + " for the whole scene"));
+    }
+    if (before.scene.water.has_value() != now.scene.water.has_value())
+        findings.add(error_at(
+            stage.place, "stage", "the stage \"" + stage.name + "\" cannot add or remove [water]",
+            "water in all stages, or in none", "water that stays at rest is water.flow = \"drained\""));
+    if (stage.kind == StageKind::consolidate && now.scene.water &&
+        now.scene.water->flow != WaterFlow::coupled)
+        findings.add(error_at(stage.place, "stage",
+                              "no water flows in the stage \"" + stage.name + "\", which is to consolidate",
+                              "water.flow = \"coupled\" in this stage"));
+}
+
+/// The keys that are given of the soil of a region, by their names; what its law derives follows from them.
+std::map<std::string, std::string> soil_of(const Keys& keys, const std::string& region)
+{
+    const std::string material = value_of(values_of(keys), join_path({"regions", region, "material"}));
+    const std::string table = join_path({"materials", material}) + ".";
+    std::map<std::string, std::string> soil;
+    for (const ResolvedKey& key : keys)
+        if (key.given && key.path.starts_with(table)) soil[key.path.substr(table.size())] = key.value;
+    return soil;
+}
+
+} // namespace
+
+void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings)
+{
+    for (std::size_t k = 0; k < stages.size(); ++k) {
+        const SceneReading& now = stages[k];
+        if (!now.scene.stage) return; // its keys are wrong and have been reported
+        if (k > 0) check_stage(stages[k - 1], now, findings);
+        if (k == 0 && now.scene.stage->kind == StageKind::consolidate && !now.scene.water)
+            findings.add(error_at(now.scene.stage->place, "stage", "dry soil does not consolidate",
+                                  "a table [water], or kind = \"settle\""));
+    }
+}
+
+std::vector<std::string> uncommon_keys(const Keys& before, const Keys& now, bool settles)
+{
+    std::vector<std::string> names;
+    for (const std::string& path : differing_paths(before, now)) {
+        const bool is_water = begins_with_one_of(path, still_water);
+        if ((is_water && !settles) || begins_with_one_of(path, common)) names.push_back(path);
+    }
+    return names;
+}
+
+std::vector<std::string> changed_keys(const Keys& before, const Keys& now)
+{
+    const Values old = values_of(before), present = values_of(now);
+    const auto shown = [](const std::string& value) { return value.empty() ? std::string("none") : value; };
+    std::vector<std::string> lines;
+    for (const std::string& path : differing_paths(before, now)) {
+        const auto found = present.find(path);
+        const bool has_unit = found != present.end() && !found->second->unit.empty();
+        lines.push_back(path + ": " + shown(value_of(old, path)) + " -> " + shown(value_of(present, path)) +
+                        (has_unit ? " " + found->second->unit : ""));
+    }
+    return lines;
+}
+
+std::vector<bool> changed_soils(const Keys& before, const Keys& now, const std::vector<std::string>& regions)
+{
+    std::vector<bool> changed;
+    for (const std::string& region : regions)
+        changed.push_back(soil_of(before, region) != soil_of(now, region));
+    return changed;
+}
+
+} // namespace quicksand

@@ -1,0 +1,27 @@
+// What a stage of a scene changes of the one before: what it may not, and what its soil begins anew with.
+#pragma once
+
+#include "io/scene/scene_reading.hpp"
+
+#include <string>
+#include <vector>
+
+namespace quicksand {
+
+/// Check that no stage changes what all stages of a scene have in common.
+void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings);
+
+/// Names of the keys that a run and the one that it goes on from have to share and do not: drawing's numbers,
+/// grid, sampling, gravity, and unless it settles the still water.
+std::vector<std::string> uncommon_keys(const std::vector<ResolvedKey>& before,
+                                       const std::vector<ResolvedKey>& now, bool settles);
+
+/// Keys whose values differ from those of another scene, as "water.level: 4 -> 6 m".
+std::vector<std::string> changed_keys(const std::vector<ResolvedKey>& before,
+                                      const std::vector<ResolvedKey>& now);
+
+/// For each of the regions whether its soil is another one than in another scene, by name or by any key.
+std::vector<bool> changed_soils(const std::vector<ResolvedKey>& before, const std::vector<ResolvedKey>& now,
+                                const std::vector<std::string>& regions);
+
+} // namespace quicksand

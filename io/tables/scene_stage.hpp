@@ -1,0 +1,25 @@
+// A stage of a scene that has several: what is computed, and what counts from zero at its start.
+#pragma once
+
+#include "io/keys/source_place.hpp"
+
+#include <string>
+
+namespace quicksand {
+
+enum class StageKind {
+    settle,      // damped, drained, under the water of its keys
+    shake,       // the two-phase run under the base motion
+    consolidate, // the two-phase run without motion, in steps that grow
+    stability,   // the factor of safety with the pore pressures that there are
+};
+
+struct SceneStage {
+    std::string name; // of its results folder, within that of the run
+    StageKind kind = StageKind::shake;
+    bool zero_displacements = false; // displacements count from its start
+    bool zero_pressures = false;     // ru and excess pore pressures count from its start
+    SourcePlace place;
+};
+
+} // namespace quicksand

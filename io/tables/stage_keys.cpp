@@ -1,0 +1,82 @@
+#include "io/tables/stage_keys.hpp"
+
+#include "io/keys/scene_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+constexpr WordList<StageKind, 4> kind_words = {{
+    {"settle", StageKind::settle},
+    {"shake", StageKind::shake},
+    {"consolidate", StageKind::consolidate},
+    {"stability", StageKind::stability},
+}};
+
+constexpr std::array<std::pair<std::string_view, std::string_view>, 2> pressures_by_kind = {{
+    {"shake", "zero"},
+    {"consolidate", "kept"},
+}};
+
+} // namespace
+
+std::vector<SceneKey> stage_keys()
+{
+    using enum ValueType;
+    constexpr Interval positive{.lower = 0.0, .lower_open = true};
+    const Condition in_time{"kind", {"shake", "consolidate"}};
+    // One row, one key: the formatter would make it ten lines.
+    // clang-format off
+    return {
+        {.pattern = "stages", .type = named_tables, .default_note = "one run: settling where there is [relaxation], then shaking",
+         .doc = "Stages of the scene, each written as [[stages]], in their order. Each goes on from the end of the one before."},
+        {.pattern = "stages.*", .type = table,
+         .doc = "One stage. Tables of the scene within it, as [stages.water] or [stages.boundaries.river], hold for it alone."},
+        {.pattern = "stages.*.kind", .type = word, .required = true, .words = {"settle", "shake", "consolidate", "stability"},
+         .doc = "Settle under gravity, drained; shake; let excess pore pressures go in long steps; find the factor of safety."},
+        {.pattern = "stages.*.duration", .dimension = Dimension::time, .default_note = "run.end_time", .allowed = positive,
+         .when = in_time, .doc = "Length of the stage, whose time counts from its start."},
+        {.pattern = "stages.*.displacements", .type = word, .default_value = "kept", .words = {"kept", "zero"}, .when = in_time,
+         .doc = "Whether displacements and strains go on from the stage before; after settling they are zero."},
+        {.pattern = "stages.*.excess_pressures", .type = word, .derived = {.sibling = "kind", .choices = pressures_by_kind},
+         .words = {"kept", "zero"}, .when = in_time,
+         .doc = "Whether ru and excess pore pressures count on from the stage before, or from the start of this one."},
+    };
+    // clang-format on
+}
+
+std::optional<SceneStage> read_stage(const SceneValues& values)
+{
+    const auto stages = values.named.find("stages");
+    if (stages == values.named.end() || stages->second.empty()) return std::nullopt;
+    const NamedTable& table = stages->second.front();
+    SceneStage stage;
+    stage.name = table.name;
+    stage.place = table.place;
+    stage.kind = word_of(kind_words, values.text(table.path + ".kind"));
+    stage.zero_displacements = values.text(table.path + ".displacements") == "zero";
+    stage.zero_pressures = values.text(table.path + ".excess_pressures") == "zero";
+    return stage;
+}
+
+std::optional<StageKind> stage_kind(std::string_view word)
+{
+    const auto found = std::find_if(kind_words.begin(), kind_words.end(),
+                                    [&](const auto& entry) { return entry.first == word; });
+    if (found == kind_words.end()) return std::nullopt;
+    return found->second;
+}
+
+std::string_view word_of_kind(StageKind kind)
+{
+    const auto found = std::find_if(kind_words.begin(), kind_words.end(),
+                                    [&](const auto& entry) { return entry.second == kind; });
+    return found->first;
+}
+
+} // namespace quicksand

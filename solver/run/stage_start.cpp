@@ -1,0 +1,158 @@
+#include "solver/run/stage_start.hpp"
+
+#include "solver/base/failure.hpp"
+#include "solver/faces/boundary.hpp"
+#include "solver/problem/material_runs.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+/// The drawn particles in the order of others of the same numbers. Throws InputError for other particles.
+Particles in_order_of(const Particles& particles, Particles drawn)
+{
+    std::vector<std::int32_t> place(drawn.size(), -1); // of each number among the drawn ones
+    for (std::size_t p = 0; p < drawn.size(); ++p) {
+        const auto number = static_cast<std::size_t>(drawn.identifier[p]);
+        ENSURE(number < place.size());
+        place[number] = static_cast<std::int32_t>(p);
+    }
+    std::vector<std::int32_t> order;
+    order.reserve(particles.size());
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const auto number = static_cast<std::size_t>(particles.identifier[p]);
+        ENSURE(number < place.size());
+        order.push_back(place[number]);
+    }
+    reorder(drawn, order);
+    return drawn;
+}
+
+/// Whether the drawing gives this array, however the soil has moved.
+bool is_drawn(std::string_view name, const StageStart& start)
+{
+    constexpr std::string_view memory = "memory_";
+    if (name == "mass_solid" || name.starts_with(memory)) return true;
+    return start.settles && (name == "pore_pressure" || name == "water_table" || name == "tension_deficit");
+}
+
+bool has_changed(const StageStart& start, const Particles& particles, std::size_t p)
+{
+    const auto region = static_cast<std::size_t>(particles.region[p]);
+    return region < start.changed_soils.size() && start.changed_soils[region];
+}
+
+/// Grains of other density or porosity fill the volume that their soil has now.
+void set_grains(const Problem& problem, const StageStart& start, const Particles& drawn,
+                const Particles& reached, Particles& particles)
+{
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (drawn.mass_solid[p] == reached.mass_solid[p] || !has_changed(start, particles, p)) continue;
+        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        if (!particles.porosity.empty()) particles.porosity[p] = material.porosity;
+        particles.mass_solid[p] = (1.0 - material.porosity) * material.grain_density * particles.volume[p];
+    }
+}
+
+/// Water that has no arrays of its own in the stage before moves with the grains and fills the pores.
+void set_water(const Particles& reached, Particles& particles)
+{
+    if (reached.velocity_fluid.x.empty() && !particles.velocity_fluid.x.empty()) {
+        particles.velocity_fluid = particles.velocity_solid;
+        particles.affine_velocity_fluid = particles.affine_velocity_solid;
+    }
+    if (reached.water_volume.empty())
+        for (std::size_t p = 0; p < particles.water_volume.size(); ++p)
+            particles.water_volume[p] = particles.porosity[p] * particles.volume[p];
+}
+
+/// The memory of laws goes on where the soil is the same, and begins at the present stress elsewhere.
+void set_memory(const Problem& problem, const StageStart& start, SoilMemory reached, Particles& particles)
+{
+    const std::size_t columns = memory_columns(problem);
+    reached.resize(columns, Scalars(particles.size(), 0.0));
+    particles.memory = std::move(reached);
+    for_each_material_run(problem, particles, 0, particles.size(),
+                          [&](const Material& material, std::size_t first, std::size_t last) {
+                              while (first < last) {
+                                  std::size_t end = first;
+                                  const bool changed = has_changed(start, particles, first);
+                                  while (end < last && has_changed(start, particles, end) == changed) ++end;
+                                  if (changed) start_memory(material.law, first, end, particles);
+                                  first = end;
+                              }
+                          });
+}
+
+/// Let the present pore pressure be that from which ru and excess pore pressures count: the height to which
+/// water would stand that has it.
+void count_pressures_from_here(const Problem& problem, Particles& particles)
+{
+    const double weight = problem.water ? problem.water->density * problem.gravity : 0.0; // [N/m3]
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        particles.initial_vertical_effective_stress[p] = -particles.stress.yy[p];
+    if (weight <= 0.0 || particles.pore_pressure.empty()) return;
+    particles.water_table.assign(particles.size(), problem.water->level);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (!problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+        const double y = place_in_equations(problem, particles).y[p];
+        particles.water_table[p] =
+            y + (static_water_pressure(problem, y) + particles.pore_pressure[p]) / weight;
+    }
+}
+
+std::size_t pieces_that_let_go(const Problem& problem)
+{
+    std::size_t count = 0;
+    for (const Boundary& boundary : problem.boundaries)
+        if (lets_go(boundary.soil)) count += boundary.pieces.size();
+    return count;
+}
+
+} // namespace
+
+State begin_stage(const Problem& problem, const State& initial, State reached, const StageStart& start)
+{
+    const Particles drawn = in_order_of(reached.particles, initial.particles);
+    State state;
+    state.particles = drawn;
+    Particles& particles = state.particles;
+    std::vector<const Scalars*> former;
+    for_each_array(reached.particles, [&](const char* name, const Scalars& values) {
+        if (!std::string_view(name).starts_with("memory_")) former.push_back(&values);
+    });
+    std::size_t next = 0;
+    for_each_array(particles, [&](const char* name, Scalars& values) {
+        if (std::string_view(name).starts_with("memory_")) return;
+        const Scalars& before = *former[next++];
+        if (!is_drawn(name, start) && !values.empty() && !before.empty()) values = before;
+    });
+    if (!start.settles && !reached.particles.water_table.empty())
+        particles.water_table = reached.particles.water_table;
+    set_grains(problem, start, drawn, reached.particles, particles);
+    set_water(reached.particles, particles);
+    if (start.settles) {
+        set_at_rest(particles);
+        return state;
+    }
+    state.last_step = reached.last_step;
+    state.whole_step = reached.whole_step;
+    if (reached.reactions.x.size() == pieces_that_let_go(problem))
+        state.reactions = std::move(reached.reactions);
+    else
+        state.last_step = state.whole_step = 0.0; // the reactions are found as at the start of a run
+    set_memory(problem, start, std::move(reached.particles.memory), particles);
+    if (reached.time == 0.0) return state; // settled, and counted from there
+    if (start.zero_pressures) count_pressures_from_here(problem, particles);
+    if (start.zero_displacements && problem.strain == StrainForm::small) return_to_reference(particles);
+    if (start.zero_displacements) reset_reference(particles);
+    return state;
+}
+
+} // namespace quicksand

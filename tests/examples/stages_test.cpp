@@ -1,0 +1,129 @@
+// A scene in stages: each goes on from the one before, a run that was stopped goes on, others begin with an
+// end.
+#include "tests/examples/program.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quicksand {
+namespace {
+
+using namespace testing_program;
+
+const std::string stages = R"(scene_version = 1
+base = "scene.toml"
+
+[[stages]]
+name = "gravity"
+kind = "settle"
+
+[[stages]]
+name = "shaking"
+kind = "shake"
+duration = "4 ms"
+[stages.output]
+frame_interval = "2 ms"
+
+[[stages]]
+name = "after"
+kind = "consolidate"
+duration = "1 s"
+)";
+
+class Stages : public testing::Test {
+protected:
+    Stages()
+    {
+        std::filesystem::copy(QUICKSAND_SOURCE_DIR "/examples/column", folder / "column");
+        std::ofstream(folder / "column/staged.toml") << stages;
+    }
+    std::string scene() const { return (folder / "column/staged.toml").string(); }
+    std::string results(const std::string& name) const { return (folder / name).string(); }
+    Outcome run(const std::string& words) const { return run_program("run " + words); }
+    /// Rows of a history, without the comments that name the scene.
+    std::string rows(const std::string& file) const
+    {
+        const std::string text = read_file(folder / file);
+        return text.substr(text.find("\ntime_s"));
+    }
+
+    WorkFolder folder;
+};
+
+TEST_F(Stages, GoOnFromEachOther)
+{
+    const Outcome outcome = run(scene() + " -o " + results("a"));
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("Stage 2 of 3: shaking (shake)"), std::string::npos) << outcome.output;
+    const std::string table = read_file(folder / "a/stages.csv");
+    EXPECT_NE(table.find("\ngravity,settle,finished,0,0,\nshaking,shake,finished,0,0.004,\n"
+                         "after,consolidate,finished,0.004,1,\n"),
+              std::string::npos)
+        << table;
+    const std::string frames = read_file(folder / "a/stages.pvd");
+    EXPECT_NE(frames.find("shaking/fields/frame_000001.vtu"), std::string::npos) << frames;
+    EXPECT_NE(frames.find("timestep=\"1.004\" part=\"0\" file=\"after/fields/"), std::string::npos) << frames;
+
+    const Outcome again = run(scene() + " -o " + results("a") + " --continue");
+    EXPECT_EQ(again.code, 0) << again.output;
+    EXPECT_NE(again.output.find("finished already"), std::string::npos) << again.output;
+    EXPECT_EQ(run(scene() + " -o " + results("a")).code, 2); // a former run
+}
+
+TEST_F(Stages, AreTheRunThatSettlesAndShakes)
+{
+    ASSERT_EQ(run(scene() + " -o " + results("a")).code, 0);
+    const std::string plain = (folder / "column/scene.toml").string();
+    const std::string same =
+        " --set relaxation.damping=0.7 --set run.end_time=0.004 --set output.frame_interval=0.002";
+    ASSERT_EQ(run(plain + same + " -o " + results("b")).code, 0);
+    EXPECT_TRUE(rows("a/shaking/history.csv") == rows("b/history.csv"));
+    ASSERT_EQ(run(plain + same + " --from " + results("a") + ":gravity -o " + results("c")).code, 0);
+    EXPECT_TRUE(rows("c/history.csv") == rows("b/history.csv"));
+    // the stages up to the one that is named are left out
+    ASSERT_EQ(run(scene() + " --from " + results("a") + ":gravity -o " + results("d")).code, 0);
+    EXPECT_FALSE(std::filesystem::exists(folder / "d/gravity"));
+    EXPECT_TRUE(rows("d/after/history.csv") == rows("a/after/history.csv"));
+}
+
+TEST_F(Stages, CommandsShowTheOneThatShakes)
+{
+    ASSERT_EQ(run(scene() + " -o " + results("a")).code, 0);
+    const Outcome picture = run_program("picture " + results("a") + " --field displacement");
+    EXPECT_EQ(picture.code, 0) << picture.output;
+    EXPECT_NE(picture.output.find("a/shaking/pictures"), std::string::npos) << picture.output;
+}
+
+TEST_F(Stages, AreCheckedTogether)
+{
+    const Outcome check = run_program("check " + scene() + " -o " + results("plan"));
+    EXPECT_EQ(check.code, 0) << check.output;
+    EXPECT_NE(check.output.find("Stage 3 of 3: after (consolidate)"), std::string::npos) << check.output;
+    EXPECT_NE(check.output.find("analysis.scheme: "), std::string::npos) << check.output;
+}
+
+TEST_F(Stages, AnOriginHasToSuit)
+{
+    const Outcome nothing = run(scene() + " --from " + results("no") + ":gravity -o " + results("b"));
+    EXPECT_EQ(nothing.code, 2);
+    EXPECT_EQ(nothing.output, "--from: there are no results " + results("no") +
+                                  "\nexpected: RESULTS or RESULTS:STAGE, as results/my_dike:gravity\n");
+    ASSERT_EQ(run(scene() + " -o " + results("a")).code, 0);
+    const Outcome stage = run(scene() + " --from " + results("a") + ":gravty -o " + results("b"));
+    EXPECT_EQ(stage.code, 2);
+    EXPECT_EQ(stage.output,
+              "--from: " + results("a") + " has no stage gravty\nexpected: one of gravity, shaking, after\n");
+    const Outcome last = run(scene() + " --from " + results("a") + " -o " + results("b"));
+    EXPECT_EQ(last.code, 2);
+    EXPECT_EQ(last.output,
+              "--from " + results("a") + " is the last stage of this scene: nothing is left to run\n");
+    const Outcome grid = run(scene() + " --set sampling.particles_per_cell=[2,2] --from " + results("a") +
+                             ":gravity -o " + results("b"));
+    EXPECT_EQ(grid.code, 2);
+    EXPECT_NE(grid.output.find("cannot go on from " + results("a") +
+                               "/gravity, which has other values of sampling.particles_per_cell"),
+              std::string::npos)
+        << grid.output;
+}
+
+} // namespace
+} // namespace quicksand

@@ -1,0 +1,135 @@
+// Stages of a scene: what is said of mistakes in them.
+#include "tests/fixtures/scene_mistake.hpp"
+
+namespace quicksand {
+namespace {
+
+const std::string settle = "[[stages]]\nkind = \"settle\"\n";
+const std::string shake = "[[stages]]\nname = \"shaking\"\nkind = \"shake\"\nduration = 1\n";
+
+std::string message_of(const std::string& stages)
+{
+    return fixtures::SceneFolder().message(fixtures::column_scene + stages);
+}
+
+TEST(SceneStageMessages, StagesHaveNamesOfTheirOwn)
+{
+    EXPECT_EQ(message_of(settle + settle),
+              R"_(scene.toml:57:1: error[stage]: there are two stages 'settle'
+   57 | [[stages]]
+      | ^~~~~~~~~~
+expected: a name for each stage
+hint: give one of them a name, as name = "settle_2"
+)_");
+}
+
+TEST(SceneStageMessages, NamesAreThoseOfFolders)
+{
+    EXPECT_EQ(message_of("[[stages]]\nname = \"a/b\"\nkind = \"settle\"\n"),
+              R"_(scene.toml:56:8: error[stage]: a stage cannot be called 'a/b'
+   56 | name = "a/b"
+      |        ^~~~~
+expected: letters, digits, - and _, other than the names of a run's own folders
+hint: its results are a folder of this name
+)_");
+}
+
+TEST(SceneStageMessages, KindsAreKnown)
+{
+    EXPECT_EQ(message_of("[[stages]]\nkind = \"setle\"\n"),
+              R"_(scene.toml:56:8: error[word]: stages.setle.kind = "setle" is not known
+   56 | kind = "setle"
+      |        ^~~~~~~
+expected: one of settle, shake, consolidate, stability
+hint: did you mean "settle"?
+)_");
+}
+
+TEST(SceneStageMessages, AKindIsRequired)
+{
+    EXPECT_EQ(message_of("[[stages]]\nname = \"first\"\n"),
+              R"_(scene.toml:55:1: error[missing-key]: [stages.first] has no kind
+   55 | [[stages]]
+      | ^~~~~~~~~~
+expected: kind: Settle under gravity, drained; shake; let excess pore pressures go in long steps; find the factor of safety.
+)_");
+}
+
+TEST(SceneStageMessages, SettlingHasNoDuration)
+{
+    EXPECT_EQ(message_of(settle + "duration = 4\n"),
+              R"_(scene.toml:57:1: error[unused-key]: stages.settle.duration is not used with kind = "settle"
+   57 | duration = 4
+      | ^~~~~~~~
+hint: remove it, or set kind = "shake"
+)_");
+}
+
+TEST(SceneStageMessages, KeysOfAStageAreKnown)
+{
+    EXPECT_EQ(message_of(settle + shake + "displacement = \"zero\"\n"),
+              R"_(scene.toml:61:1: error[unknown-key]: unknown key 'displacement' in [stages.shaking]
+   61 | displacement = "zero"
+      | ^~~~~~~~~~~~
+expected: one of kind, duration, displacements, excess_pressures
+hint: did you mean displacements?
+)_");
+}
+
+TEST(SceneStageMessages, TablesOfAStageAreThoseOfTheScene)
+{
+    EXPECT_EQ(message_of(settle + shake + "[stages.watr]\nlevel = 1\n"),
+              R"_(scene.toml:61:1: error[unknown-table]: unknown table [watr]
+   61 | [stages.watr]
+      | ^~~~~~~~~~~~~
+expected: one of geometry, grid, sampling, analysis, gravity, water, materials, regions, boundaries, initial, relaxation, motion, run, output, probes, stages, figures, verification
+hint: did you mean water?
+)_");
+}
+
+TEST(SceneStageMessages, StillWaterChangesWhereSoilSettles)
+{
+    EXPECT_EQ(message_of(settle + shake + "[stages.water]\nlevel = 0.2\n"),
+              R"_(scene.toml:57:1: error[stage]: the stage "shaking" cannot change water.level
+   57 | [[stages]]
+      | ^~~~~~~~~~
+expected: a stage of kind = "settle", whose soil comes to rest under other still water
+hint: outer water that rises or falls in time is the head of a boundary, with ramp_time or a history
+)_");
+}
+
+TEST(SceneStageMessages, ParticlesAreTheSameInAllStages)
+{
+    EXPECT_EQ(message_of(settle + shake + "[stages.grid]\ncell_size = 0.01\n"),
+              R"_(scene.toml:57:1: error[stage]: the stage "shaking" cannot change grid.cell_size
+   57 | [[stages]]
+      | ^~~~~~~~~~
+expected: the same value in all stages
+hint: give grid.cell_size for the whole scene
+)_");
+}
+
+TEST(SceneStageMessages, WaterFlowsWhereSoilConsolidates)
+{
+    EXPECT_EQ(
+        message_of(
+            settle +
+            "[[stages]]\nkind = \"consolidate\"\nduration = 1000\n[stages.water]\nflow = \"undrained\"\n"),
+        R"_(scene.toml:25:1: warning[unused]: materials.sand.hydraulic_conductivity has no effect with water.flow = "undrained"
+   25 | hydraulic_conductivity = 5.8e-5
+      | ^~~~~~~~~~~~~~~~~~~~~~
+hint: remove it, or set water.flow = "coupled"
+to accept it: accept = ["materials.sand.hydraulic_conductivity"] at the top of the scene
+scene.toml:57:1: error[combination]: scheme = "implicit" does not resist the waves of water that moves with the grains, water.flow = "undrained"
+   57 | [[stages]]
+      | ^~~~~~~~~~
+expected: scheme = "explicit", or water.flow = "coupled" with a low conductivity
+scene.toml:57:1: error[stage]: no water flows in the stage "consolidate", which is to consolidate
+   57 | [[stages]]
+      | ^~~~~~~~~~
+expected: water.flow = "coupled" in this stage
+)_");
+}
+
+} // namespace
+} // namespace quicksand

@@ -1,0 +1,109 @@
+// Scenes with stages: one reading for each, with what is common and what the stage changes.
+#include "io/scene/stage_changes.hpp"
+#include "io/tables/scene_boundaries.hpp"
+#include "tests/fixtures/scene_example.hpp"
+
+#include <gtest/gtest.h>
+
+namespace quicksand {
+namespace {
+
+using fixtures::column_scene;
+using fixtures::SceneFolder;
+
+const std::string settle = "[[stages]]\nkind = \"settle\"\n";
+const std::string shake = "[[stages]]\nname = \"shaking\"\nkind = \"shake\"\nduration = \"50 ms\"\n";
+const std::string consolidate = "[[stages]]\nkind = \"consolidate\"\nduration = \"2 h\"\n";
+
+std::vector<SceneReading> read(const std::string& text, const std::vector<std::string>& overrides = {})
+{
+    const SceneFolder folder;
+    folder.write("scene.toml", text);
+    return read_scene_stages(folder.file("scene.toml"), overrides);
+}
+
+TEST(SceneStages, ASceneWithoutStagesIsTheOnlyOne)
+{
+    const auto stages = read(column_scene);
+    ASSERT_EQ(stages.size(), 1U);
+    EXPECT_FALSE(stages[0].scene.stage);
+}
+
+TEST(SceneStages, EachKindHasWhatItNeeds)
+{
+    const auto stages = read(column_scene + settle + shake + consolidate);
+    ASSERT_EQ(stages.size(), 3U);
+    const Scene &rest = stages[0].scene, &shaken = stages[1].scene, &drained = stages[2].scene;
+    EXPECT_EQ(rest.stage->name, "settle");
+    EXPECT_TRUE(rest.relaxation);
+    EXPECT_TRUE(std::holds_alternative<NoMotion>(rest.base_motion));
+    EXPECT_EQ(shaken.stage->name, "shaking");
+    EXPECT_FALSE(shaken.relaxation);
+    EXPECT_DOUBLE_EQ(shaken.end_time, 0.05);
+    EXPECT_TRUE(std::holds_alternative<SineMotion>(shaken.base_motion));
+    EXPECT_TRUE(shaken.stage->zero_pressures);
+    EXPECT_DOUBLE_EQ(drained.end_time, 7200.0);
+    EXPECT_EQ(drained.scheme, TimeScheme::implicit);
+    EXPECT_DOUBLE_EQ(drained.output.frame_interval, 7200.0 / 50.0);
+    EXPECT_FALSE(drained.stage->zero_pressures);
+}
+
+TEST(SceneStages, AStageChangesWhatItsTablesSay)
+{
+    const auto stages =
+        read(column_scene + settle + shake + "[stages.materials.sand]\nhydraulic_conductivity = 1e-3\n" +
+             consolidate +
+             "[stages.analysis]\nscheme = \"semi_implicit\"\n[stages.boundaries.base]\nsoil = \"roller\"\n");
+    const auto conductivity = [](const SceneReading& reading) {
+        return reading.scene.materials[0].material.hydraulic_conductivity;
+    };
+    EXPECT_NE(conductivity(stages[0]), 1e-3);
+    EXPECT_EQ(conductivity(stages[1]), 1e-3);
+    EXPECT_EQ(conductivity(stages[2]), conductivity(stages[0]));
+    EXPECT_EQ(stages[2].scene.scheme, TimeScheme::semi_implicit);
+    EXPECT_EQ(changed_soils(stages[0].keys, stages[1].keys, {"sand"}), std::vector<bool>{true});
+    EXPECT_EQ(changed_soils(stages[0].keys, stages[2].keys, {"sand"}), std::vector<bool>{false});
+}
+
+TEST(SceneStages, ANewKindOfBoundaryDropsTheKeysOfTheOldOne)
+{
+    const auto stages =
+        read(column_scene + settle +
+             "[stages.boundaries.left]\nsoil = \"roller\"\n[stages.boundaries.right]\nsoil = \"roller\"\n" +
+             shake);
+    const auto left = [](const SceneReading& reading) {
+        return find_boundary(reading.scene, "left")->boundary.soil;
+    };
+    EXPECT_TRUE(std::holds_alternative<RollerWall>(left(stages[0])));
+    EXPECT_TRUE(std::holds_alternative<TiedSide>(left(stages[1])));
+}
+
+TEST(SceneStages, OverridesAndVariantsNameThem)
+{
+    EXPECT_DOUBLE_EQ(read(column_scene + settle + shake, {"stages.shaking.duration=0.1"})[1].scene.end_time,
+                     0.1);
+    const SceneFolder folder;
+    folder.write("column.toml", column_scene + settle + shake);
+    folder.write(
+        "variant.toml",
+        "scene_version = 1\nbase = \"column.toml\"\n[[stages]]\nname = \"shaking\"\nduration = \"20 ms\"\n" +
+            consolidate);
+    const auto stages = read_scene_stages(folder.file("variant.toml"), {});
+    ASSERT_EQ(stages.size(), 3U);
+    EXPECT_DOUBLE_EQ(stages[1].scene.end_time, 0.02);
+    EXPECT_EQ(stages[2].scene.stage->name, "consolidate");
+}
+
+TEST(SceneStages, TheTextOfAStageReadsAsTheSameStage)
+{
+    const auto stages = read(column_scene + settle + shake);
+    for (const SceneReading& stage : stages) {
+        const auto again = read(stage.scene.text);
+        ASSERT_EQ(again.size(), 1U);
+        EXPECT_EQ(again[0].scene.text, stage.scene.text);
+        EXPECT_TRUE(changed_keys(stage.keys, again[0].keys).empty());
+    }
+}
+
+} // namespace
+} // namespace quicksand

@@ -1,0 +1,150 @@
+// Stages that go on from the end of another one.
+#include "solver/base/failure.hpp"
+#include "solver/run/stage_start.hpp"
+#include "solver/run/staged_run.hpp"
+#include "tests/fixtures/same_bits.hpp"
+#include "tests/fixtures/soil_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+constexpr double end_time = 0.05; // [s]
+constexpr RunControls whole_body{end_time, ColumnsComputed::all, true};
+constexpr RelaxationControls loosely{0.7, 1e-4, 100'000};
+
+/// Liquefiable ground under strong shaking.
+Problem sandy_ground()
+{
+    Problem problem = tied_ground();
+    for (Material& material : problem.materials) material.law = make_ubcsand(ubcsand_from_blow_count(8.0));
+    problem.scheme = TimeScheme::semi_implicit;
+    problem.base_motion = SineMotion{3.0, 20.0, 100.0, 0.0};
+    return problem;
+}
+
+State unsettled(const Problem& ground)
+{
+    State state = level_state(ground);
+    for (double& stress : state.particles.stress.yy) stress *= 0.8;
+    return state;
+}
+
+StagedRun settled(const Problem& problem)
+{
+    StagedRun run(problem, unsettled(problem), whole_body);
+    run.settle(loosely);
+    return run;
+}
+
+StagedRun going_on(const Problem& problem, const State& reached, const StageStart& start)
+{
+    StagedRun run(problem, unsettled(problem), whole_body);
+    run.go_on_from(reached, start);
+    return run;
+}
+
+TEST(StageStart, GoesOnFromSettledSoilToTheSameBits)
+{
+    const Problem problem = sandy_ground();
+    StagedRun run = settled(problem);
+    StagedRun stage = going_on(problem, run.state(), {.zero_pressures = true});
+    expect_same_bits(run.state().particles, stage.state().particles);
+    ASSERT_TRUE(run.shake({}));
+    ASSERT_TRUE(stage.shake({}));
+    EXPECT_EQ(run.state().step, stage.state().step);
+    expect_same_bits(run.state().particles, stage.state().particles);
+}
+
+TEST(StageStart, CountsTimeAndPressuresFromItsStart)
+{
+    const Problem problem = sandy_ground();
+    StagedRun run = settled(problem);
+    run.shake({});
+    const State& end = run.state();
+    const StagedRun kept = going_on(problem, end, {}),
+                    counted = going_on(problem, end, {.zero_pressures = true});
+    EXPECT_EQ(kept.state().time, 0.0);
+    EXPECT_EQ(kept.state().particles.pore_pressure, end.particles.pore_pressure);
+    EXPECT_EQ(counted.state().particles.pore_pressure, end.particles.pore_pressure);
+    double largest = 0.0;
+    for (std::size_t p = 0; p < end.particles.size(); ++p) {
+        EXPECT_EQ(risen_pore_pressure(problem, kept.state().particles, p), end.particles.pore_pressure[p]);
+        EXPECT_NEAR(risen_pore_pressure(problem, counted.state().particles, p), 0.0, 1e-8);
+        EXPECT_EQ(counted.state().particles.initial_vertical_effective_stress[p],
+                  -end.particles.stress.yy[p]);
+        largest = std::max(largest, end.particles.pore_pressure[p]);
+    }
+    EXPECT_GT(largest, 1000.0); // Pa
+}
+
+TEST(StageStart, CountsDisplacementsFromItsStartWhereAsked)
+{
+    for (const StrainForm strain : {StrainForm::large, StrainForm::small}) {
+        Problem problem = sandy_ground();
+        problem.strain = strain;
+        StagedRun run = settled(problem);
+        run.shake({});
+        const StagedRun kept = going_on(problem, run.state(), {}),
+                        zero = going_on(problem, run.state(), {.zero_displacements = true});
+        EXPECT_EQ(kept.state().particles.position.x, run.state().particles.position.x);
+        EXPECT_EQ(kept.state().particles.stress.xy, run.state().particles.stress.xy);
+        const Particles& particles = zero.state().particles;
+        EXPECT_EQ(particles.position.x, particles.reference_position.x);
+        EXPECT_NE(run.state().particles.position.x, run.state().particles.reference_position.x);
+        // the equations of small strain stay on the drawn shape
+        const Particles& end = run.state().particles;
+        EXPECT_EQ(particles.position.x,
+                  strain == StrainForm::small ? end.reference_position.x : end.position.x);
+    }
+}
+
+TEST(StageStart, LetsTheMemoryOfChangedSoilBeginAnew)
+{
+    const Problem problem = sandy_ground();
+    StagedRun run = settled(problem);
+    run.shake({});
+    const std::size_t column = column_of(memory_of(problem.materials[0].law), "half_cycles");
+    const auto most = [&](const StagedRun& stage) {
+        const Scalars& values = stage.state().particles.memory.at(column);
+        return *std::max_element(values.begin(), values.end());
+    };
+    ASSERT_GT(most(run), 0.0);
+    EXPECT_EQ(most(going_on(problem, run.state(), {.changed_soils = {false, true}})), most(run));
+    EXPECT_EQ(most(going_on(problem, run.state(), {.changed_soils = {true, false}})), 0.0);
+}
+
+TEST(StageStart, TakesTheGrainsOfChangedSoil)
+{
+    Problem problem = sandy_ground();
+    StagedRun run = settled(problem);
+    problem.materials[0].grain_density = 2700.0;
+    State heavier = unsettled(problem);
+    StagedRun stage(problem, heavier, whole_body);
+    stage.go_on_from(run.state(), {.settles = true, .changed_soils = {true, true}});
+    EXPECT_FALSE(stage.is_shaking());
+    const double porosity = problem.materials[0].porosity;
+    const Particles& particles = stage.state().particles;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        EXPECT_DOUBLE_EQ(particles.mass_solid[p], (1.0 - porosity) * 2700.0 * particles.volume[p]);
+}
+
+TEST(StageStart, RefusesAnotherNumberOfParticles)
+{
+    const Problem problem = sandy_ground();
+    const StagedRun run = settled(problem);
+    RunControls one = whole_body;
+    one.columns = ColumnsComputed::one;
+    StagedRun column(problem, level_state(problem), one);
+    ASSERT_NE(column.column(), nullptr);
+    EXPECT_THROW(column.go_on_from(run.state(), {}), InputError);
+}
+
+} // namespace
+} // namespace quicksand
