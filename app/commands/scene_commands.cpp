@@ -102,6 +102,14 @@ void add_stability(CLI::App& program, Commands& commands)
                      "Horizontal force over weight, positive towards +x (pseudo-static)")
         ->check(number_in({.lower = -2.0, .upper = 2.0}))
         ->type_name("K");
+    parser
+        ->add_option("--residual-strength", choice->residual_strength,
+                     "Strength of liquefied sand over its vertical effective stress before the shaking")
+        ->check(number_in(positive_number))
+        ->type_name("RATIO");
+    parser->add_option("--liquefied-ru", choice->liquefied_ru, "Least ru of sand that has this strength; 0.8")
+        ->check(number_in({.lower = 0.0, .upper = 1.0, .lower_open = true}))
+        ->type_name("RU");
 }
 
 void add_new(CLI::App& program, Commands& commands)

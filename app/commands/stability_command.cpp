@@ -61,6 +61,7 @@ ExitCode assess_stability(const StabilityChoice& choice)
     } else {
         begin_shaking(assembled.problem, assembled.state);
     }
+    weaken_liquefied({choice.residual_strength, choice.liquefied_ru}, assembled, assembled.state, journal);
     StrengthReductionControls controls;
     controls.tolerance = choice.tolerance;
     controls.seismic_coefficient = choice.seismic_coefficient;

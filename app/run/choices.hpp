@@ -59,6 +59,8 @@ struct StabilityChoice {
     std::filesystem::path directory;  // empty: results/<name of the scene>-stability
     double tolerance = 0.005;         // width of the bracket over the factor of safety [-]
     double seismic_coefficient = 0.0; // k_h, horizontal force towards +x over weight [-]
+    double residual_strength = 0.0;   // S_r / sigma'_v0 of liquefied sand, 0: as its stresses allow [-]
+    double liquefied_ru = 0.8;        // least ru of liquefied sand [-]
 };
 
 struct KeysChoice {

@@ -102,6 +102,18 @@ void require_still_water(const AssembledCase& assembled)
     if (findings.has_errors()) throw_findings(findings, assembled.scene.text);
 }
 
+void weaken_liquefied(const ResidualStrength& residual, AssembledCase& assembled, State& state,
+                      Journal& journal)
+{
+    if (!(residual.ratio > 0.0)) return;
+    const std::size_t count = give_residual_strength(residual, assembled.problem, state);
+    journal.say(fmt::format(
+        "{} of {} particles have liquefied (ru of {} or more): their strength is {} times "
+        "the vertical effective stress before the shaking",
+        grouped(static_cast<long long>(count)), grouped(static_cast<long long>(state.particles.size())),
+        short_number(residual.liquefied_ru), short_number(residual.ratio)));
+}
+
 SafetyFactor search_stability(const AssembledCase& assembled, const StrengthReductionControls& controls,
                               State& state, const ResultsFolder& folder, Journal& journal)
 {

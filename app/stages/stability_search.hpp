@@ -4,6 +4,7 @@
 #include "app/run/journal.hpp"
 #include "io/assembly/case_assembly.hpp"
 #include "io/results/results_folder.hpp"
+#include "solver/run/residual_strength.hpp"
 #include "solver/run/strength_reduction.hpp"
 
 namespace quicksand {
@@ -16,6 +17,11 @@ void require_strength(const AssembledCase& assembled);
 
 /// Throws InputError where the water beyond a curve is not that of the pores.
 void require_still_water(const AssembledCase& assembled);
+
+/// Let liquefied sand have its residual strength, and say how many particles that is. Nothing where the ratio
+/// is zero.
+void weaken_liquefied(const ResidualStrength& residual, AssembledCase& assembled, State& state,
+                      Journal& journal);
 
 /// Reduce the strength from the state's stresses and pore pressures, tell every trial, and write the curve
 /// and the mode of failure into the folder. Throws NumericalError, FileError.

@@ -93,7 +93,10 @@ private:
         } else {
             begin_shaking(setup.assembled.problem, state);
         }
-        search_stability(setup.assembled, {}, state, folder, journal);
+        weaken_liquefied({stage().residual_strength, stage().liquefied_ru}, setup.assembled, state, journal);
+        StrengthReductionControls controls;
+        controls.seismic_coefficient = stage().seismic_coefficient;
+        search_stability(setup.assembled, controls, state, folder, journal);
         return {SessionEnd::finished, folder};
     }
 

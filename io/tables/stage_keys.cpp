@@ -30,6 +30,7 @@ std::vector<SceneKey> stage_keys()
     using enum ValueType;
     constexpr Interval positive{.lower = 0.0, .lower_open = true};
     const Condition in_time{"kind", {"shake", "consolidate"}};
+    const Condition in_search{"kind", {"stability"}};
     // One row, one key: the formatter would make it ten lines.
     // clang-format off
     return {
@@ -46,6 +47,13 @@ std::vector<SceneKey> stage_keys()
         {.pattern = "stages.*.excess_pressures", .type = word, .derived = {.sibling = "kind", .choices = pressures_by_kind},
          .words = {"kept", "zero"}, .when = in_time,
          .doc = "Whether ru and excess pore pressures count on from the stage before, or from the start of this one."},
+        {.pattern = "stages.*.residual_strength", .default_note = "what friction and effective stress allow", .allowed = positive,
+         .plausible = {0.02, 0.4}, .when = in_search,
+         .doc = "S_r / sigma'_v0: undrained strength of liquefied sand over its vertical effective stress before the shaking."},
+        {.pattern = "stages.*.liquefied_ru", .default_value = 0.8, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
+         .when = in_search, .doc = "Least ru of sand that has its residual strength."},
+        {.pattern = "stages.*.seismic_coefficient", .default_value = 0.0, .allowed = {.lower = -2.0, .upper = 2.0}, .when = in_search,
+         .doc = "Horizontal force over weight, positive towards +x (pseudo-static)."},
     };
     // clang-format on
 }
@@ -60,6 +68,9 @@ std::optional<SceneStage> read_stage(const SceneValues& values)
     stage.place = table.place;
     stage.kind = word_of(kind_words, values.text(table.path + ".kind"));
     stage.zero_displacements = values.text(table.path + ".displacements") == "zero";
+    stage.residual_strength = values.number(table.path + ".residual_strength");
+    stage.liquefied_ru = values.number(table.path + ".liquefied_ru");
+    stage.seismic_coefficient = values.number(table.path + ".seismic_coefficient");
     stage.zero_pressures = values.text(table.path + ".excess_pressures") == "zero";
     return stage;
 }

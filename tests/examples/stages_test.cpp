@@ -26,7 +26,7 @@ frame_interval = "2 ms"
 [[stages]]
 name = "after"
 kind = "consolidate"
-duration = "1 s"
+duration = "50 ms"
 )";
 
 class Stages : public testing::Test {
@@ -56,12 +56,12 @@ TEST_F(Stages, GoOnFromEachOther)
     EXPECT_NE(outcome.output.find("Stage 2 of 3: shaking (shake)"), std::string::npos) << outcome.output;
     const std::string table = read_file(folder / "a/stages.csv");
     EXPECT_NE(table.find("\ngravity,settle,finished,0,0,\nshaking,shake,finished,0,0.004,\n"
-                         "after,consolidate,finished,0.004,1,\n"),
+                         "after,consolidate,finished,0.004,0.05,\n"),
               std::string::npos)
         << table;
     const std::string frames = read_file(folder / "a/stages.pvd");
     EXPECT_NE(frames.find("shaking/fields/frame_000001.vtu"), std::string::npos) << frames;
-    EXPECT_NE(frames.find("timestep=\"1.004\" part=\"0\" file=\"after/fields/"), std::string::npos) << frames;
+    EXPECT_NE(frames.find("file=\"after/fields/frame_000050.vtu\""), std::string::npos) << frames;
 
     const Outcome again = run(scene() + " -o " + results("a") + " --continue");
     EXPECT_EQ(again.code, 0) << again.output;
@@ -99,6 +99,27 @@ TEST_F(Stages, AreCheckedTogether)
     EXPECT_EQ(check.code, 0) << check.output;
     EXPECT_NE(check.output.find("Stage 3 of 3: after (consolidate)"), std::string::npos) << check.output;
     EXPECT_NE(check.output.find("analysis.scheme: "), std::string::npos) << check.output;
+}
+
+TEST_F(Stages, LiquefiedSandCanHaveAResidualStrength)
+{
+    std::ofstream(folder / "column/safe.toml")
+        << "scene_version = 1\nbase = \"scene.toml\"\n[[stages]]\nkind = \"settle\"\n"
+           "[[stages]]\nname = \"safety\"\nkind = \"stability\"\nresidual_strength = 0.1\n";
+    const Outcome search = run((folder / "column/safe.toml").string() + " -o " + results("a") +
+                               " --set grid.cell_size=0.0225 --set grid.cells=[3,18] --set "
+                               "sampling.particles_per_cell=[1,1]");
+    EXPECT_EQ(search.code, 0) << search.output;
+    EXPECT_NE(
+        search.output.find(" particles have liquefied (ru of 0.8 or more): their strength is 0.1 times"),
+        std::string::npos)
+        << search.output;
+    const std::string table = read_file(folder / "a/stages.csv");
+    EXPECT_NE(table.find("\nsafety,stability,finished,0,0,32\n"), std::string::npos) << table;
+    const Outcome again = run_program("stability " + results("a") + "/settle --seismic-coefficient 0.1");
+    EXPECT_EQ(again.code, 0) << again.output;
+    EXPECT_NE(again.output.find("The factor of safety is "), std::string::npos) << again.output;
+    EXPECT_TRUE(std::filesystem::exists(folder / "a/settle/stability/stability.txt"));
 }
 
 TEST_F(Stages, AnOriginHasToSuit)
