@@ -1,4 +1,5 @@
 #include "app/commands/commands.hpp"
+#include "app/run/flow_text.hpp"
 #include "app/run/journal.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/scene_setup.hpp"
@@ -44,6 +45,7 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.say(describe_soil(assembled));
     journal.say(describe_boundaries(assembled, patch_tests));
     if (const std::string laws = describe_laws(assembled); !laws.empty()) journal.say(laws);
+    if (const std::string flow = describe_initial_flow(assembled); !flow.empty()) journal.say(flow);
     journal.say(describe_initial_state(assembled));
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
     const TimeStep step = measure_time_step(assembled.problem, assembled.state);

@@ -1,4 +1,5 @@
 #include "app/commands/commands.hpp"
+#include "app/run/flow_text.hpp"
 #include "app/run/journal.hpp"
 #include "app/run/number_format.hpp"
 #include "app/run/scene_setup.hpp"
@@ -120,6 +121,7 @@ ExitCode assess_stability(const StabilityChoice& choice)
                             assembled.scene.file.string(),
                             grouped(static_cast<long long>(assembled.state.particles.size())),
                             short_number(assembled.problem.grid.cell_size)));
+    if (const std::string flow = summarise_initial_flow(assembled); !flow.empty()) journal.say(flow);
     journal.say("    factor          displ. mm  unbalanced    steps");
 
     StrengthReductionControls controls;
