@@ -1,4 +1,5 @@
 #include "app/commands/commands.hpp"
+#include "app/run/flow_text.hpp"
 #include "app/run/journal.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/scene_setup.hpp"
@@ -83,13 +84,17 @@ ExitCode check_scene(const CheckChoice& choice)
     journal.say(describe_soil(assembled));
     journal.say(describe_boundaries(assembled, patch_tests));
     if (const std::string laws = describe_laws(assembled); !laws.empty()) journal.say(laws);
+    if (const std::string flow = describe_initial_flow(assembled); !flow.empty()) journal.say(flow);
     journal.say(describe_initial_state(assembled));
     if (runs_in_time(stages.front())) say_run(setup, folder, journal);
     for (std::size_t k = 1; k < stages.size(); ++k) {
         say_stage(stages[k], k + 1, stages.size(), journal);
         say_changes(stages[k - 1], stages[k], journal);
-        if (!runs_in_time(stages[k])) continue;
-        say_run(set_up_reading(choice.scene, stages[k], journal), folder, journal);
+        if (stages[k].scene.stage->kind == StageKind::stability) continue;
+        const SceneSetup of_stage = set_up_reading(choice.scene, stages[k], journal);
+        if (const std::string flow = describe_initial_flow(of_stage.assembled); !flow.empty())
+            journal.say(flow);
+        if (runs_in_time(stages[k])) say_run(of_stage, folder, journal);
     }
     write_initial_frame(assembled, folder);
     journal.say("The initial state is in " + folder.particle_series().string() + " and " +

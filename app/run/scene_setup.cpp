@@ -52,7 +52,7 @@ SceneSetup set_up_reading(const SceneChoice& choice, SceneReading reading, Journ
 {
     Scene& scene = reading.scene;
     if (choice.until) scene.end_time = *choice.until;
-    if (scene.stage && scene.stage->kind == StageKind::settle) scene.end_time = 0.0; // one frame, settled
+    if (scene.stage && settles(scene.stage->kind)) scene.end_time = 0.0; // one frame, settled
     SceneSetup setup;
     setup.keys = reading.keys;
     setup.hash = scene_hash(scene.text, choice.overrides);

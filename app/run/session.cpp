@@ -1,5 +1,6 @@
 #include "app/run/session.hpp"
 
+#include "app/run/flow_text.hpp"
 #include "app/run/number_format.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/progress_line.hpp"
@@ -76,6 +77,7 @@ struct Session {
     bool resumes_shaking = false; // some of its results are there
     Journal& journal;
     ManifestKeeper& manifest;
+    std::string flow; // of the ground water at the start, "" where it is still
 };
 
 std::string say_where_good(const ResultsFolder& folder)
@@ -194,6 +196,7 @@ void introduce(Session& session)
         session.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
         grouped(static_cast<long long>(run.state().particles.size())), grid.cells_x, grid.cells_y,
         short_number(grid.cell_size), threads_text(thread_count()), session.folder.directory.string()));
+    if (!session.flow.empty()) session.journal.say(session.flow);
     if (run.column()) session.journal.say(describe_column(*run.column()));
 }
 
@@ -297,7 +300,9 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
         return outcome;
     }
     ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
-    Session session{scene, run, setup.hash, outcome.folder, choice.resume, resumes_shaking, journal, keeper};
+    Session session{scene,          run,           setup.hash,
+                    outcome.folder, choice.resume, resumes_shaking,
+                    journal,        keeper,        summarise_initial_flow(setup.assembled)};
     outcome.end = run_guarded(session);
     return outcome;
 }

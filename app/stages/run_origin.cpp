@@ -18,7 +18,7 @@ StageStart start_of(const Scene& scene)
     StageStart start;
     start.zero_pressures = true; // in a scene without stages the shaking begins here
     if (!scene.stage) return start;
-    start.settles = scene.stage->kind == StageKind::settle;
+    start.settles = settles(scene.stage->kind);
     start.zero_pressures = scene.stage->zero_pressures;
     start.zero_displacements = scene.stage->zero_displacements;
     return start;

@@ -1,5 +1,6 @@
 #include "app/stages/stability_search.hpp"
 
+#include "app/run/flow_text.hpp"
 #include "app/run/number_format.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/csv_file.hpp"
@@ -122,6 +123,7 @@ SafetyFactor search_stability(const AssembledCase& assembled, const StrengthRedu
                             assembled.scene.file.string(),
                             grouped(static_cast<long long>(state.particles.size())),
                             short_number(assembled.problem.grid.cell_size)));
+    if (const std::string flow = summarise_initial_flow(assembled); !flow.empty()) journal.say(flow);
     journal.say("    factor          displ. mm  unbalanced    steps");
     SafetyFactor safety = safety_factor(assembled.problem, controls, state, [&](const StrengthTrial& trial) {
         journal.say(describe_trial(trial));

@@ -42,20 +42,27 @@ std::vector<double> divisions(const Section& section, const Vector2& start, cons
 
 } // namespace
 
+std::vector<Segment> divided_edges(const Section& section)
+{
+    std::vector<Segment> edges;
+    for_each_region_edge(section, [&](const Vector2& start, const Vector2& end) {
+        if (start == end) return;
+        const std::vector<double> fractions = divisions(section, start, end);
+        for (std::size_t k = 0; k + 1 < fractions.size(); ++k)
+            edges.push_back({start + fractions[k] * (end - start), start + fractions[k + 1] * (end - start)});
+    });
+    return edges;
+}
+
 std::vector<Segment> rim_of(const Section& section)
 {
     const RegionLocator locator(section);
     std::vector<Segment> rim;
-    for_each_region_edge(section, [&](const Vector2& start, const Vector2& end) {
-        if (start == end) return;
-        const std::vector<double> fractions = divisions(section, start, end);
-        for (std::size_t k = 0; k + 1 < fractions.size(); ++k) {
-            const Vector2 a = start + fractions[k] * (end - start),
-                          b = start + fractions[k + 1] * (end - start);
-            const Vector2 to_right = 1e-6 * Vector2(b.y() - a.y(), a.x() - b.x());
-            if (!locator.locate(0.5 * (a + b) + to_right)) rim.push_back({a, b});
-        }
-    });
+    for (const Segment& edge : divided_edges(section)) {
+        const Vector2 &a = edge.start, &b = edge.end;
+        const Vector2 to_right = 1e-6 * Vector2(b.y() - a.y(), a.x() - b.x());
+        if (!locator.locate(0.5 * (a + b) + to_right)) rim.push_back(edge);
+    }
     return rim;
 }
 

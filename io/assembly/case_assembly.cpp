@@ -5,6 +5,7 @@
 #include "geometry/section/section_rim.hpp"
 #include "io/assembly/face_water.hpp"
 #include "io/assembly/ground_water.hpp"
+#include "io/assembly/initial_flow.hpp"
 #include "io/assembly/probe_places.hpp"
 #include "io/scene/cell_size.hpp"
 #include "io/scene/scene_grid.hpp"
@@ -237,8 +238,12 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     assembled.sampling = sample(assembled.scene, assembled.section, assembled.problem.grid);
     check_sampling(assembled.sampling, assembled);
     const auto of_region = materials_of_regions(assembled.scene, assembled.section);
+    assembled.initial_flow = find_initial_flow(assembled.scene, assembled.section, of_region,
+                                               assembled.problem, assembled.warnings);
+    const FlowField* flow = assembled.initial_flow ? &assembled.initial_flow->field : nullptr;
+    throw_errors(assembled.warnings, assembled.scene);
     const auto of_domain =
-        divide_materials(assembled.scene, assembled.sampling, of_region, assembled.problem);
+        divide_materials(assembled.scene, flow, assembled.sampling, of_region, assembled.problem);
     check_outer_water(assembled.scene, assembled.problem, assembled.warnings);
     throw_errors(assembled.warnings, assembled.scene);
     Particles& particles = assembled.state.particles;
@@ -249,7 +254,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
             find_slivers(assembled.problem.cut_domains, particles,
                          *std::max_element(particles.volume.begin(), particles.volume.end()));
     assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not
-    set_initial_state(assembled.scene, assembled.section, of_region, assembled.problem, particles);
+    set_initial_state(assembled.scene, flow, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);
     if (!assembled.scene.scheme)
         assembled.problem.scheme = fastest_scheme(assembled.problem, particles, assembled.scene.end_time);

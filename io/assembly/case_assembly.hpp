@@ -3,12 +3,14 @@
 
 #include "geometry/sampling/particle_sampler.hpp"
 #include "geometry/section/section.hpp"
+#include "io/assembly/initial_flow.hpp"
 #include "io/keys/diagnostics.hpp"
 #include "io/scene/scene_file.hpp"
 #include "io/tables/scene.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,9 +21,10 @@ struct AssembledCase {
     Problem problem;
     State state;
     Section section;
-    std::vector<std::string> grid_reasons; // what was chosen of the grid and why, lines for the user
-    Sampling sampling;                     // its domains have become the particles
-    Diagnostics warnings;                  // of the scene and of the assembly
+    std::vector<std::string> grid_reasons;   // what was chosen of the grid and why, lines for the user
+    Sampling sampling;                       // its domains have become the particles
+    std::optional<InitialFlow> initial_flow; // of the ground water, where it flows at the start
+    Diagnostics warnings;                    // of the scene and of the assembly
 };
 
 /// Read the drawing, choose the grid, sample the section and set the K0 state. Throws InputError with all

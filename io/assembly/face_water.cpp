@@ -84,14 +84,6 @@ bool lies_on(const Vector2& point, const Segment& segment)
     return fraction > -rounding && fraction < 1.0 + rounding && aside < rounding * length;
 }
 
-/// Whether one of the segments goes along the middle of another.
-bool any_along(const std::vector<Segment>& segments, const Segment& other)
-{
-    const Vector2 middle = 0.5 * (other.start + other.end);
-    return std::any_of(segments.begin(), segments.end(),
-                       [&](const Segment& segment) { return lies_on(middle, segment); });
-}
-
 class FaceWater {
 public:
     FaceWater(const Scene& scene, const Section& section, Problem& problem, Diagnostics& findings)
@@ -329,8 +321,16 @@ void FaceWater::set()
 
 } // namespace
 
+bool any_along(const std::vector<Segment>& segments, const Segment& other)
+{
+    const Vector2 middle = 0.5 * (other.start + other.end);
+    return std::any_of(segments.begin(), segments.end(),
+                       [&](const Segment& segment) { return lies_on(middle, segment); });
+}
+
 void set_face_water(const Scene& scene, const Section& section, Problem& problem, Diagnostics& findings)
 {
+    if (scene.starts_seeping) return; // the water of the faces makes the line, not the line theirs
     if (problem.water && !findings.has_errors()) FaceWater(scene, section, problem, findings).set();
 }
 

@@ -64,6 +64,16 @@ double vertical_effective_stress(const Section& section, const std::vector<UnitW
     return stress;
 }
 
+/// Water that flows upward carries soil, but for a rest of this part of sigma'_v in still water: stresses
+/// across the columns, which this estimate does not know, keep it in place [-].
+constexpr double least_carried = 0.05;
+
+/// sigma'_v where the water's pressure is not that of its depth below the line [Pa].
+double less_flow_pressure(double vertical, double flow_pressure)
+{
+    return flow_pressure == 0.0 ? vertical : std::max(vertical - flow_pressure, least_carried * vertical);
+}
+
 bool differs_from_still_water(const Problem& problem, const Boundary& boundary)
 {
     return std::any_of(boundary.segments.begin(), boundary.segments.end(), [&](const Segment& segment) {
@@ -79,6 +89,25 @@ double phreatic_elevation(const Scene& scene, double x)
     return scene.phreatic_line.empty() ? scene.water->level : elevation(scene.phreatic_line, x);
 }
 
+double GroundWater::head(const Vector2& point) const
+{
+    if (flow == nullptr) return phreatic_elevation(scene, point.x());
+    return std::max(scene.water->level, flow->head(point)); // but for rounding, no water stands below it
+}
+
+double GroundWater::surface(double x) const
+{
+    if (flow == nullptr) return phreatic_elevation(scene, x);
+    return std::max(scene.water->level, flow->surface(x).value_or(scene.water->level));
+}
+
+bool GroundWater::saturates(const Vector2& point, double tolerance) const
+{
+    // soil through which water only falls has no pressure, and a head of its own height
+    if (flow != nullptr && point.y() > scene.water->level) return point.y() < head(point) - tolerance;
+    return point.y() <= head(point) + tolerance;
+}
+
 void check_phreatic_line(const Scene& scene, Diagnostics& findings)
 {
     const std::vector<Vector2>& line = scene.phreatic_line;
@@ -86,6 +115,11 @@ void check_phreatic_line(const Scene& scene, Diagnostics& findings)
     const auto refuse = [&](const std::string& what, const std::string& expected, const std::string& hint) {
         findings.add(error_at(scene.phreatic_place, "phreatic-line", what, expected, hint));
     };
+    if (scene.starts_seeping) {
+        refuse("water.phreatic_line is given, and water.initial_flow = \"seepage\" computes it",
+               "one of both", "remove the line, or set initial_flow = \"still\"");
+        return;
+    }
     for (std::size_t k = 0; k < line.size(); ++k) {
         const std::string point = "[" + number_text(line[k].x()) + ", " + number_text(line[k].y()) + "]";
         if (k > 0 && line[k].x() <= line[k - 1].x()) {
@@ -102,7 +136,8 @@ void check_phreatic_line(const Scene& scene, Diagnostics& findings)
     }
 }
 
-std::vector<std::int32_t> divide_materials(const Scene& scene, const Sampling& sampling,
+std::vector<std::int32_t> divide_materials(const Scene& scene, const FlowField* flow,
+                                           const Sampling& sampling,
                                            const std::vector<std::int32_t>& of_region, Problem& problem)
 {
     std::vector<std::int32_t> of_domain;
@@ -112,9 +147,9 @@ std::vector<std::int32_t> divide_materials(const Scene& scene, const Sampling& s
         of_domain.push_back(below);
         if (!problem.water) continue;
         const double tolerance = 1e-9 * problem.grid.cell_size, y = domain.centre.y();
-        if (y <= phreatic_elevation(scene, domain.centre.x()) + tolerance) {
+        if (GroundWater{scene, flow}.saturates(domain.centre, tolerance)) {
             problem.water->rises_above_level =
-                problem.water->rises_above_level || y > problem.water->level + tolerance;
+                problem.water->rises_above_level || flow != nullptr || y > problem.water->level + tolerance;
             continue;
         }
         const auto m = static_cast<std::size_t>(below);
@@ -148,25 +183,31 @@ void check_outer_water(const Scene& scene, const Problem& problem, Diagnostics& 
     }
 }
 
-void set_initial_state(const Scene& scene, const Section& section, const std::vector<std::int32_t>& of_region,
-                       const Problem& problem, Particles& particles)
+void set_initial_state(const Scene& scene, const FlowField* flow, const Section& section,
+                       const std::vector<std::int32_t>& of_region, const Problem& problem,
+                       Particles& particles)
 {
+    const GroundWater ground{scene, flow};
     const std::vector<UnitWeights> weights = unit_weights(scene, of_region, problem);
     const auto count = static_cast<std::ptrdiff_t>(particles.size());
 #pragma omp parallel for schedule(static)
     for (std::ptrdiff_t k = 0; k < count; ++k) {
         const auto p = static_cast<std::size_t>(k);
         const Vector2 point = particles.position[p];
-        const double line = problem.water ? phreatic_elevation(scene, point.x()) : point.y();
+        const double line = problem.water ? ground.surface(point.x()) : point.y();
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        const bool wet = water_of(problem, material).has_value();
+        const double head = wet ? ground.head(point) : line;
+        const double pressure = wet ? pressure_below(problem, head, point.y()) : 0.0;
         if (bears_stress_as_drawn(material.law)) {
-            const double vertical = vertical_effective_stress(section, weights, point, line);
+            const double at_rest = wet ? pressure_below(problem, line, point.y()) : 0.0;
+            const double vertical = less_flow_pressure(
+                vertical_effective_stress(section, weights, point, line), pressure - at_rest);
             particles.stress.yy[p] = -vertical;
             particles.stress.xx[p] = particles.stress.zz[p] = -scene.k0 * vertical;
         }
-        if (particles.pore_pressure.empty() || !water_of(problem, material)) continue; // drained, or dry
-        if (!particles.water_table.empty()) particles.water_table[p] = line;
-        const double pressure = pressure_below(problem, line, point.y());
+        if (particles.pore_pressure.empty() || !wet) continue; // drained, or dry
+        if (!particles.water_table.empty()) particles.water_table[p] = head;
         particles.pore_pressure[p] =
             pressure - static_water_pressure(problem, point.y()) + scene.excess_pore_pressure;
     }

@@ -8,6 +8,7 @@
 #include "io/tables/scene.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
+#include "solver/seepage/flow_field.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -20,10 +21,27 @@ double phreatic_elevation(const Scene& scene, double x);
 /// A phreatic line needs points from left to right, none below the water level.
 void check_phreatic_line(const Scene& scene, Diagnostics& findings);
 
+/// Where the water of the soil stands at the start: at a drawn line or the level, or as it flows.
+struct GroundWater {
+    const Scene& scene;              // with water
+    const FlowField* flow = nullptr; // none: the water is at rest below its line
+
+    /// y up to which water would stand in a pipe that ends at the point [m].
+    double head(const Vector2& point) const;
+
+    /// y at x of the phreatic line, or of the water above the ground; where the soil at x is dry, below it
+    /// [m].
+    double surface(double x) const;
+
+    /// Whether the soil at the point is below the phreatic line; `tolerance` is a length [m].
+    bool saturates(const Vector2& point, double tolerance) const;
+};
+
 /// Soil above the phreatic line is a material of its own, not saturated: add these to the problem where a
-/// domain of the sampling lies there, and note whether saturated soil rises above the water level. Returns
-/// the material of every domain; `of_region` holds the material of every region.
-std::vector<std::int32_t> divide_materials(const Scene& scene, const Sampling& sampling,
+/// domain of the sampling lies there, and note whether the water of saturated soil rises above the level, or
+/// flows. Returns the material of every domain; `of_region` holds the material of every region.
+std::vector<std::int32_t> divide_materials(const Scene& scene, const FlowField* flow,
+                                           const Sampling& sampling,
                                            const std::vector<std::int32_t>& of_region, Problem& problem);
 
 /// Drained soil has no pressure that a head or pore pressure beyond a curve could balance, but for that of a
@@ -32,8 +50,9 @@ void check_outer_water(const Scene& scene, const Problem& problem, Diagnostics& 
 
 /// sigma'_v from the weight of the column above each particle, regions and water heeded; sigma'_h = K0
 /// sigma'_v, none of both in neo-Hookean soil, whose stress is that of its shape; pore pressures by the depth
-/// below the phreatic line, and the scene's excess.
-void set_initial_state(const Scene& scene, const Section& section, const std::vector<std::int32_t>& of_region,
-                       const Problem& problem, Particles& particles);
+/// below the phreatic line or those of the flow, and the scene's excess.
+void set_initial_state(const Scene& scene, const FlowField* flow, const Section& section,
+                       const std::vector<std::int32_t>& of_region, const Problem& problem,
+                       Particles& particles);
 
 } // namespace quicksand

@@ -159,7 +159,8 @@ bool DocumentCheck::flow_uses(const SceneKey& key, const std::string& path, cons
 {
     if (key.flows.empty()) return true;
     const std::string flow = values_.text("water.flow");
-    const bool uses = std::find(key.flows.begin(), key.flows.end(), flow) != key.flows.end();
+    const bool uses = std::find(key.flows.begin(), key.flows.end(), flow) != key.flows.end() ||
+                      (key.used_by_seepage && values_.text("water.initial_flow") == "seepage");
     if (!uses && node != nullptr && !flow.empty()) {
         findings_.add(warning_at(
             node->name_place, path, "unused", path + " has no effect with water.flow = \"" + flow + "\"", "",

@@ -85,6 +85,7 @@ std::string use_text(const SceneKey& key)
         text += (first ? std::string(text.empty() ? "" : ", ") + "with water.flow = " : " or ") + '"' +
                 std::string(flow) + '"';
     }
+    if (key.used_by_seepage) text += " or water.initial_flow = \"seepage\"";
     return text;
 }
 

@@ -69,6 +69,7 @@ struct SceneKey {
     bool required = false;
     bool saturated_only = false;                  // of no use without [water]
     std::vector<std::string_view> flows = {};     // words of water.flow it is of use with; none: all
+    bool used_by_seepage = false;                 // besides, with water.initial_flow = "seepage"
     std::optional<SceneValue> default_value = {}; // none: required, derived or simply absent
     DerivedDefault derived = {};
     std::string_view default_note = {}; // what absence means, where there is no default value

@@ -143,6 +143,8 @@ void fill_ground(const SceneValues& values, Scene& scene)
         scene.phreatic_line =
             values.find<std::vector<Vector2>>("water.phreatic_line").value_or(std::vector<Vector2>());
         scene.phreatic_place = values.place("water.phreatic_line");
+        scene.starts_seeping = values.text("water.initial_flow") == "seepage";
+        scene.flow_place = values.place("water.initial_flow");
     }
     for (const NamedTable& table : tables_named(values, "materials")) {
         scene.materials.push_back({read_material(values, table),

@@ -95,6 +95,18 @@ void give_instant(DocumentNode& run)
     set(run, "end_time", instant);
 }
 
+/// Put what a stage changes into the document: it holds for the later stages as well.
+void change(const DocumentNode& stage, DocumentNode& document)
+{
+    DocumentNode changes;
+    for (const DocumentNode& node : stage.children)
+        if (node.kind == Kind::table) changes.children.push_back(node);
+    const bool seeps = text_of(stage, "kind") == word_of_kind(StageKind::seepage);
+    if (seeps && !gives(stage, "water", "initial_flow"))
+        set(table_in(changes, "water", stage.place), "initial_flow", text_value("seepage", stage.place));
+    merge_variant(std::move(changes), document);
+}
+
 /// What a kind of stage has no use for, and what it cannot do without.
 void suit_kind(const DocumentNode& stage, bool is_first, DocumentNode& document)
 {
@@ -104,7 +116,7 @@ void suit_kind(const DocumentNode& stage, bool is_first, DocumentNode& document)
         return;
     }
     if (*kind != StageKind::shake) remove(document, "motion");
-    if (*kind == StageKind::settle) {
+    if (settles(*kind)) {
         table_in(document, "relaxation", stage.place);
     } else if (*kind != StageKind::shake || !is_first) {
         remove(document, "relaxation");
@@ -174,12 +186,13 @@ DocumentNode document_of_stage(const DocumentNode& document, const std::string& 
     DocumentNode result = document;
     const DocumentNode stage = *document.find(stages_key)->find(name);
     const bool is_first = stage_names(document).front() == name;
-    DocumentNode changes, own = stage;
-    own.children.clear();
-    for (const DocumentNode& node : stage.children)
-        (node.kind == Kind::table ? changes : own).children.push_back(node);
-    merge_variant(std::move(changes), result);
+    for (const DocumentNode& earlier : document.find(stages_key)->children) {
+        change(earlier, result);
+        if (earlier.name == name) break;
+    }
     suit_kind(stage, is_first, result);
+    DocumentNode own = stage;
+    std::erase_if(own.children, [](const DocumentNode& node) { return node.kind == Kind::table; });
     find(result, stages_key)->children = {own};
     return result;
 }

@@ -1,5 +1,5 @@
-// The stages of a scene as documents of their own: what is common to all of them, with the tables of the
-// stage put in place.
+// The stages of a scene as documents of their own: what is common to all of them, with what the stages so far
+// change put in place.
 #pragma once
 
 #include "io/keys/diagnostics.hpp"
@@ -17,7 +17,8 @@ void name_stages(DocumentNode& document, Diagnostics& findings);
 /// The name of every stage, in their order; none in a document without stages.
 std::vector<std::string> stage_names(const DocumentNode& document);
 
-/// The document of one stage, whose table [stages.NAME] keeps the keys of the stage alone.
+/// The document of one stage, with what it and the stages before it change; its table [stages.NAME] keeps the
+/// keys of the stage alone.
 DocumentNode document_of_stage(const DocumentNode& document, const std::string& name);
 
 } // namespace quicksand

@@ -54,18 +54,20 @@ std::vector<std::string> differing_paths(const Keys& before, const Keys& now)
 constexpr std::array<std::string_view, 6> common{"geometry.", "grid.",           "sampling.",
                                                  "gravity.",  "analysis.strain", "analysis.interpolation"};
 /// Where soil is saturated, and what pore pressures are when nothing flows.
-constexpr std::array<std::string_view, 2> still_water{"water.level", "water.phreatic_line"};
+constexpr std::array<std::string_view, 3> still_water{"water.level", "water.phreatic_line",
+                                                      "water.initial_flow"};
 
 void check_stage(const SceneReading& before, const SceneReading& now, Diagnostics& findings)
 {
     const SceneStage& stage = *now.scene.stage;
-    const bool settles = stage.kind == StageKind::settle;
-    for (const std::string& path : uncommon_keys(before.keys, now.keys, settles)) {
+    const bool is_settled = settles(stage.kind);
+    for (const std::string& path : uncommon_keys(before.keys, now.keys, is_settled)) {
         const bool is_water = begins_with_one_of(path, still_water);
         findings.add(error_at(
             stage.place, "stage", "the stage \"" + stage.name + "\" cannot change " + path,
-            is_water ? "a stage of kind = \"settle\", whose soil comes to rest under other still water"
-                     : "the same value in all stages",
+            is_water
+                ? "a stage of kind = \"settle\" or \"seepage\", whose soil comes to rest with other water"
+                : "the same value in all stages",
             is_water ? "outer water that rises or falls in time is the head of a boundary, with ramp_time or "
                        "a history"
                      : "give " + path + " for the whole scene"));

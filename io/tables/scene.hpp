@@ -106,6 +106,8 @@ struct Scene {
     std::optional<Water> water;         // none: a dry scene
     std::vector<Vector2> phreatic_line; // in the soil, left to right; none: the water level [m]
     SourcePlace phreatic_place;
+    bool starts_seeping = false; // the initial pore pressures are those of a steady flow
+    SourcePlace flow_place;      // of the key that says so
     std::vector<SceneMaterial> materials;
     std::vector<SceneRegion> regions;
     std::vector<SceneBoundary> boundaries;

@@ -9,10 +9,17 @@ namespace quicksand {
 
 enum class StageKind {
     settle,      // damped, drained, under the water of its keys
+    seepage,     // the same in the steady flow between the heads of the curves
     shake,       // the two-phase run under the base motion
     consolidate, // the two-phase run without motion, in steps that grow
     stability,   // the factor of safety with the pore pressures that there are
 };
+
+/// Whether the soil comes to rest in such a stage, which has no time.
+inline bool settles(StageKind kind)
+{
+    return kind == StageKind::settle || kind == StageKind::seepage;
+}
 
 struct SceneStage {
     std::string name; // of its results folder, within that of the run

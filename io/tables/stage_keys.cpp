@@ -11,8 +11,9 @@ namespace quicksand {
 
 namespace {
 
-constexpr WordList<StageKind, 4> kind_words = {{
+constexpr WordList<StageKind, 5> kind_words = {{
     {"settle", StageKind::settle},
+    {"seepage", StageKind::seepage},
     {"shake", StageKind::shake},
     {"consolidate", StageKind::consolidate},
     {"stability", StageKind::stability},
@@ -37,9 +38,9 @@ std::vector<SceneKey> stage_keys()
         {.pattern = "stages", .type = named_tables, .default_note = "one run: settling where there is [relaxation], then shaking",
          .doc = "Stages of the scene, each written as [[stages]], in their order. Each goes on from the end of the one before."},
         {.pattern = "stages.*", .type = table,
-         .doc = "One stage. Tables of the scene within it, as [stages.water] or [stages.boundaries.river], hold for it alone."},
-        {.pattern = "stages.*.kind", .type = word, .required = true, .words = {"settle", "shake", "consolidate", "stability"},
-         .doc = "Settle under gravity, drained; shake; let excess pore pressures go in long steps; find the factor of safety."},
+         .doc = "One stage. Tables of the scene within it, as [stages.water] or [stages.boundaries.river], hold from it on."},
+        {.pattern = "stages.*.kind", .type = word, .required = true, .words = {"settle", "seepage", "shake", "consolidate", "stability"},
+         .doc = "Settle under gravity, drained, with still water or in the steady flow between heads; shake; let excess pore pressures go in long steps; find the factor of safety."},
         {.pattern = "stages.*.duration", .dimension = Dimension::time, .default_note = "run.end_time", .allowed = positive,
          .when = in_time, .doc = "Length of the stage, whose time counts from its start."},
         {.pattern = "stages.*.displacements", .type = word, .default_value = "kept", .words = {"kept", "zero"}, .when = in_time,

@@ -126,6 +126,32 @@ TEST(CheckMessages, SayThatLargeStrainElasticityBeginsFreeOfStress)
     EXPECT_EQ(outcome.output.find("[relaxation] lets the soil settle"), std::string::npos);
 }
 
+TEST(CheckMessages, TellTheSteadyFlowAtTheStart)
+{
+    const WorkFolder folder;
+    const std::string scene = example("river_dike/flood.toml") +
+                              " --set grid.cell_size=1 --set relaxation.tolerance=0.01 --until 1e-3 -o " +
+                              folder.string();
+    const std::string check = run_program("check " + scene + "/check").output;
+    for (const char* line :
+         {"Steady flow at the start\n  [0-9,]+ triangles with edges up to 0\\.[0-9]+ m; the phreatic line is "
+          "found in "
+          "[0-9]+ iterations, the flow balanced to [0-9.e-]+ of it\n",
+          "  discharge 7\\.[0-9]+e-5 m3/s per m, 6\\.[0-9]+ m3 a day\n",
+          "  river           takes in 7\\.[0-9]+e-5 m3/s per m, under water up to \\[-6, 3\\]\n",
+          "  land            gives off 7\\.[0-9]+e-5 m3/s per m, water leaves into the air up to \\[11\\.",
+          "  phreatic line   \\[-30, 3\\], .*, \\[30, 0\\]\n"})
+        EXPECT_TRUE(std::regex_search(check, std::regex(line))) << line << '\n' << check;
+    const std::string run = run_program("run " + scene + "/run").output;
+    EXPECT_TRUE(std::regex_search(
+        run,
+        std::regex(
+            "The water flows steadily at the start, 7\\.[0-9]+e-5 m3/s per m; it leaves land up to \\[11")))
+        << run;
+    const std::string still = run_program("check " + scene + "/still --set boundaries.river.head=0").output;
+    EXPECT_NE(still.find("  none: no water stands above the level, 0 m\n"), std::string::npos) << still;
+}
+
 } // namespace
 
 } // namespace quicksand

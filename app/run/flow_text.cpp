@@ -1,0 +1,82 @@
+#include "app/run/flow_text.hpp"
+
+#include "app/run/number_format.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace quicksand {
+
+namespace {
+
+constexpr int line_points = 9; // of the phreatic line that are written [-]
+
+std::string text(const Vector2& point)
+{
+    return fmt::format("[{:.4g}, {:.4g}]", point.x(), point.y());
+}
+
+std::string name_of(const FaceFlow& face)
+{
+    return face.name.empty() ? "edges without a name" : face.name;
+}
+
+/// Where the water of a curve stands and leaves.
+std::string describe_face(const FaceFlow& face)
+{
+    std::string line = fmt::format("{} {} m3/s per m", face.inflow > 0.0 ? "takes in" : "gives off",
+                                   short_number(std::abs(face.inflow), 4));
+    if (face.entry) line += ", under water up to " + text(*face.entry);
+    if (face.exit) line += ", water leaves into the air up to " + text(*face.exit);
+    return line;
+}
+
+/// The phreatic line in the soil at equal distances.
+std::string describe_line(const AssembledCase& assembled, const FlowField& field)
+{
+    std::string line;
+    const double left = assembled.section.lower.x(), right = assembled.section.upper.x();
+    for (int k = 0; k < line_points; ++k) {
+        const double x = left + (right - left) * k / (line_points - 1);
+        const auto surface = field.surface(x);
+        line += (line.empty() ? "" : ", ") +
+                (surface ? text({x, *surface}) : fmt::format("dry at x = {:.4g}", x));
+    }
+    return line;
+}
+
+} // namespace
+
+std::string describe_initial_flow(const AssembledCase& assembled)
+{
+    if (!assembled.scene.starts_seeping) return "";
+    std::string text = "Steady flow at the start\n";
+    if (!assembled.initial_flow)
+        return text + fmt::format("  none: no water stands above the level, {} m\n",
+                                  short_number(assembled.problem.water->level));
+    const InitialFlow& flow = *assembled.initial_flow;
+    text += fmt::format(
+        "  {} triangles with edges up to {} m; the phreatic line is found in {} iterations, the flow "
+        "balanced to {} of it\n",
+        grouped(static_cast<long long>(flow.field.mesh().triangles.size())), short_number(flow.triangle_size),
+        flow.iterations, short_number(flow.imbalance, 2));
+    text += fmt::format("  discharge {} m3/s per m, {} m3 a day\n", short_number(flow.discharge, 4),
+                        short_number(86400.0 * flow.discharge, 4));
+    for (const FaceFlow& face : flow.faces)
+        text += fmt::format("  {:<16}{}\n", name_of(face), describe_face(face));
+    return text + "  phreatic line   " + describe_line(assembled, flow.field) + '\n';
+}
+
+std::string summarise_initial_flow(const AssembledCase& assembled)
+{
+    if (!assembled.initial_flow) return "";
+    const InitialFlow& flow = *assembled.initial_flow;
+    std::string line =
+        fmt::format("The water flows steadily at the start, {} m3/s per m", short_number(flow.discharge, 4));
+    for (const FaceFlow& face : flow.faces)
+        if (face.exit) line += fmt::format("; it leaves {} up to {}", name_of(face), text(*face.exit));
+    return line;
+}
+
+} // namespace quicksand

@@ -1,0 +1,315 @@
+#include "io/assembly/initial_flow.hpp"
+
+#include "geometry/section/section_mesh.hpp"
+#include "io/assembly/face_water.hpp"
+#include "io/keys/scene_schema.hpp"
+#include "io/keys/scene_units.hpp"
+#include "io/tables/scene_boundaries.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+constexpr double rounding = 1e-6;      // a head so little above the level is that of the level [cells]
+constexpr double triangle_share = 0.3; // area of a triangle over its longest edge squared, as meshed [-]
+constexpr double fewest = 16'000, most = 60'000; // triangles, whatever the cells [-]
+constexpr double least_outflow = 1e-9;           // of the discharge, that counts as water leaving [-]
+
+/// An edge of the mesh at which water may pass, with the face it belongs to.
+struct OpenEdge {
+    std::size_t a = 0, b = 0;
+    std::size_t face = 0;                      // index into the faces
+    double pressure_a = 0.0, pressure_b = 0.0; // of the water beyond [m of head]
+    bool is_wet = false;                       // below the water beyond
+};
+
+class FlowSection {
+public:
+    FlowSection(const Scene& scene, const Section& section, const Problem& problem, Diagnostics& findings)
+        : scene_(scene), section_(section), problem_(problem), findings_(findings)
+    {
+        faces_.push_back({{}, problem.rim}); // what no boundary claims: open to the still water
+        faces_.front().boundary.name = "";
+    }
+
+    bool check();
+    std::optional<InitialFlow> solve(const std::vector<std::int32_t>& of_region);
+
+private:
+    struct Face {
+        Boundary boundary;
+        std::vector<Segment> segments; // [m]
+    };
+
+    double unit_weight() const { return problem_.water->density * problem_.gravity; }
+    double level() const { return problem_.water->level; }
+    double head_beyond(const Boundary& boundary, const Vector2& point) const;
+    void check_boundary(const Boundary& boundary);
+    void check_sides(const FlowField& field);
+    double triangle_size() const;
+    std::vector<Vector2> water_lines() const;
+    std::vector<OpenEdge> open_edges(const TriangleMesh& mesh) const;
+    void set_conditions(const std::vector<OpenEdge>& edges, SteadyFlowProblem& flow) const;
+    void fill_parts_without_head(SteadyFlowProblem& flow) const;
+    std::vector<FaceFlow> face_flows(const std::vector<OpenEdge>& edges, const SteadyFlowProblem& flow,
+                                     const SteadyFlow& solution) const;
+
+    const Scene& scene_;
+    const Section& section_;
+    const Problem& problem_;
+    Diagnostics& findings_;
+    std::vector<Face> faces_;
+};
+
+/// Pressure head of the water beyond at the start, of the still water where the boundary has none [m].
+double FlowSection::head_beyond(const Boundary& boundary, const Vector2& point) const
+{
+    const double excess = outer_excess_pressure(problem_, boundary, point, outer_factor(boundary.water, 0.0));
+    return (excess + static_water_pressure(problem_, point.y())) / unit_weight();
+}
+
+void FlowSection::check_boundary(const Boundary& boundary)
+{
+    const SceneBoundary* written = find_boundary(scene_, boundary.name);
+    const bool inside =
+        std::any_of(boundary.segments.begin(), boundary.segments.end(),
+                    [&](const Segment& segment) { return !any_along(problem_.rim, segment); });
+    if (inside && !std::holds_alternative<Drained>(boundary.water)) {
+        findings_.add(
+            error_at(written != nullptr ? written->place : scene_.flow_place, "initial-flow",
+                     "the curve \"" + boundary.name +
+                         "\" lies inside the soil and is impervious or has a head: the steady flow "
+                         "knows curves on the rim alone",
+                     "curves on the rim of the soil, or water = \"drained\", which does nothing inside",
+                     "a cut-off is a thin region of a small hydraulic_conductivity"));
+        return;
+    }
+    if (std::holds_alternative<Impervious>(boundary.water)) return;
+    for (const Segment& segment : boundary.segments) {
+        for (const Vector2& point : {segment.start, segment.end}) {
+            const double pressure = head_beyond(boundary, point);
+            const double lowest = std::max(0.0, level() - point.y()) - rounding * problem_.grid.cell_size;
+            if (pressure >= lowest || written == nullptr) continue;
+            findings_.add(error_at(
+                written->water_place, "initial-flow",
+                fmt::format(
+                    "the water at the curve \"{}\" stands {:.4g} m high at [{:.5g}, {:.5g}], below {}",
+                    boundary.name, point.y() + pressure, point.x(), point.y(),
+                    lowest > 0.0 ? fmt::format("the water level {:.5g} m", level()) : "the curve itself"),
+                "water at the water level or above, and no suction",
+                "let level be that of the lowest water"));
+            return;
+        }
+    }
+}
+
+bool FlowSection::check()
+{
+    if (!(problem_.gravity > 0.0))
+        findings_.add(error_at(scene_.flow_place, "initial-flow",
+                               "water.initial_flow = \"seepage\" without gravity: nothing drives the water",
+                               "gravity.acceleration of more than 0"));
+    if (findings_.has_errors()) return false;
+    for (const Boundary& boundary : problem_.boundaries) check_boundary(boundary);
+    for (const Boundary& boundary : problem_.boundaries) faces_.push_back({boundary, boundary.segments});
+    return !findings_.has_errors();
+}
+
+/// Tied sides are one side, which has one pressure at a height.
+void FlowSection::check_sides(const FlowField& field)
+{
+    if (!problem_.tied_sides) return;
+    const auto left = field.surface(problem_.tied_sides->x_left),
+               right = field.surface(problem_.tied_sides->x_right);
+    if (!left || !right || std::abs(*left - *right) <= 0.1 * problem_.grid.cell_size) return;
+    findings_.add(warning_at(
+        scene_.flow_place, "water.initial_flow", "initial-flow",
+        fmt::format(
+            "the water stands {:.5g} m high at the tied side \"{}\" and {:.5g} m at \"{}\": a common side "
+            "has one pore water pressure",
+            *left, problem_.tied_sides->left, *right, problem_.tied_sides->right),
+        "the same height at both"));
+}
+
+double FlowSection::triangle_size() const
+{
+    double soil = 0.0;
+    for (const Region& region : section_.regions) soil += area(region);
+    return std::clamp(problem_.grid.cell_size, std::sqrt(soil / (triangle_share * most)),
+                      std::sqrt(soil / (triangle_share * fewest)));
+}
+
+/// Where the water beyond meets the curves.
+std::vector<Vector2> FlowSection::water_lines() const
+{
+    std::vector<Vector2> points;
+    const auto cut = [&](const Segment& segment, double y) {
+        const double from = segment.start.y() - y, to = segment.end.y() - y;
+        if (from * to < 0.0)
+            points.push_back(segment.start + from / (from - to) * (segment.end - segment.start));
+    };
+    for (const Face& face : faces_) {
+        for (const Segment& segment : face.segments) {
+            cut(segment, level());
+            const auto* given = std::get_if<PrescribedWater>(&face.boundary.water);
+            if (given == nullptr) continue;
+            if (const auto* head = std::get_if<WaterHead>(&given->value)) cut(segment, head->head);
+        }
+    }
+    return points;
+}
+
+/// The edges of the mesh on the rim, but for those on curves that hold the water.
+std::vector<OpenEdge> FlowSection::open_edges(const TriangleMesh& mesh) const
+{
+    std::map<std::pair<std::size_t, std::size_t>, int> uses;
+    for (const auto& triangle : mesh.triangles)
+        for (std::size_t k = 0; k < 3; ++k) ++uses[std::minmax(triangle[k], triangle[(k + 1) % 3])];
+    std::vector<OpenEdge> edges;
+    for (const auto& [nodes, count] : uses) {
+        if (count != 1) continue;
+        const Segment segment = {mesh.nodes[nodes.first], mesh.nodes[nodes.second]};
+        std::size_t face = 0;
+        for (std::size_t f = 1; f < faces_.size() && face == 0; ++f)
+            if (any_along(faces_[f].segments, segment)) face = f;
+        const Boundary& boundary = faces_[face].boundary;
+        if (std::holds_alternative<Impervious>(boundary.water)) continue;
+        OpenEdge edge{nodes.first,
+                      nodes.second,
+                      face,
+                      head_beyond(boundary, segment.start),
+                      head_beyond(boundary, segment.end),
+                      false};
+        edge.is_wet = head_beyond(boundary, 0.5 * (segment.start + segment.end)) > 0.0;
+        edges.push_back(edge);
+    }
+    return edges;
+}
+
+void FlowSection::set_conditions(const std::vector<OpenEdge>& edges, SteadyFlowProblem& flow) const
+{
+    const auto& nodes = flow.mesh.nodes;
+    flow.water.assign(nodes.size(), NodeWater::closed);
+    flow.given_head.assign(nodes.size(), 0.0);
+    for (const OpenEdge& edge : edges)
+        if (!edge.is_wet) flow.water[edge.a] = flow.water[edge.b] = NodeWater::open;
+    for (const OpenEdge& edge : edges) {
+        if (!edge.is_wet) continue;
+        for (const auto& [node, pressure] :
+             {std::pair(edge.a, edge.pressure_a), std::pair(edge.b, edge.pressure_b)}) {
+            const double head = nodes[node].y() + pressure;
+            const bool first = flow.water[node] != NodeWater::head;
+            flow.given_head[node] = first ? head : std::max(head, flow.given_head[node]);
+            flow.water[node] = NodeWater::head;
+        }
+    }
+}
+
+/// Parts of the soil that no head reaches hold still water at the level.
+void FlowSection::fill_parts_without_head(SteadyFlowProblem& flow) const
+{
+    std::vector<std::uint8_t> reached(flow.water.size(), 0);
+    for (std::size_t i = 0; i < reached.size(); ++i) reached[i] = flow.water[i] == NodeWater::head ? 1 : 0;
+    for (bool grows = true; grows;) {
+        grows = false;
+        for (const auto& [a, b, c] : flow.mesh.triangles) {
+            const int count = reached[a] + reached[b] + reached[c];
+            if (count == 0 || count == 3) continue;
+            reached[a] = reached[b] = reached[c] = 1;
+            grows = true;
+        }
+    }
+    for (std::size_t i = 0; i < reached.size(); ++i) {
+        if (reached[i] != 0) continue;
+        flow.water[i] = flow.mesh.nodes[i].y() < level() ? NodeWater::head : NodeWater::open;
+        flow.given_head[i] = level();
+    }
+}
+
+std::vector<FaceFlow> FlowSection::face_flows(const std::vector<OpenEdge>& edges,
+                                              const SteadyFlowProblem& flow, const SteadyFlow& solution) const
+{
+    std::vector<FaceFlow> flows(faces_.size());
+    for (std::size_t f = 0; f < flows.size(); ++f) flows[f].name = faces_[f].boundary.name;
+    std::vector<std::uint8_t> counted(flow.water.size(), 0); // a node between two faces belongs to one
+    const auto raise = [&](std::optional<Vector2>& highest, std::size_t node) {
+        const Vector2& place = flow.mesh.nodes[node];
+        if (!highest || place.y() > highest->y()) highest = place;
+    };
+    for (const bool wet : {true, false}) {
+        for (const OpenEdge& edge : edges) {
+            if (edge.is_wet != wet) continue;
+            for (const std::size_t node : {edge.a, edge.b}) {
+                FaceFlow& face = flows[edge.face];
+                if (wet) raise(face.entry, node);
+                if (counted[node] != 0) continue;
+                counted[node] = 1;
+                face.inflow += solution.inflow[node];
+                if (!wet && solution.inflow[node] < -least_outflow * solution.discharge)
+                    raise(face.exit, node);
+            }
+        }
+    }
+    std::erase_if(flows, [](const FaceFlow& face) { return !face.entry && !face.exit; });
+    return flows;
+}
+
+std::optional<InitialFlow> FlowSection::solve(const std::vector<std::int32_t>& of_region)
+{
+    SteadyFlowProblem flow;
+    const double size = triangle_size();
+    flow.mesh = mesh_section(section_, size, water_lines());
+    for (const std::size_t region : flow.mesh.region) {
+        const Material& material = problem_.materials[static_cast<std::size_t>(of_region[region])];
+        flow.conductivity.push_back(material.hydraulic_conductivity * problem_.gravity /
+                                    material.conductivity_gravity);
+    }
+    const std::vector<OpenEdge> edges = open_edges(flow.mesh);
+    set_conditions(edges, flow);
+    const double still = rounding * problem_.grid.cell_size;
+    bool flows = false;
+    for (std::size_t i = 0; i < flow.water.size(); ++i)
+        flows = flows || (flow.water[i] == NodeWater::head && std::abs(flow.given_head[i] - level()) > still);
+    if (!flows) return std::nullopt;
+    fill_parts_without_head(flow);
+    const SteadyFlow solution = solve_steady_flow(flow);
+    if (!solution.converged) {
+        findings_.add(
+            error_at(scene_.flow_place, "initial-flow",
+                     fmt::format("the phreatic line of the steady flow is not found: after {} iterations "
+                                 "it still moves",
+                                 solution.iterations),
+                     "a flow with a steady state",
+                     "look for a wrong conductivity, or draw the line with water.phreatic_line"));
+        return std::nullopt;
+    }
+    InitialFlow found{FlowField(flow.mesh, solution.head),
+                      size,
+                      solution.discharge,
+                      solution.imbalance,
+                      solution.iterations,
+                      face_flows(edges, flow, solution)};
+    check_sides(found.field);
+    return found;
+}
+
+} // namespace
+
+std::optional<InitialFlow> find_initial_flow(const Scene& scene, const Section& section,
+                                             const std::vector<std::int32_t>& of_region,
+                                             const Problem& problem, Diagnostics& findings)
+{
+    if (!scene.starts_seeping) return std::nullopt;
+    FlowSection flow(scene, section, problem, findings);
+    if (!flow.check()) return std::nullopt;
+    return flow.solve(of_region);
+}
+
+} // namespace quicksand

@@ -1,0 +1,48 @@
+// Steady flow of water through soil, with a free surface that is found.
+//
+// With the pressure head p >= 0 and the saturation s of the soil, the flux is -k (grad p + s grad y), and
+// s = 1 wherever p > 0: soil without pressure lets water fall through, as much of it as comes from above, and
+// is dry where none comes (Brezis, Kinderlehrer and Stampacchia 1978; Alt 1980). Faces open to the air are
+// faces of seepage: water leaves where its pressure would be positive, and none enters. Linear triangles, the
+// saturation that of the higher node of an edge; on a Delaunay mesh no coefficient has the wrong sign. What
+// is found is which nodes have pressure: the equations of a set are linear, and the sets follow each other
+// until none changes (the active sets of Hintermueller, Ito and Kunisch 2002).
+#pragma once
+
+#include "solver/particles/particles.hpp"
+#include "solver/seepage/triangle_mesh.hpp"
+
+#include <cstdint>
+#include <vector>
+
+namespace quicksand {
+
+/// What a node is to the water.
+enum class NodeWater : std::uint8_t {
+    closed, // inside, or at a face that no water passes
+    head,   // with a given head
+    open,   // at a face open to the air
+};
+
+struct SteadyFlowProblem {
+    TriangleMesh mesh;
+    Scalars conductivity;         // k of every triangle [m/s]
+    std::vector<NodeWater> water; // of every node
+    Scalars given_head;           // of nodes with a head, at y or above; of no use at others [m]
+};
+
+struct SteadyFlow {
+    Scalars pressure_head;  // p of every node, 0 where there is none [m]
+    Scalars head;           // h = y + p; where p is 0 as it would go on from the water, at most y [m]
+    Scalars inflow;         // through the faces at every node, negative where water leaves [m2/s]
+    double discharge = 0.0; // what enters from heads, without what leaves to the same head [m3/s per m]
+    double imbalance = 0.0; // largest flow that a node without a face gains, over the discharge [-]
+    int iterations = 0;     // sets that were tried [-]
+    bool converged = false;
+};
+
+/// The steady state. Every connected part of the mesh must have a node with a given head. Where the sets of
+/// wet nodes do not come to an end, `converged` is false and the heads are those of the last one.
+SteadyFlow solve_steady_flow(const SteadyFlowProblem& problem);
+
+} // namespace quicksand
