@@ -239,21 +239,31 @@ std::vector<FaceFlow> FlowSection::face_flows(const std::vector<OpenEdge>& edges
     std::vector<FaceFlow> flows(faces_.size());
     for (std::size_t f = 0; f < flows.size(); ++f) flows[f].name = faces_[f].boundary.name;
     std::vector<std::uint8_t> counted(flow.water.size(), 0); // a node between two faces belongs to one
-    const auto raise = [&](std::optional<Vector2>& highest, std::size_t node) {
-        const Vector2& place = flow.mesh.nodes[node];
-        if (!highest || place.y() > highest->y()) highest = place;
+    std::vector<double> outflow(flows.size(), 0.0);          // at the exit found so far [m2/s]
+    const double same = rounding * problem_.grid.cell_size;
+    const auto raise_entry = [&](FaceFlow& face, const Vector2& place) {
+        if (!face.entry || place.y() > face.entry->y()) face.entry = place;
+    };
+    // on level ground water leaves everywhere: there the place of the most counts, the toe
+    const auto raise_exit = [&](std::size_t f, const Vector2& place, double leaves) {
+        std::optional<Vector2>& exit = flows[f].exit;
+        const bool level = exit && std::abs(place.y() - exit->y()) <= same;
+        if (exit && !(level ? leaves > outflow[f] : place.y() > exit->y())) return;
+        exit = place;
+        outflow[f] = leaves;
     };
     for (const bool wet : {true, false}) {
         for (const OpenEdge& edge : edges) {
             if (edge.is_wet != wet) continue;
             for (const std::size_t node : {edge.a, edge.b}) {
                 FaceFlow& face = flows[edge.face];
-                if (wet) raise(face.entry, node);
+                if (wet) raise_entry(face, flow.mesh.nodes[node]);
                 if (counted[node] != 0) continue;
                 counted[node] = 1;
                 face.inflow += solution.inflow[node];
-                if (!wet && solution.inflow[node] < -least_outflow * solution.discharge)
-                    raise(face.exit, node);
+                const double leaves = -solution.inflow[node];
+                if (!wet && leaves > least_outflow * solution.discharge)
+                    raise_exit(edge.face, flow.mesh.nodes[node], leaves);
             }
         }
     }

@@ -21,7 +21,8 @@ struct FaceFlow {
     std::string name;             // of the curve; "" of edges without one
     double inflow = 0.0;          // negative where water leaves [m3/s per m]
     std::optional<Vector2> entry; // highest point below the water that stands beyond [m]
-    std::optional<Vector2> exit;  // highest point at which water leaves into the air [m]
+    std::optional<Vector2>
+        exit; // highest point where water leaves into the air, of several the one with the most [m]
 };
 
 struct InitialFlow {
