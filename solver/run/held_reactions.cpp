@@ -5,6 +5,7 @@
 
 #include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/boundaries/wall_nodes.hpp"
 #include "solver/step/free_field_rows.hpp"
 #include "solver/step/single_phase_step.hpp"
 
@@ -16,7 +17,8 @@ namespace {
 
 /// Where the force of one piece goes, and its length.
 struct PieceWeights {
-    double length = 0.0; // [m]
+    double length = 0.0;  // [m]
+    bool on_line = false; // of the grid, with the whole curve
     std::vector<std::pair<std::size_t, double>> fractions;
 };
 
@@ -27,9 +29,12 @@ std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State&
     ParticlePlaces places;
     for (const Boundary& boundary : problem.boundaries) {
         if (!lets_go(boundary.soil)) continue;
+        const bool on_line =
+            std::all_of(boundary.segments.begin(), boundary.segments.end(),
+                        [&](const Segment& segment) { return holds_nodes(problem, boundary, segment); });
         for (const BoundaryPiece& piece : boundary.pieces) {
             const std::size_t p = places.find(state.particles, piece.identifier);
-            PieceWeights weights{piece.length, {}};
+            PieceWeights weights{piece.length, on_line, {}};
             for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
                                  [&](std::size_t i, double fraction) {
                                      if (fraction != 0.0)
@@ -100,6 +105,18 @@ Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vec
         square = next;
     }
     return forces_of(pieces, solution);
+}
+
+/// Where a side that slides meets a base that does not, a node of the side has no reaction along it: the
+/// pieces beside the corner may not put what the base bears on it.
+void add_free_nodes(const std::vector<PieceWeights>& pieces, const std::vector<SinglePhaseSums>& nodes,
+                    const NodeConditions& free, std::uint8_t fixed, std::vector<std::uint8_t>& released)
+{
+    for (const PieceWeights& piece : pieces) {
+        if (!piece.on_line) continue;
+        for (const auto& [node, fraction] : piece.fractions)
+            if (nodes[node].active() && (free.of_node[node] & fixed) == 0) released[node] = 1;
+    }
 }
 
 /// The nodes of the state at rest, with all forces, the pressure of the water included, and the rows of the
@@ -175,6 +192,7 @@ void hold_reactions(const Problem& problem, State& state)
             released[i] = 1;
             wanted[i] += fixed == solid_x_fixed ? by_rows[k].x() : by_rows[k].y();
         }
+        add_free_nodes(pieces, nodes, free, fixed, released);
         (fixed == solid_x_fixed ? state.reactions.x : state.reactions.y) =
             spread_on_pieces(pieces, released, wanted);
     }

@@ -89,12 +89,15 @@ TEST(FreeField, LevelGroundMovesAsItsColumnWithEveryInterpolation)
 
 TEST(FreeField, LevelGroundOnTheReferenceShapeIsTheColumnToRounding)
 {
-    Problem problem = layered_ground(FreeFieldSide{});
-    problem.strain = StrainForm::small;
-    State state = level_ground_state(problem);
-    const ColumnDeviations found = deviations(problem, 0.6, state);
-    EXPECT_LT(found.velocity.relative(), 1e-10);
-    EXPECT_LT(found.shear_stress.relative(), 1e-10);
+    for (const bool on_rock : {false, true}) {
+        Problem problem = layered_ground(FreeFieldSide{});
+        problem.strain = StrainForm::small;
+        if (on_rock) problem.boundaries[0].soil = ViscousFace{HalfSpace{2000.0, 300.0, 600.0}};
+        State state = level_ground_state(problem);
+        const ColumnDeviations found = deviations(problem, 0.6, state);
+        EXPECT_LT(found.velocity.relative(), 1e-10);
+        EXPECT_LT(found.shear_stress.relative(), 1e-10);
+    }
 }
 
 TEST(FreeField, TheColumnIsTheGroundBetweenTiedSides)
