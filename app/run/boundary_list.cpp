@@ -5,6 +5,7 @@
 #include "io/tables/scene_boundaries.hpp"
 #include "solver/base/overload.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/boundaries/viscous_boundary.hpp"
 #include "solver/run/patch_test.hpp"
@@ -15,6 +16,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace quicksand {
 
@@ -128,6 +130,19 @@ std::string describe(const MovingWall& wall, const AssembledCase&, const Boundar
 std::string describe(const ViscousFace&, const AssembledCase& assembled, const Boundary& boundary)
 {
     return describe_impedance(assembled, boundary);
+}
+
+std::string describe(const FreeFieldSide&, const AssembledCase& assembled, const Boundary& boundary)
+{
+    std::set<std::size_t> fields;
+    for (const Segment& segment : boundary.segments)
+        fields.insert(free_field_beyond(assembled.problem, segment).value());
+    std::string text;
+    for (const std::size_t k : fields)
+        text += fmt::format("a column of {} material points of its own at x = {} m; ",
+                            assembled.state.free_fields[k].column.particles.size(),
+                            short_number(assembled.problem.free_fields[k].x, 6));
+    return text + describe_impedance(assembled, boundary);
 }
 
 /// The excess pressure of the water beyond, with the history that it has.

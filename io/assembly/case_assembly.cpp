@@ -13,6 +13,7 @@
 #include "io/tables/scene_boundaries.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/free_field/free_field_columns.hpp"
 #include "solver/motion/slivers.hpp"
 #include "solver/step/step_forecast.hpp"
 
@@ -152,6 +153,7 @@ void check_case(AssembledCase& assembled)
         problem.boundaries = find_boundaries(scene, section, findings);
         problem.rim = rim_of(section);
         problem.tied_sides = find_tied_sides(scene, section, grid, findings);
+        check_free_field_sides(scene, section, grid, findings);
         set_face_water(scene, section, problem, findings);
     }
     findings.accept(scene.accepted);
@@ -223,6 +225,21 @@ void attach_loads(AssembledCase& assembled)
     throw_errors(assembled.warnings, assembled.scene);
 }
 
+/// The ground beyond free-field sides, as it is beside them; all else is known.
+void cut_columns(AssembledCase& assembled)
+{
+    for (const FreeFieldObstacle& obstacle : add_free_fields(assembled.problem, assembled.state)) {
+        const SceneBoundary* boundary = find_boundary(assembled.scene, obstacle.boundary);
+        ENSURE(boundary != nullptr);
+        assembled.warnings.add(error_at(
+            boundary->place, "free-field",
+            "the free-field side \"" + obstacle.boundary + "\" has no column of its own: " + obstacle.what,
+            "level ground over one cell beside the side",
+            "draw the surface, the layers and the phreatic line level over the last cells before the side"));
+    }
+    throw_errors(assembled.warnings, assembled.scene);
+}
+
 } // namespace
 
 AssembledCase assemble_case(SceneReading reading, Section section)
@@ -260,6 +277,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
         assembled.problem.scheme = fastest_scheme(assembled.problem, particles, assembled.scene.end_time);
     check_probes(assembled);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
+    cut_columns(assembled);
     return assembled;
 }
 

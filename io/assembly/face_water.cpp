@@ -71,6 +71,7 @@ std::vector<Vector2> marks_along(const Scene& scene, const Segment& segment)
 /// Whether the water at rest acts on the curve: its pores are open to it, or it seals a face.
 bool bears_still_water(const Boundary& boundary)
 {
+    if (std::holds_alternative<FreeFieldSide>(boundary.soil)) return false; // its column has the water beyond
     return std::holds_alternative<Drained>(boundary.water) ||
            (std::holds_alternative<FreeFace>(boundary.soil) &&
             std::holds_alternative<Impervious>(boundary.water));

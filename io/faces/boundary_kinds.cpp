@@ -35,6 +35,14 @@ SceneSoilKind scene_kind(const TiedSide&)
             }};
 }
 
+SceneSoilKind scene_kind(const FreeFieldSide&)
+{
+    return {.word = "free_field",
+            .doc = "free_field (level ground goes on beyond a vertical side)",
+            .water = "drained",
+            .read = [](BoundaryTable&) -> SoilCondition { return FreeFieldSide{}; }};
+}
+
 const std::vector<SceneSoilKind>& soil_kinds()
 {
     static const std::vector<SceneSoilKind> kinds = list_kinds(std::type_identity<SoilCondition>());

@@ -71,6 +71,7 @@ SceneSoilKind scene_kind(const RollerWall&);
 SceneSoilKind scene_kind(const TiedSide&);
 SceneSoilKind scene_kind(const MovingWall&);
 SceneSoilKind scene_kind(const ViscousFace&);
+SceneSoilKind scene_kind(const FreeFieldSide&);
 
 /// All kinds, in the order of the alternatives of SoilCondition, and that of a curve.
 const std::vector<SceneSoilKind>& soil_kinds();

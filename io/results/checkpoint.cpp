@@ -1,7 +1,8 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
 // memory_columns, last_step, whole_step, step_scale, step_halvings, times_halved, explicit_end, particles,
-// reactions. The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look at: the file
+// reactions; for every column of a free field the same in a group free_field_K, and their number free_fields.
+// The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look at: the file
 // is checked before HDF5 opens it, since it copes badly with damaged tables. HDF5 keeps no times of its
 // objects, so that equal states make equal files.
 #include "io/results/checkpoint.hpp"
@@ -195,6 +196,59 @@ void set_up_memory_file(hid_t settings, FileImage& image)
     require(H5Pset_libver_bounds(settings, H5F_LIBVER_V18, H5F_LIBVER_V110), "settings");
 }
 
+std::string group_of_free_field(std::size_t k)
+{
+    return "free_field_" + std::to_string(k);
+}
+
+void write_numbers(const State& state, hid_t place)
+{
+    write_number(place, "stage", static_cast<std::int64_t>(state.stage));
+    write_number(place, "time", state.time);
+    write_number(place, "step", state.step);
+    write_number(place, "last_step", state.last_step);
+    write_number(place, "whole_step", state.whole_step);
+    write_number(place, "step_scale", state.step_scale);
+    write_number(place, "step_halvings", state.step_halvings);
+    write_number(place, "times_halved", state.times_halved);
+    write_number(place, "explicit_end", state.explicit_end);
+    write_number(place, "particles", static_cast<std::int64_t>(state.particles.size()));
+    write_number(place, "memory_columns", static_cast<std::int64_t>(state.particles.memory.size()));
+    if (state.balance_terms)
+        for_each_number(*state.balance_terms,
+                        [&](const char* name, double value) { write_number(place, name, value); });
+}
+
+void write_arrays(const State& state, hid_t place)
+{
+    // Arrays a dry scene does not need are empty and left out.
+    const auto write = [&](const char* name, const auto& values) {
+        if (!values.empty()) write_array(place, name, values);
+    };
+    for_each_index_array(state.particles, write);
+    for_each_array(state.particles, write);
+    write("reaction_x", state.reactions.x);
+    write("reaction_y", state.reactions.y);
+    write_number(place, "reactions", static_cast<std::int64_t>(state.reactions.x.size()));
+}
+
+/// All of a state, in the file or in a group of it, with groups for the columns of free fields.
+void write_into(const State& state, hid_t place)
+{
+    write_numbers(state, place);
+    write_arrays(state, place);
+    if (state.free_fields.empty()) return;
+    write_number(place, "free_fields", static_cast<std::int64_t>(state.free_fields.size()));
+    for (std::size_t k = 0; k < state.free_fields.size(); ++k) {
+        const std::string name = group_of_free_field(k);
+        const Handle properties(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, name);
+        require(H5Pset_obj_track_times(properties, false), name);
+        const Handle group(H5Gcreate2(place, name.c_str(), H5P_DEFAULT, properties, H5P_DEFAULT), H5Gclose,
+                           name);
+        write_into(state.free_fields[k].column, group);
+    }
+}
+
 void write_state(const State& state, const std::string& scene_hash, FileImage& image)
 {
     const Handle settings(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "settings");
@@ -206,33 +260,11 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
     write_number(file, "format_version", format_version);
     write_text(file, "program_version", program_version());
     write_text(file, "scene_hash", scene_hash);
-    write_number(file, "stage", static_cast<std::int64_t>(state.stage));
-    write_number(file, "time", state.time);
-    write_number(file, "step", state.step);
-    write_number(file, "last_step", state.last_step);
-    write_number(file, "whole_step", state.whole_step);
-    write_number(file, "step_scale", state.step_scale);
-    write_number(file, "step_halvings", state.step_halvings);
-    write_number(file, "times_halved", state.times_halved);
-    write_number(file, "explicit_end", state.explicit_end);
-    write_number(file, "particles", static_cast<std::int64_t>(state.particles.size()));
-    write_number(file, "memory_columns", static_cast<std::int64_t>(state.particles.memory.size()));
-    if (state.balance_terms)
-        for_each_number(*state.balance_terms,
-                        [&](const char* name, double value) { write_number(file, name, value); });
-    // Arrays a dry scene does not need are empty and left out.
-    const auto write = [&](const char* name, const auto& values) {
-        if (!values.empty()) write_array(file, name, values);
-    };
-    for_each_index_array(state.particles, write);
-    for_each_array(state.particles, write);
-    write("reaction_x", state.reactions.x);
-    write("reaction_y", state.reactions.y);
-    write_number(file, "reactions", static_cast<std::int64_t>(state.reactions.x.size()));
+    write_into(state, file);
     require(H5Fflush(file, H5F_SCOPE_GLOBAL), "flushing the file");
 }
 
-State read_state(const Handle& file)
+State read_state(hid_t file)
 {
     State state;
     state.stage = static_cast<Stage>(read_number<std::int64_t>(file, "stage"));
@@ -258,6 +290,13 @@ State read_state(const Handle& file)
     const auto reactions = static_cast<std::size_t>(read_number<std::int64_t>(file, "reactions"));
     read_array(file, "reaction_x", reactions, state.reactions.x);
     read_array(file, "reaction_y", reactions, state.reactions.y);
+    if (H5Aexists(file, "free_fields") <= 0) return state;
+    state.free_fields.resize(static_cast<std::size_t>(read_number<std::int64_t>(file, "free_fields")));
+    for (std::size_t k = 0; k < state.free_fields.size(); ++k) {
+        const std::string name = group_of_free_field(k);
+        const Handle group(H5Gopen2(file, name.c_str(), H5P_DEFAULT), H5Gclose, name);
+        state.free_fields[k].column = read_state(group);
+    }
     return state;
 }
 
@@ -271,6 +310,7 @@ void require_complete(const State& state)
     });
     if (state.particles.material.size() != state.particles.size()) throw Hdf5Failure{"material"};
     if (state.particles.region.size() != state.particles.size()) throw Hdf5Failure{"region"};
+    for (const FreeFieldState& field : state.free_fields) require_complete(field.column);
 }
 
 void require_intact(const fs::path& path)

@@ -79,7 +79,9 @@ void check_viscous_side(const Scene& scene, const SceneBoundary& condition, cons
                         Diagnostics& findings)
 {
     const Boundary& boundary = condition.boundary;
-    if (!absorbs_waves(boundary.soil) || std::holds_alternative<NoMotion>(scene.base_motion)) return;
+    if (!std::holds_alternative<ViscousFace>(boundary.soil) ||
+        std::holds_alternative<NoMotion>(scene.base_motion))
+        return;
     const bool steep = std::any_of(curve.segments.begin(), curve.segments.end(), [](const Segment& segment) {
         const Vector2 along = (segment.end - segment.start).cwiseAbs();
         return along.y() > along.x();
@@ -88,7 +90,7 @@ void check_viscous_side(const Scene& scene, const SceneBoundary& condition, cons
     findings.add(warning_at(condition.place, join_path({"boundaries", boundary.name}), "viscous-side",
                             "the viscous side \"" + boundary.name +
                                 "\" damps the shaking of the ground itself, not only the outgoing waves",
-                            "sides tied to each other where the base shakes"));
+                            "sides tied to each other, or free_field sides, where the base shakes"));
 }
 
 /// The boundary along a curve.
@@ -101,18 +103,29 @@ Boundary drawn_along(const NamedCurve& curve, Boundary boundary)
     return boundary;
 }
 
-struct Side {
-    double x = 0.0;
-    double lower = std::numeric_limits<double>::infinity();
-    double upper = -std::numeric_limits<double>::infinity();
-};
-
-/// The curve as one vertical line on a grid line; a finding when it is none.
-std::optional<Side> find_side(const SceneBoundary& boundary, const NamedCurve& curve,
-                              const BackgroundGrid& grid, Diagnostics& findings)
+/// The parts of a curve that begin at the same x, as one curve may be both sides.
+std::vector<NamedCurve> by_place(const NamedCurve& curve, double tolerance)
 {
-    const double tolerance = on_line * grid.cell_size;
-    Side side;
+    std::vector<NamedCurve> parts;
+    for (const Segment& segment : curve.segments) {
+        auto part = std::find_if(parts.begin(), parts.end(), [&](const NamedCurve& other) {
+            return std::abs(other.segments.front().start.x() - segment.start.x()) <= tolerance;
+        });
+        if (part == parts.end()) part = parts.insert(part, NamedCurve{curve.name, {}});
+        part->segments.push_back(segment);
+    }
+    return parts;
+}
+
+} // namespace
+
+std::optional<UprightSide> find_upright_side(const SceneBoundary& boundary, const NamedCurve& curve,
+                                             const BackgroundGrid& grid, const std::string& kind,
+                                             Diagnostics& findings)
+{
+    const double tolerance = on_line * grid.cell_size, infinite = std::numeric_limits<double>::infinity();
+    const std::string name = "the " + kind + " curve \"" + curve.name + "\"";
+    UprightSide side{0.0, infinite, -infinite};
     bool vertical = !curve.segments.empty();
     if (vertical) side.x = curve.segments.front().start.x();
     for (const Segment& segment : curve.segments) {
@@ -123,23 +136,20 @@ std::optional<Side> find_side(const SceneBoundary& boundary, const NamedCurve& c
         }
     }
     if (!vertical) {
-        findings.add(error_at(boundary.place, "tied",
-                              "the tied curve \"" + curve.name + "\" is not a vertical line",
+        findings.add(error_at(boundary.place, kind, name + " is not a vertical line",
                               "a vertical straight line on a grid line"));
         return std::nullopt;
     }
     const double offset = offset_from_line(side.x, grid.origin.x(), grid.cell_size);
     if (std::abs(offset) <= tolerance) return side;
     findings.add(
-        error_at(boundary.place, "tied",
-                 "the tied curve \"" + curve.name + "\" at x = " + number_text(side.x) +
+        error_at(boundary.place, kind,
+                 name + " at x = " + number_text(side.x) +
                      " m is not on a grid line: the nearest is at x = " + number_text(side.x - offset) + " m",
                  "a vertical straight line on a grid line",
                  "choose a cell size that divides the width, or set origin in [grid]"));
     return std::nullopt;
 }
-
-} // namespace
 
 void check_names(const Scene& scene, const Section& section, Diagnostics& findings)
 {
@@ -182,6 +192,34 @@ std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section
     return boundaries;
 }
 
+void check_free_field_sides(const Scene& scene, const Section& section, const BackgroundGrid& grid,
+                            Diagnostics& findings)
+{
+    const auto is_tied = [](const SceneBoundary& condition) {
+        return std::holds_alternative<TiedSide>(condition.boundary.soil);
+    };
+    const bool any_tied = std::any_of(scene.boundaries.begin(), scene.boundaries.end(), is_tied);
+    for (const SceneBoundary& condition : scene.boundaries) {
+        const Boundary& boundary = condition.boundary;
+        const NamedCurve* curve = find_curve(section, boundary.name);
+        if (!std::holds_alternative<FreeFieldSide>(boundary.soil) || curve == nullptr) continue;
+        for (const NamedCurve& side : by_place(*curve, on_line * grid.cell_size))
+            find_upright_side(condition, side, grid, "free-field", findings);
+        if (any_tied)
+            findings.add(
+                error_at(condition.place, "free-field",
+                         "the scene has the free-field side \"" + boundary.name + "\" and tied sides",
+                         "sides of one of the two kinds",
+                         "where the ground of both sides differs, both are free_field"));
+        if (scene.water && !std::holds_alternative<Drained>(boundary.water))
+            findings.add(error_at(condition.place, "free-field",
+                                  "the free-field side \"" + boundary.name +
+                                      "\" has a condition of its own for the water",
+                                  "water = \"drained\", or none",
+                                  "water passes the side, with the pore pressure of the ground beyond it"));
+    }
+}
+
 std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& section,
                                          const BackgroundGrid& grid, Diagnostics& findings)
 {
@@ -194,8 +232,8 @@ std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& sect
     const NamedCurve* first_curve = find_curve(section, first_name);
     const NamedCurve* second_curve = find_curve(section, second_name);
     if (first_curve == nullptr || second_curve == nullptr) return std::nullopt;
-    const auto first = find_side(*tied[0], *first_curve, grid, findings);
-    const auto second = find_side(*tied[1], *second_curve, grid, findings);
+    const auto first = find_upright_side(*tied[0], *first_curve, grid, "tied", findings);
+    const auto second = find_upright_side(*tied[1], *second_curve, grid, "tied", findings);
     if (!first || !second) return std::nullopt;
 
     const auto refuse = [&](const std::string& what, const std::string& expected) {

@@ -1,5 +1,6 @@
 #include "solver/boundaries/surface_loads.hpp"
 
+#include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/viscous_boundary.hpp"
 
 #include <algorithm>
@@ -108,6 +109,11 @@ void note_outer_forces(const Problem& problem, double time, const State& state, 
     };
     for_each_nodal_load(problem, time, state.particles, places, add_load);
     for_each_nodal_reaction(problem, state, places, add_load);
+    if (state.stage == Stage::shaking)
+        for (const GroundForce& ground : free_field_forces(problem, state, places)) {
+            add_load(ground.node, ground.grains);
+            outer[ground.node].water_x += ground.mixture_x;
+        }
     for_each_nodal_water(problem, time, state.particles, places, [&](std::size_t i, const Vector2& force) {
         outer[i].water_x += force.x();
         outer[i].water_y += force.y();

@@ -87,8 +87,20 @@ Impedance impedance(const Problem& problem, const Boundary& boundary, const Part
     const std::optional<Water>& water = water_of(problem, material);
     const WaveSpeeds speeds = wave_speeds(material, unloading_modulus(material, particles, p), water, n);
     const double density = (1.0 - n) * material.grain_density + (water ? n * water->density : 0.0);
-    const bool sealed = water && std::holds_alternative<Impervious>(boundary.water);
+    // beyond a free field water and grains go on together, though water passes
+    const bool sealed = water && (std::holds_alternative<Impervious>(boundary.water) ||
+                                  std::holds_alternative<FreeFieldSide>(boundary.soil));
     return {density * (sealed ? speeds.undrained : speeds.skeleton), density * speeds.shear};
+}
+
+Dashpot dashpot_of(const Problem& problem, const Boundary& boundary, const CarriedPiece& carried)
+{
+    const Impedance beyond = impedance(problem, boundary, carried.particles, carried.p);
+    const Vector2 n = carried.present.outward().normalized();
+    // rho V_p n n^T + rho V_s (I - n n^T)
+    const double length = carried.piece.length, shear = length * beyond.shear,
+                 extra = length * (beyond.normal - beyond.shear);
+    return {0, shear + extra * n.x() * n.x(), extra * n.x() * n.y(), shear + extra * n.y() * n.y()};
 }
 
 void gather_dashpots(const Problem& problem, const Particles& particles, const NodeConditions& conditions,
@@ -99,14 +111,8 @@ void gather_dashpots(const Problem& problem, const Particles& particles, const N
         if (!absorbs_waves(boundary.soil)) continue;
         for (const BoundaryPiece& piece : boundary.pieces) {
             const std::size_t p = places.find(particles, piece.identifier);
-            const Impedance beyond = impedance(problem, boundary, particles, p);
             const PresentPiece present = present_piece(problem, particles, piece, p);
-            const Vector2 n = present.outward().normalized();
-            // rho V_p n n^T + rho V_s (I - n n^T)
-            const double shear = piece.length * beyond.shear,
-                         extra = piece.length * (beyond.normal - beyond.shear);
-            const double xx = shear + extra * n.x() * n.x(), xy = extra * n.x() * n.y(),
-                         yy = shear + extra * n.y() * n.y();
+            const auto [none, xx, xy, yy] = dashpot_of(problem, boundary, {piece, present, particles, p});
             for_each_loaded_node(problem.grid, present, [&](std::size_t i, double fraction) {
                 if (fraction != 0.0)
                     dashpots.push_back({conditions.master[i], fraction * xx, fraction * xy, fraction * yy});

@@ -38,6 +38,9 @@ struct Dashpot {
 Impedance impedance(const Problem& problem, const Boundary& boundary, const Particles& particles,
                     std::size_t p);
 
+/// The dashpots of a piece as a whole; its node is not set.
+Dashpot dashpot_of(const Problem& problem, const Boundary& boundary, const CarriedPiece& carried);
+
 /// The dashpots of all boundaries that absorb waves, each node once, in the order of the nodes.
 void gather_dashpots(const Problem& problem, const Particles& particles, const NodeConditions& conditions,
                      ParticlePlaces& places, std::vector<Dashpot>& dashpots);

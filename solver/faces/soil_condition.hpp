@@ -3,6 +3,7 @@
 
 #include "solver/faces/fixed_wall.hpp"
 #include "solver/faces/free_face.hpp"
+#include "solver/faces/free_field_side.hpp"
 #include "solver/faces/moving_wall.hpp"
 #include "solver/faces/roller_wall.hpp"
 #include "solver/faces/tied_side.hpp"
@@ -13,7 +14,8 @@
 namespace quicksand {
 
 /// The boundary condition of the grains on a curve.
-using SoilCondition = std::variant<FreeFace, FixedWall, RollerWall, TiedSide, MovingWall, ViscousFace>;
+using SoilCondition =
+    std::variant<FreeFace, FixedWall, RollerWall, TiedSide, MovingWall, ViscousFace, FreeFieldSide>;
 
 // The functions of face_interface.hpp for whichever kind it is. (The first has another name: a kind
 // without hold_of would otherwise be converted to SoilCondition, in an endless recursion.)

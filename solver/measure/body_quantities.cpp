@@ -66,7 +66,7 @@ constexpr std::array table = {
         [](const MeasuredBody& body) { return body.state.balance_terms->gravity_work; }},
     BodyQuantity{"base_work", "J", "work of the base's acceleration since t = 0", balanced_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->base_work; }},
-    BodyQuantity{"boundary_work", "J", "work of loads, heads, moving walls and viscous boundaries since t = 0", balanced_body,
+    BodyQuantity{"boundary_work", "J", "work of loads, heads, moving walls, viscous and free-field sides since t = 0", balanced_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->boundary_work; }},
     BodyQuantity{"numerical_loss", "J", "kinetic energy lost in transfers between particles and grid, and at walls", balanced_body,
         [](const MeasuredBody& body) { return body.balance.numerical_loss; }},

@@ -70,6 +70,8 @@ enum class TimeScheme {
     implicit,       // besides, the skeleton's stiffness resists accelerations; accuracy limits dt
 };
 
+struct FreeField;
+
 /// Immutable inputs of a run. Without `water` the scene is dry.
 struct Problem {
     BackgroundGrid grid;
@@ -86,9 +88,18 @@ struct Problem {
     std::vector<Boundary> boundaries;
     std::vector<Segment> rim; // all edges of the soil as drawn, with a boundary or without: where walls end
     std::optional<TiedSides> tied_sides;
+    std::vector<FreeField> free_fields; // one for each place of a free-field side
     /// Body force per mass on a point of a body of one phase, by its reference position and time; for
     /// verification, none otherwise [m/s2].
     std::function<Vector2(const Vector2&, double)> body_acceleration;
+};
+
+/// The level ground far beyond a free-field side: one column of cells with the soil, the base and the water
+/// that the body has beside the side. Its own sides are tied.
+struct FreeField {
+    double x = 0.0;       // of the side [m]
+    double outward = 0.0; // x of the side's outward normal, -1 or 1 [-]
+    Problem column;
 };
 
 /// The water of a material's pores: none in a dry scene and above a phreatic line.

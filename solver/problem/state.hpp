@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 namespace quicksand {
 
@@ -19,7 +20,7 @@ struct BalanceTerms {
     double drag_dissipation = 0.0;   // of the drag between water and grains
     double gravity_work = 0.0;       // of the weight, buoyant below water
     double base_work = 0.0;          // of the base's acceleration, a force in the moving frame
-    double boundary_work = 0.0;      // of loads, heads, moving walls and viscous boundaries
+    double boundary_work = 0.0;      // of loads, heads, moving walls, viscous and free-field sides
     double wall_loss = 0.0;          // kinetic energy that walls took out of the nodes they stop
     double impulse_x = 0.0;          // of weight, base and boundaries [N s/m]
     double impulse_y = 0.0;
@@ -59,6 +60,17 @@ void for_each_number(AnyTerms& terms, Visitor&& visit)
     visit("balance_opening_water_content", terms.opening_water_content);
 }
 
+/// What the ground beyond a free-field side does in a step, by rows of nodes of the grid. Found anew from its
+/// column in every step.
+struct FreeFieldRows {
+    Vectors force;    // of the effective stress across a vertical section, on the soil left of it [N/m]
+    Scalars pressure; // the same of the excess pore pressure, against x [N/m]
+    Scalars height;   // of the part of the section that a row stands for [m]
+    Vectors velocity; // of the grains, mean of the values before and after the step [m/s]
+};
+
+struct FreeFieldState;
+
 struct State {
     Stage stage = Stage::shaking;
     double time = 0.0;      // t since the start of shaking [s]
@@ -75,6 +87,13 @@ struct State {
     Particles particles;
     Vectors reactions; // forces held at viscous boundaries, piece by piece; none without [N/m]
     std::optional<BalanceTerms> balance_terms; // none: a run without balances
+    std::vector<FreeFieldState> free_fields;   // in the order of Problem::free_fields
+};
+
+/// The ground beyond a free-field side: the state of its column, and what it does to the side.
+struct FreeFieldState {
+    State column;
+    FreeFieldRows rows;
 };
 
 /// dt_v = (dt_last + dt) / 2, the time over which accelerations act on velocities in a step of length dt [s].

@@ -3,7 +3,10 @@
 // gradients. The matrix is symmetric, that of a mass along the curve.
 #include "solver/run/held_reactions.hpp"
 
+#include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/viscous_boundary.hpp"
+#include "solver/boundaries/wall_nodes.hpp"
+#include "solver/step/free_field_rows.hpp"
 #include "solver/step/single_phase_step.hpp"
 
 #include <algorithm>
@@ -14,7 +17,8 @@ namespace {
 
 /// Where the force of one piece goes, and its length.
 struct PieceWeights {
-    double length = 0.0; // [m]
+    double length = 0.0;  // [m]
+    bool on_line = false; // of the grid, with the whole curve
     std::vector<std::pair<std::size_t, double>> fractions;
 };
 
@@ -25,9 +29,12 @@ std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State&
     ParticlePlaces places;
     for (const Boundary& boundary : problem.boundaries) {
         if (!lets_go(boundary.soil)) continue;
+        const bool on_line =
+            std::all_of(boundary.segments.begin(), boundary.segments.end(),
+                        [&](const Segment& segment) { return holds_nodes(problem, boundary, segment); });
         for (const BoundaryPiece& piece : boundary.pieces) {
             const std::size_t p = places.find(state.particles, piece.identifier);
-            PieceWeights weights{piece.length, {}};
+            PieceWeights weights{piece.length, on_line, {}};
             for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
                                  [&](std::size_t i, double fraction) {
                                      if (fraction != 0.0)
@@ -100,11 +107,23 @@ Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vec
     return forces_of(pieces, solution);
 }
 
-/// The nodes of the state at rest, with all forces, the pressure of the water included, and the rows of the
-/// walls.
-SinglePhaseWorkspace nodes_at_rest(const Problem& problem, const State& state)
+/// Where a side that slides meets a base that does not, a node of the side has no reaction along it: the
+/// pieces beside the corner may not put what the base bears on it.
+void add_free_nodes(const std::vector<PieceWeights>& pieces, const std::vector<SinglePhaseSums>& nodes,
+                    const NodeConditions& free, std::uint8_t fixed, std::vector<std::uint8_t>& released)
 {
-    State held = state;
+    for (const PieceWeights& piece : pieces) {
+        if (!piece.on_line) continue;
+        for (const auto& [node, fraction] : piece.fractions)
+            if (nodes[node].active() && (free.of_node[node] & fixed) == 0) released[node] = 1;
+    }
+}
+
+/// The nodes of the state at rest, with all forces, the pressure of the water included, and the rows of the
+/// walls; `held` becomes the state in the order of the workspace.
+SinglePhaseWorkspace nodes_at_rest(const Problem& problem, const State& state, State& held)
+{
+    held = state;
     held.stage = Stage::relaxation;
     held.reactions = {};
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
@@ -113,6 +132,29 @@ SinglePhaseWorkspace nodes_at_rest(const Problem& problem, const State& state)
     constexpr double unit_time = 1.0; // forces stand for impulses
     assemble_walls(problem, unit_time, work.sums, work);
     return work;
+}
+
+/// The forces of the ground beyond free-field sides, at rest, at the nodes that carry them. Sets the rows of
+/// the state's free fields.
+std::vector<Vector2> resting_ground(const Problem& problem, const NodeConditions& conditions, State& state)
+{
+    std::vector<Vector2> forces(problem.grid.node_count(), Vector2::Zero());
+    for (std::size_t k = 0; k < state.free_fields.size(); ++k) {
+        const Problem& column = problem.free_fields[k].column;
+        FreeFieldState& field = state.free_fields[k];
+        hold_reactions(column, field.column);
+        State held;
+        const SinglePhaseWorkspace rest = nodes_at_rest(column, field.column, held);
+        const SectionStress stress = section_stress(column, held.particles);
+        find_section_forces(
+            column, rest, held.particles, stress, [](std::size_t) { return 0.0; }, field.rows);
+        field.rows.velocity.x.assign(field.rows.height.size(), 0.0);
+        field.rows.velocity.y.assign(field.rows.height.size(), 0.0);
+    }
+    ParticlePlaces places;
+    for (const GroundForce& ground : free_field_forces(problem, state, places))
+        forces[conditions.master[ground.node]] += ground.grains + Vector2(ground.mixture_x, 0.0);
+    return forces;
 }
 
 } // namespace
@@ -125,7 +167,9 @@ void hold_reactions(const Problem& problem, State& state)
     const NodeConditions held = node_conditions(problem, Stage::relaxation),
                          free = node_conditions(problem, Stage::shaking);
     const std::vector<PieceWeights> pieces = weights_of_pieces(problem, state, held);
-    const SinglePhaseWorkspace rest = nodes_at_rest(problem, state);
+    State at_rest;
+    const SinglePhaseWorkspace rest = nodes_at_rest(problem, state, at_rest);
+    const std::vector<Vector2> ground = resting_ground(problem, held, state);
     const std::vector<SinglePhaseSums>& nodes = rest.sums;
     const std::vector<Vector2> by_rows =
         resting_reactions(problem, rest.walls, nodes, [&](const WallChain& chain) {
@@ -138,8 +182,9 @@ void hold_reactions(const Problem& problem, State& state)
             if (!nodes[i].active() || held.master[i] != i) continue;
             released[i] = (held.of_node[i] & ~free.of_node[i] & fixed) != 0;
             if (!released[i]) continue;
-            wanted[i] = fixed == solid_x_fixed ? -nodes[i].stress_force_x
-                                               : nodes[i].weight * problem.gravity - nodes[i].stress_force_y;
+            wanted[i] = fixed == solid_x_fixed
+                            ? -nodes[i].stress_force_x - ground[i].x()
+                            : nodes[i].weight * problem.gravity - nodes[i].stress_force_y - ground[i].y();
         }
         for (std::size_t k = 0; k < by_rows.size(); ++k) {
             const std::size_t i = rest.walls.rows.nodes()[k];
@@ -147,6 +192,7 @@ void hold_reactions(const Problem& problem, State& state)
             released[i] = 1;
             wanted[i] += fixed == solid_x_fixed ? by_rows[k].x() : by_rows[k].y();
         }
+        add_free_nodes(pieces, nodes, free, fixed, released);
         (fixed == solid_x_fixed ? state.reactions.x : state.reactions.y) =
             spread_on_pieces(pieces, released, wanted);
     }

@@ -103,6 +103,20 @@ void require_standing(double limit, double dt, const State& state)
     throw NumericalError(record);
 }
 
+/// begin_shaking() of the body alone, without the columns of free fields.
+std::size_t begin_with_memory(const Problem& problem, State& state)
+{
+    std::size_t limited = 0;
+    add_memory(state.particles, memory_columns(problem));
+    for_each_material_run(problem, state.particles, 0, state.particles.size(),
+                          [&](const Material& material, std::size_t first, std::size_t last) {
+                              limited += start_memory(material.law, first, last, state.particles);
+                          });
+    sink_water_table(problem, state.particles);
+    begin_shaking(state);
+    return limited;
+}
+
 } // namespace
 
 double out_of_balance(const Problem& problem, const State& state)
@@ -161,21 +175,17 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
     report.at_failure = count_at_failure(shaken, state.particles);
     set_at_rest(state.particles);
     if (problem.strain == StrainForm::small) return_to_reference(state.particles);
-    begin_shaking(shaken, state);
+    for (std::size_t k = 0; k < shaken.free_fields.size(); ++k)
+        relax(shaken.free_fields[k].column, controls, state.free_fields[k].column);
+    begin_with_memory(shaken, state);
     return report;
 }
 
 std::size_t begin_shaking(const Problem& problem, State& state)
 {
-    std::size_t limited = 0;
-    add_memory(state.particles, memory_columns(problem));
-    for_each_material_run(problem, state.particles, 0, state.particles.size(),
-                          [&](const Material& material, std::size_t first, std::size_t last) {
-                              limited += start_memory(material.law, first, last, state.particles);
-                          });
-    sink_water_table(problem, state.particles);
-    begin_shaking(state);
-    return limited;
+    for (std::size_t k = 0; k < problem.free_fields.size(); ++k)
+        begin_shaking(problem.free_fields[k].column, state.free_fields[k].column);
+    return begin_with_memory(problem, state);
 }
 
 void begin_shaking(State& state)

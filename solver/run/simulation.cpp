@@ -1,6 +1,8 @@
 #include "solver/run/simulation.hpp"
 
+#include "solver/free_field/free_field_steps.hpp"
 #include "solver/motion/particle_order.hpp"
+#include "solver/motion/wrapping.hpp"
 #include "solver/run/held_reactions.hpp"
 #include "solver/run/soil_column.hpp"
 #include "solver/run/watchdog.hpp"
@@ -9,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace quicksand {
 
@@ -37,8 +40,8 @@ bool marks_restart(const std::vector<Observer*>& observers, const State& state)
 TimeStep choose_step(const Problem& problem, double event, State& state)
 {
     if (state.step % steps_between_bounds == 0 || state.step == state.explicit_end)
-        measure_bound(problem, state);
-    const TimeStep step = bounded_time_step(problem, state);
+        measure_bounds(problem, state);
+    const TimeStep step = shortest_time_step(problem, state);
     state.whole_step = step.dt;
     return divide_evenly(step, event - state.time);
 }
@@ -49,16 +52,21 @@ public:
     explicit Steps(const Problem& problem) : problem_(problem), explicit_form_(problem)
     {
         explicit_form_.scheme = TimeScheme::explicit_steps;
+        for (FreeField& field : explicit_form_.free_fields) field.column.scheme = TimeScheme::explicit_steps;
         begin_anew();
     }
 
     /// From nothing, as a run that begins with the state would.
-    void begin_anew() { stepper_ = make_stepper(form()); }
+    void begin_anew()
+    {
+        stepper_ = make_stepper(form());
+        free_fields_.emplace(form());
+    }
 
     /// Measure the bound of the explicit steps that are to follow.
     void measure(State& state) const
     {
-        if (state.step < state.explicit_end) measure_bound(explicit_form_, state);
+        if (state.step < state.explicit_end) measure_bounds(explicit_form_, state);
     }
 
     /// Choose the step that is due, and its kind.
@@ -78,10 +86,29 @@ public:
         return step;
     }
 
-    const Problem& form() const { return are_explicit_ ? explicit_form_ : problem_; }
-    Stepper& stepper() { return *stepper_; }
+    /// One step, to the event at most.
+    void take(double dt, double event, State& state)
+    {
+        const bool arrives = dt >= event - state.time;
+        free_fields_->advance(form(), dt, state);
+        stepper_->advance(form(), dt, state);
+        wrap_particles(form(), state.particles);
+        if (arrives) state.time = event; // hit exactly, without the sum's rounding
+        for (FreeFieldState& field : state.free_fields) field.column.time = state.time;
+        check_particles(dt, state);
+    }
+
+    void restart()
+    {
+        stepper_->restart();
+        free_fields_->restart();
+    }
+
+    std::int64_t limited_domains() const { return stepper_->limited_domains(); }
 
 private:
+    const Problem& form() const { return are_explicit_ ? explicit_form_ : problem_; }
+
     void change_over(bool to_explicit)
     {
         if (are_explicit_ == to_explicit) return;
@@ -93,17 +120,8 @@ private:
     Problem explicit_form_;
     bool are_explicit_ = false;
     std::unique_ptr<Stepper> stepper_;
+    std::optional<FreeFieldSteps> free_fields_;
 };
-
-/// One step, to the event at most.
-void take_step(const Problem& problem, double dt, double event, Stepper& stepper, State& state)
-{
-    const bool arrives = dt >= event - state.time;
-    stepper.advance(problem, dt, state);
-    wrap_particles(problem, state.particles);
-    if (arrives) state.time = event; // hit exactly, without the sum's rounding
-    check_particles(dt, state);
-}
 
 } // namespace
 
@@ -121,7 +139,7 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
             const double event = next_event(problem, observers, end_time);
             report.time_step = steps.choose(event, state);
             show_start(problem, observers, state, std::min(event, state.time + report.time_step.dt));
-            take_step(steps.form(), report.time_step.dt, event, steps.stepper(), state);
+            steps.take(report.time_step.dt, event, state);
             report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
                                       state.step % steps_between_restarts == 0;
             if (report.is_restart_point) watchdog.check(problem, report.time_step.dt, state);
@@ -135,12 +153,12 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
         }
         report.step = state.step;
         report.time = state.time;
-        report.limited_domains = steps.stepper().limited_domains();
+        report.limited_domains = steps.limited_domains();
         if (report.is_restart_point) watchdog.keep(problem, state);
         observe_due(problem, observers, state, report); // a checkpoint of the step comes after its rows
         for (Observer* observer : observers) observer->after_step(report);
         if (!report.is_restart_point) continue;
-        steps.stepper().restart();
+        steps.restart();
         if (stop && stop()) break;
     }
     for (Observer* observer : observers) observer->finish();

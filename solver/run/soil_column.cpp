@@ -1,6 +1,7 @@
 #include "solver/run/soil_column.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/motion/body_part.hpp"
 
 #include <algorithm>
 #include <array>
@@ -187,50 +188,6 @@ std::string obstacle_of(const Problem& problem)
     return "";
 }
 
-/// The particles of the first column, numbered from 0.
-Particles first_column(const Particles& particles, const Columns& columns)
-{
-    Particles narrow;
-    const auto take = [&](const auto& values) {
-        std::decay_t<decltype(values)> taken;
-        if (!values.empty())
-            for (const std::size_t p : columns.particles) taken.push_back(values[p]);
-        return taken;
-    };
-    std::vector<Scalars> arrays;
-    for_each_array(particles, [&](const char*, const Scalars& values) { arrays.push_back(take(values)); });
-    narrow.memory.resize(particles.memory.size());
-    std::size_t k = 0;
-    for_each_array(narrow, [&](const char*, Scalars& values) { values = std::move(arrays[k++]); });
-    narrow.material = take(particles.material);
-    narrow.region = take(particles.region);
-    for (std::size_t n = 0; n < columns.particles.size(); ++n)
-        narrow.identifier.push_back(static_cast<std::int32_t>(n));
-    return narrow;
-}
-
-/// The pieces and slivers of the first column, with its numbers; false where a sliver is carried by another
-/// column.
-bool narrow_cut_domains(const Particles& particles, const Columns& columns, CutDomains& cut)
-{
-    std::map<std::int32_t, std::int32_t> number; // by that in the body
-    for (const std::size_t p : columns.particles)
-        number.emplace(particles.identifier[p], static_cast<std::int32_t>(number.size()));
-    CutDomains narrow;
-    for (const std::size_t p : columns.particles)
-        if (cut.has_pieces()) narrow.pieces.push_back(cut.is_piece(particles.identifier[p]) ? 1 : 0);
-    for (Sliver sliver : cut.slivers) {
-        const auto own = number.find(sliver.identifier), carrier = number.find(sliver.carrier);
-        if (own == number.end()) continue;
-        if (carrier == number.end()) return false;
-        sliver.identifier = own->second;
-        sliver.carrier = carrier->second;
-        narrow.slivers.push_back(sliver);
-    }
-    cut = std::move(narrow);
-    return true;
-}
-
 void narrow_problem(Problem& problem)
 {
     for (Boundary& boundary : problem.boundaries)
@@ -269,12 +226,12 @@ ColumnSearch find_soil_column(const Problem& problem, const State& state)
         }
         boundary.pieces = std::move(*pieces);
     }
-    if (!narrow_cut_domains(particles, columns, column.problem.cut_domains)) {
+    if (!take_part(particles, columns.particles, column.problem.cut_domains)) {
         search.obstacle = "thin pieces of soil are carried by the column beside theirs";
         return search;
     }
     narrow_problem(column.problem);
-    column.state.particles = first_column(particles, columns);
+    column.state.particles = part_of(particles, columns.particles);
     column.drawn_x = column.state.particles.position.x;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const auto source =
@@ -284,18 +241,6 @@ ColumnSearch find_soil_column(const Problem& problem, const State& state)
     }
     search.column = std::move(column);
     return search;
-}
-
-void wrap_particles(const Problem& problem, Particles& particles)
-{
-    if (!problem.tied_sides || !problem.tied_sides->wraps || problem.strain == StrainForm::small) return;
-    const double left = problem.tied_sides->x_left, width = problem.tied_sides->x_right - left;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double turns = std::floor((particles.position.x[p] - left) / width);
-        if (turns == 0.0) continue;
-        particles.position.x[p] -= turns * width;
-        particles.reference_position.x[p] -= turns * width;
-    }
 }
 
 void widen(const SoilColumn& column, const State& narrow, State& wide)

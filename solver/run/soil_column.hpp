@@ -40,9 +40,6 @@ struct ColumnSearch {
 
 ColumnSearch find_soil_column(const Problem& problem, const State& state);
 
-/// Let soil that has left a body with wrapping sides by one of them come in by the other.
-void wrap_particles(const Problem& problem, Particles& particles);
-
 /// The state of the whole body, in the order of its particles at the beginning: values repeat, positions have
 /// drifted as far as the soil has, the balances are those of all columns. Held reactions are left out.
 void widen(const SoilColumn& column, const State& narrow, State& wide);

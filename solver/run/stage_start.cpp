@@ -115,9 +115,8 @@ std::size_t pieces_that_let_go(const Problem& problem)
     return count;
 }
 
-} // namespace
-
-State begin_stage(const Problem& problem, const State& initial, State reached, const StageStart& start)
+/// The same without columns of free fields.
+State begin_body(const Problem& problem, const State& initial, State reached, const StageStart& start)
 {
     const Particles drawn = in_order_of(reached.particles, initial.particles);
     State state;
@@ -152,6 +151,23 @@ State begin_stage(const Problem& problem, const State& initial, State reached, c
     if (start.zero_pressures) count_pressures_from_here(problem, particles);
     if (start.zero_displacements && problem.strain == StrainForm::small) return_to_reference(particles);
     if (start.zero_displacements) reset_reference(particles);
+    return state;
+}
+
+} // namespace
+
+State begin_stage(const Problem& problem, const State& initial, State reached, const StageStart& start)
+{
+    if (reached.free_fields.size() != problem.free_fields.size())
+        throw InputError("the stage before has " + std::to_string(reached.free_fields.size()) +
+                         " free-field columns and this one " + std::to_string(problem.free_fields.size()) +
+                         "\nexpected: the same sides with soil = \"free_field\" from the first stage on");
+    std::vector<FreeFieldState> columns = std::move(reached.free_fields);
+    State state = begin_body(problem, initial, std::move(reached), start);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+        columns[k].column = begin_stage(problem.free_fields[k].column, initial.free_fields[k].column,
+                                        std::move(columns[k].column), start);
+    state.free_fields = std::move(columns);
     return state;
 }
 

@@ -121,6 +121,10 @@ void Watchdog::go_back(const NumericalError& error, State& state)
     if (error.record.remedy == Remedy::explicit_steps) {
         kept_.explicit_end = kept_.step + explicit_steps;
         std::fill(kept_.particles.pore_pressure_rate.begin(), kept_.particles.pore_pressure_rate.end(), 0.0);
+        for (FreeFieldState& field : kept_.free_fields) {
+            Scalars& rate = field.column.particles.pore_pressure_rate;
+            std::fill(rate.begin(), rate.end(), 0.0);
+        }
         state = kept_;
         return;
     }

@@ -1,5 +1,6 @@
 #include "solver/step/single_phase_step.hpp"
 
+#include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/measure/balances.hpp"
@@ -71,6 +72,7 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
     scatter_surface_loads(problem, time, particles, work.places, work.sums);
     if (pressed) scatter_outer_water(problem, time, particles, work.places, work.sums);
     scatter_reactions(problem, state, work.places, work.sums);
+    scatter_free_fields(problem, state, work.places, work.sums);
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     if (work.outer.empty() || !state.balance_terms) return;

@@ -1,5 +1,6 @@
 #include "solver/step/stepper.hpp"
 
+#include "solver/boundaries/node_response.hpp"
 #include "solver/step/single_phase_step.hpp"
 #include "solver/step/two_phase_step.hpp"
 
@@ -15,6 +16,13 @@ public:
     std::int64_t limited_domains() const override { return work_.limited_domains; }
     PhaseTimers& timers() override { return work_.timers; }
     void restart() override {}
+    const StepWorkspace& workspace() const override { return work_; }
+    std::optional<Vector2> mean_velocity(std::size_t node) const override
+    {
+        if (!work_.sums[work_.conditions.master[node]].active()) return std::nullopt;
+        const auto& motion = work_.motion[node];
+        return 0.5 * (velocity_before(motion) + solid_velocity(motion));
+    }
 
 protected:
     Workspace work_;
@@ -37,6 +45,10 @@ public:
         advance_semi_implicit_step(problem, dt, state, work_);
     }
     void restart() override { work_.pressure.blocks_are_due = true; }
+    double acting_increment(std::size_t p) const override
+    {
+        return work_.pressure.increment[static_cast<std::size_t>(work_.lists.cell_of_particle[p])];
+    }
 };
 
 class SinglePhaseStepper : public WorkingStepper<SinglePhaseWorkspace> {

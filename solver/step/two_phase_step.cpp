@@ -2,6 +2,7 @@
 
 #include "solver/base/failure.hpp"
 #include "solver/boundaries/boundary_compliance.hpp"
+#include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/inertia/coupled_motion.hpp"
@@ -269,6 +270,7 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
     scatter_surface_loads(problem, time, particles, work.places, work.sums);
     scatter_outer_water(problem, time, particles, work.places, work.sums);
     scatter_reactions(problem, state, work.places, work.sums);
+    scatter_free_fields(problem, state, work.places, work.sums);
     if (state.balance_terms && !work.outer.empty())
         note_outer_forces(problem, time, state, work.places, work.outer);
     place_boundaries(problem, dt, state, work);

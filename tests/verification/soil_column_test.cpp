@@ -1,5 +1,6 @@
 // One column of cells for all of them: the same answer as the run of all columns, but for rounding.
 #include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/motion/wrapping.hpp"
 #include "solver/run/staged_run.hpp"
 #include "solver/step/two_phase_step.hpp"
 #include "tests/fixtures/sand_box.hpp"

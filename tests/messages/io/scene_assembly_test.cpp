@@ -259,7 +259,7 @@ TEST(Assembly, WarnsOfAViscousSideOfAShakenSection)
         R"(scene.toml:33:1: warning[viscous-side]: the viscous side "left" damps the shaking of the ground itself, not only the outgoing waves
    33 | [boundaries.left]
       | ^~~~~~~~~~~~~~~~~
-expected: sides tied to each other where the base shakes
+expected: sides tied to each other, or free_field sides, where the base shakes
 to accept it: accept = ["boundaries.left"] at the top of the scene
 )");
 }

@@ -40,7 +40,7 @@ TEST(SceneStageMessages, KindsAreKnown)
               R"_(scene.toml:56:8: error[word]: stages.setle.kind = "setle" is not known
    56 | kind = "setle"
       |        ^~~~~~~
-expected: one of settle, shake, consolidate, stability
+expected: one of settle, seepage, shake, consolidate, stability
 hint: did you mean "settle"?
 )_");
 }
@@ -51,7 +51,7 @@ TEST(SceneStageMessages, AKindIsRequired)
               R"_(scene.toml:55:1: error[missing-key]: [stages.first] has no kind
    55 | [[stages]]
       | ^~~~~~~~~~
-expected: kind: Settle under gravity, drained; shake; let excess pore pressures go in long steps; find the factor of safety.
+expected: kind: Settle under gravity, drained, with still water or in the steady flow between heads; shake; let excess pore pressures go in long steps; find the factor of safety.
 )_");
 }
 
@@ -93,7 +93,7 @@ TEST(SceneStageMessages, StillWaterChangesWhereSoilSettles)
               R"_(scene.toml:57:1: error[stage]: the stage "shaking" cannot change water.level
    57 | [[stages]]
       | ^~~~~~~~~~
-expected: a stage of kind = "settle", whose soil comes to rest under other still water
+expected: a stage of kind = "settle" or "seepage", whose soil comes to rest with other water
 hint: outer water that rises or falls in time is the head of a boundary, with ramp_time or a history
 )_");
 }

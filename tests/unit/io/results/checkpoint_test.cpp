@@ -143,6 +143,21 @@ TEST(Checkpoint, KeepsTheArraysOfEveryFlowOfWater)
     }
 }
 
+TEST(Checkpoint, KeepsTheColumnsOfFreeFields)
+{
+    TemporaryFolder folder;
+    const auto path = folder / "checkpoint.h5";
+    State state = varied_state(true);
+    state.free_fields = {{varied_state(true, true), {}}, {varied_state(true), {}}};
+    state.free_fields[1].column.time = 0.2;
+    write_checkpoint(path, state, "a hash");
+    const State back = read_checkpoint(path, "a hash");
+    EXPECT_TRUE(same_bits(back, state));
+    ASSERT_EQ(back.free_fields.size(), 2U);
+    for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_TRUE(same_bits(back.free_fields[k].column, state.free_fields[k].column));
+}
+
 TEST(Checkpoint, AMissingFileIsTheUsers)
 {
     EXPECT_EQ(refusal<InputError>("/nowhere/state.h5"),

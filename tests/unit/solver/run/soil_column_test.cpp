@@ -1,5 +1,6 @@
 #include "solver/boundaries/boundary_pieces.hpp"
 #include "solver/measure/balances.hpp"
+#include "solver/motion/wrapping.hpp"
 #include "solver/run/column_observer.hpp"
 #include "solver/run/soil_column.hpp"
 #include "tests/fixtures/soil_block.hpp"

@@ -153,6 +153,19 @@ TEST(ViscousBase, HoldsTheSoilThatRestsOnIt)
     }
 }
 
+TEST(ViscousBase, HoldsTheSoilBetweenViscousSides)
+{
+    Problem problem = column_on_viscous_base(20);
+    problem.gravity = 9.81;
+    problem.boundaries = rectangle(0.0, 0.0, 1.5, 10.0, ViscousFace{}, ViscousFace{}, FreeFace{});
+    problem.tied_sides.reset();
+    State state = column_state(problem, 20);
+    set_level_ground_stress(problem, 10.0, 0.5, state);
+    run(problem, 1.0, {}, state);
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        ASSERT_LT(state.particles.velocity_solid[p].norm(), 1e-8 * std::sqrt(9.81 * 10.0));
+}
+
 /// Amplitude of the surface's motion over the outcrop's, after the beginning has died away.
 double amplification(Problem problem, int rows, double frequency)
 {
