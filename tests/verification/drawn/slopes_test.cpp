@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quicksand {
 namespace {
@@ -79,6 +80,47 @@ material = "soil"
         const double fall = std::sqrt(assembled.problem.gravity * 4.0); // sqrt(g H) [m/s]
         EXPECT_LT(monitors.max_velocity, 1e-5 * fall) << slope;         // measured 5e-9
         EXPECT_LT(monitors.max_ru, 1e-4) << slope;                      // 2e-6
+    }
+}
+
+/// A slope of 1:2, 2 m high under water on 2 m of the same sand.
+AssembledCase slope_of(const std::string& model, int particles, double offset)
+{
+    const std::vector<NamedCorner> corners = {{{0.0, 0.0}, "base"},    {{12.0, 0.0}, "right"},
+                                              {{12.0, 2.0}, "ground"}, {{8.0, 2.0}, "ground"},
+                                              {{4.0, 4.0}, "ground"},  {{0.0, 4.0}, "left"}};
+    const std::string count = std::to_string(particles);
+    const std::string tables = "[sampling]\nparticles_per_cell = [" + count + ", " + count +
+                               "]\n[analysis]\nscheme = \"semi_implicit\"\n[water]\nlevel = 5.0\n"
+                               "[materials.soil]\nmodel = \"" +
+                               model +
+                               "\"\nrelative_density = 0.55\nporosity = 0.43\n"
+                               "hydraulic_conductivity = 1e-4\n[regions.soil]\nmaterial = \"soil\"\n"
+                               "[boundaries.base]\nsoil = \"fixed\"\n[boundaries.left]\nsoil = \"roller\"\n"
+                               "[boundaries.right]\nsoil = \"roller\"\n[relaxation]\ntolerance = 1e-6\n";
+    return assemble(scene_with(0.5, {-1.0 - offset, -1.0 - offset}, 28, 13, tables),
+                    polygon_section(corners));
+}
+
+/// Sand at its failure limit beneath the face included: nothing moves when the shaking begins.
+TEST(SlopeOfSand, StaysAtRestFromTheFirstStepOn)
+{
+    for (const std::string model : {"ubcsand", "pm4sand"}) {
+        for (const int particles : {2, 3}) {
+            for (const double offset : {0.0, 0.19}) {
+                AssembledCase assembled = slope_of(model, particles, offset);
+                RelaxationControls controls;
+                controls.tolerance = 1e-6;
+                relax(assembled.problem, controls, assembled.state);
+                const double fall = std::sqrt(assembled.problem.gravity * 4.0); // sqrt(g H) [m/s]
+                for (const double time : {0.005, 0.02, 0.1}) {
+                    run(assembled.problem, time, {}, assembled.state);
+                    const Monitors monitors = monitor(assembled.problem, assembled.state, {});
+                    EXPECT_LT(monitors.max_velocity, 1e-5 * fall) << model << particles << ' ' << offset;
+                    EXPECT_LT(monitors.max_ru, 1e-4) << model << particles << " " << offset;
+                }
+            }
+        }
     }
 }
 
