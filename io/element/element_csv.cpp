@@ -120,8 +120,8 @@ void write_strength(const ElementOutcome& outcome, ElementResults& results)
         "cycles are counted in halves, at the reversals; empty: not reached within cycles_run");
     Table cycles(comments,
                  columns_with_value(outcome, {"csr", "cycles_to_ru_0.95", "cycles_to_3_percent_strain",
-                                              "cycles_to_3.75_percent_strain", "cycles_run", "largest_ru",
-                                              "largest_shear_strain"}));
+                                              "cycles_to_3.75_percent_strain", "cycles_to_7.5_percent_double",
+                                              "cycles_run", "largest_ru", "largest_shear_strain"}));
     for (const ElementRun& run : outcome.runs) {
         double ru = 0.0, gamma = 0.0;
         for (const ElementPoint& point : run.result.path) {
@@ -131,8 +131,8 @@ void write_strength(const ElementOutcome& outcome, ElementResults& results)
         cycles.add(with_value(outcome, run.specimen,
                               {csv_number(std::get<StressCycles>(outcome.loading(run)).csr),
                                cell(run.result.cycles_to_ru_95), cell(run.result.cycles_to_3_percent),
-                               cell(run.result.cycles_to_375_percent), digits(run.result.path.back().cycle),
-                               digits(ru), digits(gamma)}));
+                               cell(run.result.cycles_to_375_percent), cell(run.result.cycles_to_75_double),
+                               digits(run.result.path.back().cycle), digits(ru), digits(gamma)}));
     }
     cycles.write(results.add(outcome.test.name, "csr_n.csv"));
 

@@ -237,6 +237,7 @@ std::optional<LiquefactionCriterion> find_criterion(std::string_view word)
     if (word == "ru_95") return LiquefactionCriterion::ru_95;
     if (word == "strain_3_percent") return LiquefactionCriterion::strain_3_percent;
     if (word == "strain_3.75_percent") return LiquefactionCriterion::strain_375_percent;
+    if (word == "double_7.5_percent") return LiquefactionCriterion::double_amplitude_75_percent;
     return std::nullopt;
 }
 

@@ -84,6 +84,8 @@ std::optional<double> cycles_to_liquefaction(const ElementOutcome& outcome, cons
         return run.result.cycles_to_3_percent;
     case LiquefactionCriterion::strain_375_percent:
         return run.result.cycles_to_375_percent;
+    case LiquefactionCriterion::double_amplitude_75_percent:
+        return run.result.cycles_to_75_double;
     }
     return std::nullopt;
 }

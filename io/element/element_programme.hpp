@@ -31,7 +31,7 @@ struct ElementSpecimen {
     Consolidation start;
 };
 
-enum class LiquefactionCriterion { ru_95, strain_3_percent, strain_375_percent };
+enum class LiquefactionCriterion { ru_95, strain_3_percent, strain_375_percent, double_amplitude_75_percent };
 
 /// A series of tests: every specimen in every loading.
 struct ElementTest {

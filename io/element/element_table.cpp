@@ -43,6 +43,8 @@ std::string criterion_text(LiquefactionCriterion criterion)
         return "3 % single-amplitude shear strain";
     case LiquefactionCriterion::strain_375_percent:
         return "3.75 % single-amplitude shear strain";
+    case LiquefactionCriterion::double_amplitude_75_percent:
+        return "7.5 % double-amplitude shear strain";
     }
     return "";
 }
@@ -121,13 +123,14 @@ std::vector<std::string> strength_matrix(const ElementOutcome& outcome)
 
 std::vector<std::string> cyclic_table(const ElementOutcome& outcome, std::size_t most_rows)
 {
-    std::vector<std::vector<std::string>> rows = {{"", "N ru 0.95", "N 3 %", "N 3.75 %", "cycles run"}};
+    std::vector<std::vector<std::string>> rows = {
+        {"", "N ru 0.95", "N 3 %", "N 3.75 %", "N 7.5 % DA", "cycles run"}};
     for (const ElementRun& run : outcome.runs) {
         const CyclicTest& result = run.result;
-        rows.push_back({run_label(outcome, run), short_text(result.cycles_to_ru_95, 4),
-                        short_text(result.cycles_to_3_percent, 4),
-                        short_text(result.cycles_to_375_percent, 4),
-                        fmt::format("{:.2f}", result.path.back().cycle)});
+        rows.push_back(
+            {run_label(outcome, run), short_text(result.cycles_to_ru_95, 4),
+             short_text(result.cycles_to_3_percent, 4), short_text(result.cycles_to_375_percent, 4),
+             short_text(result.cycles_to_75_double, 4), fmt::format("{:.2f}", result.path.back().cycle)});
     }
     const std::vector<std::string> strength = strength_lines(outcome);
     const std::size_t room = most_rows > strength.size() + 4 ? most_rows - strength.size() - 1 : 3;

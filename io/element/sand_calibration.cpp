@@ -43,7 +43,8 @@ LiquefactionCriterion criterion_of(const std::filesystem::path& file, const std:
 {
     if (word.empty()) return LiquefactionCriterion::ru_95;
     if (const auto criterion = find_criterion(word)) return *criterion;
-    refuse(file, "criterion " + word + " is none of ru_95, strain_3_percent and strain_3.75_percent");
+    refuse(file, "criterion " + word +
+                     " is none of ru_95, strain_3_percent, strain_3.75_percent and double_7.5_percent");
 }
 
 StrengthObservation observation_of(const std::filesystem::path& file, const CsvRow& names,
@@ -69,7 +70,8 @@ StrengthObservation observation_of(const std::filesystem::path& file, const CsvR
     return point;
 }
 
-bool meets(LiquefactionCriterion criterion, const ElementPoint& point)
+/// `turned` is the shear strain at the last reversal [-].
+bool meets(LiquefactionCriterion criterion, double turned, const ElementPoint& point)
 {
     switch (criterion) {
     case LiquefactionCriterion::ru_95:
@@ -78,6 +80,8 @@ bool meets(LiquefactionCriterion criterion, const ElementPoint& point)
         return std::abs(point.gamma) > 0.03;
     case LiquefactionCriterion::strain_375_percent:
         return std::abs(point.gamma) > 0.0375;
+    case LiquefactionCriterion::double_amplitude_75_percent:
+        return point.cycle > 0.25 && std::abs(point.gamma - turned) > 0.075;
     }
     return false;
 }
@@ -169,10 +173,17 @@ double cycles_of(const SkeletonLaw& law, const StrengthObservation& observation)
     const Consolidation start = {observation.vertical_stress, observation.k0,
                                  observation.static_shear_ratio * observation.vertical_stress};
     const bool by_strain = observation.criterion != LiquefactionCriterion::ru_95;
-    const StressCycles loading = {observation.csr, most, by_strain ? 0.04 : 0.5, by_strain ? most : 0.0};
-    double ru = 0.0, gamma = 0.0;
+    const bool by_range = observation.criterion == LiquefactionCriterion::double_amplitude_75_percent;
+    const StressCycles loading = {observation.csr, most, by_strain && !by_range ? 0.04 : 0.5,
+                                  by_strain ? most : 0.0};
+    double ru = 0.0, gamma = 0.0, turned = 0.0, half_cycles = 0.0;
+    double last = 0.0; // shear strain of the point before [-]
     for (const ElementPoint& point : shear_cyclically(law, start, loading).path) {
-        if (meets(observation.criterion, point)) return std::max(least, point.cycle);
+        const double legs = std::floor(2.0 * point.cycle + 0.5 - 1e-9); // reversals are at 0.25, 0.75, ...
+        if (legs > half_cycles) turned = last;
+        half_cycles = legs;
+        last = point.gamma;
+        if (meets(observation.criterion, turned, point)) return std::max(least, point.cycle);
         ru = std::max(ru, point.ru);
         gamma = std::max(gamma, std::abs(point.gamma));
     }

@@ -44,7 +44,8 @@ double cycles_of(const Leg& leg)
     return 0.5 * leg.number;
 }
 
-void note_events(const Leg& leg, const ElementPoint& point, CyclicTest& test)
+/// `turned` is the shear strain at which the leg began [-].
+void note_events(const Leg& leg, double turned, const ElementPoint& point, CyclicTest& test)
 {
     const double cycles = cycles_of(leg);
     const auto note = [&](bool happens, std::optional<double>& event) {
@@ -53,6 +54,7 @@ void note_events(const Leg& leg, const ElementPoint& point, CyclicTest& test)
     note(point.ru > 0.95, test.cycles_to_ru_95);
     note(std::abs(point.gamma) > 0.03, test.cycles_to_3_percent);
     note(std::abs(point.gamma) > 0.0375, test.cycles_to_375_percent);
+    note(leg.number > 0 && std::abs(point.gamma - turned) > 0.075, test.cycles_to_75_double);
 }
 
 /// One step of a stress-controlled leg: the elastic stress of its strain is `tau_step`, so that the steps are
@@ -80,13 +82,13 @@ bool worth_recording(const ElementPoint& point, const ElementPoint& last, double
 bool follow(const Leg& leg, const StressCycles& loading, double amplitude, Specimen& specimen,
             CyclicTest& test)
 {
-    const double tau_step = stress_step * amplitude;
+    const double tau_step = stress_step * amplitude, turned = test.path.back().gamma;
     Specimen before = specimen; // its arrays are made once
     bool ends = false, stops = false;
     while (!ends && !stops) {
         step_stress(leg, tau_step, before, specimen);
         const ElementPoint point = record(specimen, cycle_of(leg, specimen.tau()));
-        note_events(leg, point, test);
+        note_events(leg, turned, point, test);
         ends = leg.direction() * (leg.to - point.tau) <= leg_tolerance * tau_step;
         stops = std::abs(point.gamma) > loading.largest_gamma ||
                 (test.cycles_to_ru_95 && cycles_of(leg) - *test.cycles_to_ru_95 >= loading.cycles_after);
@@ -199,7 +201,7 @@ CyclicTest shear_cyclically(const StrainCycles& loading, const Consolidation& st
         for (double k = 0.0; k < steps; k += 1.0) {
             shear_by((to - leg.from) / steps, loading.drainage, start.vertical_stress, specimen);
             const ElementPoint point = record(specimen, cycle_of(leg, specimen.gamma));
-            note_events(leg, point, test);
+            note_events(leg, leg.from, point, test);
             if (std::fmod(k + 1.0, 4.0) == 0.0 || k + 1.0 == steps) test.path.push_back(point);
         }
     }

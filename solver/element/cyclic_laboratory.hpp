@@ -39,6 +39,7 @@ struct CyclicTest {
     std::optional<double> cycles_to_ru_95;       // N to ru > 0.95 [-]
     std::optional<double> cycles_to_3_percent;   // N to |gamma| > 3 % [-]
     std::optional<double> cycles_to_375_percent; // N to |gamma| > 3.75 % [-]
+    std::optional<double> cycles_to_75_double;   // N to 7.5 % from one reversal to the next [-]
     std::size_t drained_from = 0;                // point of the path from which water leaves; 0: none [-]
 };
 

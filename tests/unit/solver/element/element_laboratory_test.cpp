@@ -150,6 +150,31 @@ TEST(ElementTest, StrainCriteriaComeInTheirOrder)
     EXPECT_LE(*test.cycles_to_3_percent, *test.cycles_to_375_percent);
 }
 
+/// Strain under static shear grows to one side: its range from reversal to reversal comes later than its
+/// size.
+TEST(ElementTest, TheDoubleAmplitudeIsTheStrainBetweenReversals)
+{
+    const UbcSand sand = make_ubcsand(calibrated(ubcsand_from_blow_count(6.0)));
+    for (const double shear : {0.0, 10e3}) {
+        const CyclicTest test = shear_cyclically(sand, {100e3, 0.5, shear}, StressCycles{0.12, 20.0, 0.5});
+        ASSERT_TRUE(test.cycles_to_75_double && test.cycles_to_375_percent);
+        EXPECT_GE(*test.cycles_to_75_double, *test.cycles_to_375_percent);
+        double turned = 0.0, last = 0.0;
+        int legs = 0;
+        for (const ElementPoint& point : test.path) {
+            const int leg = static_cast<int>(std::floor(2.0 * point.cycle + 0.5 - 1e-9));
+            if (leg > legs) turned = last;
+            legs = leg;
+            last = point.gamma;
+            if (leg == 0) continue;
+            const double range = std::abs(point.gamma - turned);
+            if (0.5 * leg < *test.cycles_to_75_double) {
+                EXPECT_LT(range, 0.0751);
+            }
+        }
+    }
+}
+
 TEST(ElementTest, AWeakSpecimenFlowsToTheStrainLimitInTheFirstQuarter)
 {
     const CyclicTest test = shear_cyclically(make_ubcsand(ubcsand_from_blow_count(3.0)), {100e3, 1.0},
