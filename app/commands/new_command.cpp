@@ -5,19 +5,18 @@
 #include "io/keys/diagnostics.hpp"
 #include "solver/base/failure.hpp"
 
-#include <algorithm>
 #include <iostream>
 
 namespace quicksand {
 
 namespace {
 
-void check_example(const std::string& name)
+const ExampleKind& find_kind(const std::string& name)
 {
-    const std::vector<std::string> names = example_names();
-    if (std::find(names.begin(), names.end(), name) != names.end()) return;
-    const std::string nearest = nearest_name(name, names);
-    throw InputError("there is no kind of scene '" + name + "'\nexpected: column, dike" +
+    for (const ExampleKind& kind : example_kinds())
+        if (kind.word == name) return kind;
+    const std::string nearest = nearest_name(name, example_names());
+    throw InputError("there is no kind of scene '" + name + "'\nexpected: " + one_of(example_names()) +
                      (nearest.empty() ? "" : "\nhint: did you mean " + nearest + "?"));
 }
 
@@ -32,7 +31,7 @@ std::string replace_once(std::string text, const std::string& from, const std::s
 
 ExitCode create_scene(const NewChoice& choice)
 {
-    check_example(choice.example);
+    const ExampleKind& kind = find_kind(choice.example);
     const std::filesystem::path folder =
         choice.folder.has_filename() ? choice.folder : choice.folder.parent_path();
     const std::string name = folder.filename().string();
@@ -43,14 +42,14 @@ ExitCode create_scene(const NewChoice& choice)
         throw InputError("'" + folder.string() +
                          "' cannot be the name of a scene: it must be a plain folder name");
     }
-    const std::filesystem::path example = example_folder(choice.example);
+    const std::filesystem::path example = example_folder(kind.folder);
     const std::string drawing = name + ".geo";
-    const std::string scene =
-        replace_once(read_text(example / "scene.toml"), "file = \"" + choice.example + ".geo\"",
-                     "file = \"" + drawing + "\"");
+    const std::string scene = replace_once(read_text(example / "scene.toml"),
+                                           "file = \"" + kind.drawing + "\"", "file = \"" + drawing + "\"");
     std::filesystem::create_directories(folder);
     write_atomically(folder / "scene.toml", scene);
-    write_atomically(folder / drawing, read_text(example / (choice.example + ".geo")));
+    write_atomically(folder / drawing, read_text(example / kind.drawing));
+    for (const std::string& file : kind.files) write_atomically(folder / file, read_text(example / file));
     std::cout << "Made " << (folder / "scene.toml").string() << " and " << (folder / drawing).string()
               << ". Change them as you like, then:\n  quicksand check " << folder.string()
               << "\n  quicksand run " << folder.string() << '\n';

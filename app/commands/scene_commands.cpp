@@ -117,7 +117,8 @@ void add_new(CLI::App& program, Commands& commands)
     const auto [parser, choice] = add_command<NewChoice>(
         program, commands, "new", "Make a folder with a commented scene and drawing to start from",
         create_scene);
-    parser->add_option("KIND", choice->example, "dike or column")->required();
+    parser->add_option("KIND", choice->example, "column, dike, river_dike, sea_dike, level_site or slope")
+        ->required();
     parser->add_option("NAME", choice->folder, "The folder to make")->required();
 }
 

@@ -21,9 +21,24 @@ std::array<fs::path, 2> example_roots()
 
 } // namespace
 
+const std::vector<ExampleKind>& example_kinds()
+{
+    static const std::vector<ExampleKind> kinds = {
+        {"column", "column", "column.geo", {}},
+        {"dike", "dike", "dike.geo", {}},
+        {"river_dike", "river_dike", "river_dike.geo", {"stages.toml"}},
+        {"sea_dike", "sea_dike", "sea_dike.geo", {"shaking_20g.toml"}},
+        {"level_site", "level_ground_motion", "level_ground.geo", {"apeel2_loma_prieta_1989_133.AT2"}},
+        {"slope", "lateral_spread", "lateral_spread.geo", {}},
+    };
+    return kinds;
+}
+
 std::vector<std::string> example_names()
 {
-    return {"column", "dike"};
+    std::vector<std::string> names;
+    for (const ExampleKind& kind : example_kinds()) names.push_back(kind.word);
+    return names;
 }
 
 fs::path example_folder(const std::string& name)

@@ -7,7 +7,17 @@
 
 namespace quicksand {
 
-/// Names of the examples.
+/// An example that new scenes start from.
+struct ExampleKind {
+    std::string word;               // after `new`
+    std::string folder;             // in examples/
+    std::string drawing;            // in the folder, which its scene.toml names
+    std::vector<std::string> files; // that come with them
+};
+
+const std::vector<ExampleKind>& example_kinds();
+
+/// Their words.
 std::vector<std::string> example_names();
 
 /// Folder of an example with its scene.toml and drawing. Throws FileError when the installation lacks it.

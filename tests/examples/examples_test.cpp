@@ -147,6 +147,19 @@ TEST(New, TheColumnRunsUnchanged)
     EXPECT_TRUE(std::filesystem::exists(folder / "results/mine/fields.pvd"));
 }
 
+TEST(New, EveryKindHasWhatItNeeds)
+{
+    const WorkFolder folder;
+    const std::string in_folder = "cd " + folder.string() + " && \"$QUICKSAND\" ";
+    for (const std::string kind : {"river_dike", "sea_dike", "level_site", "slope"}) {
+        const Outcome made = run_shell(in_folder + "new " + kind + " my_" + kind);
+        ASSERT_EQ(made.code, 0) << made.output;
+        const Outcome run =
+            run_shell(in_folder + "run my_" + kind + " --until 1e-5 --set relaxation.tolerance=0.5");
+        EXPECT_EQ(run.code, 0) << run.output;
+    }
+}
+
 TEST(New, TheDikeRunsUnchanged)
 {
     const WorkFolder folder;

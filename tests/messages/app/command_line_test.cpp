@@ -189,7 +189,8 @@ TEST(New, AnUnknownKindIsGuessed)
     const WorkFolder folder;
     const Outcome outcome = run_program("new dyke " + (folder / "mine").string());
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "there is no kind of scene 'dyke'\nexpected: column, dike\n");
+    expect_mention(outcome, "there is no kind of scene 'dyke'\nexpected: one of column, dike, river_dike, "
+                            "sea_dike, level_site, slope\n");
     expect_mention(outcome, "did you mean dike?");
 }
 
