@@ -244,6 +244,15 @@ inline void limit_fabric(const Pm4SandState& memory, Point& at)
     at.fabric_x *= scale, at.fabric_y *= scale;
 }
 
+/// Sand bears no tension: q/p is at most 2. A substep that loses most of the mean stress would leave the shear
+/// stress, and with it the back stress, at any multiple of it.
+inline void limit_to_compression(Point& at)
+{
+    const double half_q = std::sqrt(at.s_x * at.s_x + at.s_y * at.s_y);
+    const double scale = at.p / larger(at.p, half_q);
+    at.s_x *= scale, at.s_y *= scale;
+}
+
 /// What is left of a distance to the yield surface goes to its centre.
 inline void return_to_surface(const Pm4Sand& m, Point& at)
 {
@@ -292,6 +301,7 @@ inline End finish(const Pm4Sand& m, const Pm4SandState& memory, const Contact& c
     Point flown = sum(sum(contact.at, 0.5, first), 0.5, second);
     const double d_p = second.p - first.p, d_x = second.s_x - first.s_x, d_y = second.s_y - first.s_y;
     limit_to_floor(m, memory, flown);
+    limit_to_compression(flown);
     limit_fabric(memory, flown);
     return_to_surface(m, flown);
     const bool flows = contact.elastic < 1.0;

@@ -161,6 +161,27 @@ TEST(Pm4Sand, StaysFiniteAndAboveItsFloorUnderRandomStrains)
     }
 }
 
+/// Steps of grains that are thrown about: the shear stress does not outlive the mean stress, nor the back
+/// stress.
+TEST(Pm4Sand, BearsNoTensionAfterLargeStrains)
+{
+    const Pm4Sand law = sand_of(0.55);
+    RandomStrains strains;
+    for (int path = 0; path < 20; ++path) {
+        Pm4SandState state = state_of(5e3 * (1 + path), 10e3 * (1 + path), 1e3 * path);
+        begin_shaking(law, state);
+        for (int k = 0; k < 300; ++k) {
+            const Pm4SandStrain next = strains.next();
+            const double factor = k % 3 == 0 ? 100.0 : 1.0;
+            update(law, {factor * next.x, factor * next.y, factor * next.shear}, state);
+            const double p = 0.5 * (state.sigma_x + state.sigma_y);
+            const double half_q = std::hypot(0.5 * (state.sigma_x - state.sigma_y), state.tau_xy);
+            ASSERT_LE(half_q, 1.01 * p) << path << " " << k; // elastic within the yield surface
+            ASSERT_LE(std::hypot(state.alpha_x, state.alpha_y), 1.1) << path << " " << k;
+        }
+    }
+}
+
 /// In blocks of lanes, alone, and in another order: the same bits.
 TEST(Pm4Sand, GivesAPointTheSameBitsInABlockAndAlone)
 {
