@@ -244,8 +244,8 @@ inline void limit_fabric(const Pm4SandState& memory, Point& at)
     at.fabric_x *= scale, at.fabric_y *= scale;
 }
 
-/// Sand bears no tension: q/p is at most 2. A substep that loses most of the mean stress would leave the shear
-/// stress, and with it the back stress, at any multiple of it.
+/// Sand bears no tension: q/p is at most 2. A substep that loses most of the mean stress would leave the
+/// shear stress, and with it the back stress, at any multiple of it.
 inline void limit_to_compression(Point& at)
 {
     const double half_q = std::sqrt(at.s_x * at.s_x + at.s_y * at.s_y);
