@@ -165,7 +165,7 @@ TEST(Completion, WorksInBash)
     EXPECT_EQ(offered_in_bash("quicksand run --set grid.c", "grid.c"), "grid.cell_size=\ngrid.cells=\n");
     EXPECT_EQ(offered_in_bash("quicksand run --set analysis.scheme=s", "s"), "semi_implicit\n")
         << "bash replaces only what follows the equals sign";
-    const std::string folder = example("dike") + "/";
+    const std::string folder = example("column") + "/";
     EXPECT_EQ(offered_in_bash("quicksand run " + folder, folder), folder + "scene.toml\n");
 }
 
