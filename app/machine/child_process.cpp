@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -50,6 +51,13 @@ pid_t start_program(std::vector<std::string> words, const ProcessFiles& files, P
     if (child == 0) become(arguments.data(), files, tie, parent);
     if (child < 0) throw FileError(files.output, "cannot start a process for", system_reason(errno), "");
     return child;
+}
+
+std::optional<int> end_code(pid_t child)
+{
+    int status = 0;
+    if (waitpid(child, &status, WNOHANG) != child) return std::nullopt;
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
 }
 
 } // namespace quicksand

@@ -4,6 +4,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,5 +21,8 @@ enum class ProcessTie { shares_terminal, ends_with_parent };
 
 /// Start this program with the words. Throws FileError where the system starts no process.
 pid_t start_program(std::vector<std::string> words, const ProcessFiles& files, ProcessTie tie);
+
+/// How a process has ended: its exit code, or less than 0 minus the signal that ended it; none while it runs.
+std::optional<int> end_code(pid_t child);
 
 } // namespace quicksand

@@ -14,4 +14,10 @@ FormerRun former_run(const ResultsFolder& folder, const std::string& hash)
                                                         : FormerRun::without_checkpoint;
 }
 
+void take_up(FormerRun former, RunChoice& choice)
+{
+    choice.resume = former == FormerRun::with_checkpoint;
+    choice.overwrite = former == FormerRun::without_checkpoint;
+}
+
 } // namespace quicksand

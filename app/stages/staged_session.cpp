@@ -4,6 +4,7 @@
 #include "app/stages/former_run.hpp"
 #include "app/stages/run_origin.hpp"
 #include "app/stages/stability_search.hpp"
+#include "io/results/run_manifest.hpp"
 #include "io/results/run_record.hpp"
 #include "io/results/stage_table.hpp"
 #include "io/tables/stage_keys.hpp"
@@ -60,30 +61,34 @@ private:
         journal.say(fmt::format("Stage {} of {}: {} ({})", next_ + 1, stages_.size(), stage().name,
                                 word_of_kind(stage().kind)));
         const fs::path folder = directory_ / stage().name;
+        RunChoice chosen = choice_;
+        chosen.directory = folder;
+        if (is_finished(folder, chosen)) {
+            journal.say("  finished already");
+            return {SessionEnd::finished, {folder}};
+        }
         Journal of_stage; // keeps the log of the stage
         SceneSetup setup = set_up_reading(choice_.scene, stages_[next_], of_stage);
         if (stage().kind == StageKind::stability) return find_safety(folder, std::move(setup), of_stage);
-        RunChoice chosen = choice_;
-        chosen.directory = folder;
-        if (choice_.resume || choice_.go_on) {
-            const FormerRun former = former_run({folder}, setup.hash);
-            if (former == FormerRun::finished) {
-                journal.say("  finished already");
-                return {SessionEnd::finished, {folder}};
-            }
-            chosen.resume = former == FormerRun::with_checkpoint;
-            chosen.overwrite = former == FormerRun::without_checkpoint;
-        }
         std::optional<Origin> origin;
         if (before_ && !chosen.resume) origin = origin_from(*before_, setup.keys, setup.assembled);
         return run_session(chosen, std::move(setup), of_stage, std::move(origin));
     }
 
+    /// With --resume and --continue; `chosen` then takes up what there is of an unfinished stage.
+    bool is_finished(const fs::path& folder, RunChoice& chosen) const
+    {
+        if (!choice_.resume && !choice_.go_on) return false;
+        if (stage().kind == StageKind::stability) return read_factor_of_safety({folder}).has_value();
+        const std::string& text = stages_[next_].scene.text;
+        const FormerRun former = former_run({folder}, scene_hash(text, choice_.scene.overrides));
+        take_up(former, chosen);
+        return former == FormerRun::finished;
+    }
+
     SessionOutcome find_safety(const fs::path& directory, SceneSetup setup, Journal& journal)
     {
         require_strength(setup.assembled);
-        if ((choice_.resume || choice_.go_on) && read_factor_of_safety({directory}))
-            return {SessionEnd::finished, {directory}};
         const ResultsFolder folder =
             prepare_report_folder(directory, stability_report, setup.assembled.scene);
         journal.keep(folder.directory / stability_report);
@@ -132,8 +137,7 @@ SessionOutcome run_whole(const RunChoice& choice, SceneReading reading, Journal&
     if (chosen.directory.empty()) chosen.directory = default_results(setup.assembled.scene.file);
     if (choice.go_on) {
         const FormerRun former = former_run({chosen.directory}, setup.hash);
-        chosen.resume = former == FormerRun::with_checkpoint;
-        chosen.overwrite = former == FormerRun::without_checkpoint;
+        take_up(former, chosen);
         if (former == FormerRun::finished) {
             journal.say("Nothing to do: the run in " + chosen.directory.string() + " is finished.");
             return {SessionEnd::finished, {}};

@@ -25,10 +25,9 @@ struct PoolProcess {
 
 std::optional<PoolEnd> end_of(const PoolProcess& process)
 {
-    int status = 0;
-    if (waitpid(process.child, &status, WNOHANG) != process.child) return std::nullopt;
-    return PoolEnd{WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
-                   std::chrono::duration<double>(Clock::now() - process.start).count()};
+    const std::optional<int> code = end_code(process.child);
+    if (!code) return std::nullopt;
+    return PoolEnd{*code, std::chrono::duration<double>(Clock::now() - process.start).count()};
 }
 
 /// The processes under way. When a failure ends the program's work they are asked to stop, and waited for.

@@ -39,18 +39,17 @@ RunValue value_of(const std::string& key, const std::vector<ResolvedKey>& keys)
     return value;
 }
 
-/// The last stage that shakes, or else the last one that is a run in time.
+/// The last stage that shakes, or else the last one that is no search: as with_histories() has it.
 const SceneReading& collected(const std::vector<SceneReading>& stages)
 {
-    const auto is = [](StageKind kind) {
-        return [kind](const SceneReading& reading) {
-            return reading.scene.stage && reading.scene.stage->kind == kind;
-        };
+    const auto last = [&](auto&& suits) {
+        return std::find_if(stages.rbegin(), stages.rend(), [&](const SceneReading& reading) {
+            return reading.scene.stage && suits(reading.scene.stage->kind);
+        });
     };
-    for (const StageKind kind : {StageKind::shake, StageKind::consolidate, StageKind::settle}) {
-        const auto found = std::find_if(stages.rbegin(), stages.rend(), is(kind));
-        if (found != stages.rend()) return *found;
-    }
+    auto found = last([](StageKind kind) { return kind == StageKind::shake; });
+    if (found == stages.rend()) found = last([](StageKind kind) { return kind != StageKind::stability; });
+    if (found != stages.rend()) return *found;
     return stages.back();
 }
 

@@ -3,10 +3,10 @@
 #include "app/machine/child_process.hpp"
 
 #include <signal.h>
-#include <sys/wait.h>
 
 #include <chrono>
 #include <list>
+#include <optional>
 #include <thread>
 
 namespace quicksand {
@@ -31,9 +31,9 @@ pid_t start_process(const std::vector<std::string>& words, const RowFiles& files
 /// Whether it has ended, and how.
 bool has_ended(const RunningProcess& running, const ProcessLimits& limits, ProcessEnd& end)
 {
-    int status = 0;
-    if (waitpid(running.child, &status, WNOHANG) != running.child) return false;
-    end.code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+    const std::optional<int> code = end_code(running.child);
+    if (!code) return false;
+    end.code = *code;
     end.was_late = running.was_late;
     end.seconds = running.was_late ? limits.seconds : running.seconds();
     return true;
