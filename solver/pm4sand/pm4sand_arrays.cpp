@@ -117,7 +117,9 @@ inline void flow_at_contacts(const Pm4Sand& law, Block& block)
 {
     for (std::size_t k = 0; k < width; ++k) {
         const Strain rest = part_of(part_of(block.strain(k), block.fraction[k]), 1.0 - block.elastic[k]);
-        block.firsts.set(k, plastic_change(law, block.memories.state(k), block.contacts.point(k), rest));
+        // a point that is copied whole would keep the compiler from making vectors
+        block.firsts.set(k, plastic_change(law, block.memories.state(k), block.contacts.point(k),
+                                           block.contacts.point(k), rest));
     }
 }
 

@@ -59,7 +59,7 @@ inline void advance_in_substeps(const Pm4Sand& m, const Strain& strain, Pm4SandS
         Pm4SandState memory = state;
         remember_reversal(contact.at, direction_of(contact.at), memory);
         const Strain rest = part_of(part, 1.0 - contact.elastic);
-        const Point first = plastic_change(m, memory, contact.at, rest);
+        const Point first = plastic_change(m, memory, contact.at, contact.at, rest);
         const End end = finish(m, memory, contact, first, part);
         const Pm4SandState next = state_at(end, contact.elastic < 1.0, memory, state);
         state = accept(m, strain.volumetric, fraction, end.error, next, progress, state);

@@ -2,11 +2,11 @@
 //
 // With a:n = sqrt(2) a.u of vectors, b = alpha^b - alpha, alpha^b = (M^b - m)/2 u, alpha^d = (M^d - m)/2 u,
 // alpha^dr = (M^d/C_rot1 - m)/2 u:
-//   K_p = G h0 sqrt(b:n) / (exp((alpha - alpha_in):n) - 1 + C_g1) C_Kalpha / (1 + 2 z_peak/z_max <b:n>
-//         sqrt(1 - C_zpk2)) C_rev
+//   K_p = G h0 sqrt(b:n) / (exp((alpha - alpha_in):n) - 1 + C_g1)
+//         C_Kalpha / (1 + 2 z_peak/z_max <b:n> sqrt(1 - C_zpk2)) C_rev
 //   contraction, (alpha^dr - alpha):n > 0
-//     D = min(A_dc ((alpha - alpha_in):n + C_in)^2, 1.5 A_d0) (alpha^d - alpha):n / ((alpha^d - alpha):n +
-//     0.16)
+//     D = min(A_dc ((alpha - alpha_in):n + C_in)^2, 1.5 A_d0)
+//         (alpha^d - alpha):n / ((alpha^d - alpha):n + 0.16)
 //   dilation
 //     D = A_d (alpha^d - alpha):n, or that of the rotated surface; bounded near p_min
 //   dz = -c_z/(1 + <z_cum/(2 z_max) - 1>) (z_max n + z) dL where the sand dilates beyond alpha^d
@@ -21,12 +21,12 @@ inline constexpr double root_2 = 1.41421356237309515;
 
 /// Rates by the plastic shear strain lambda = sqrt(2) L.
 struct Flow {
-    double G, K;               // [Pa]
-    double half_Kp;            // K_p/2, of softening at most what leaves half of the resistance [Pa]
-    double resistance;         // G + K_p/2 - K D r.u, at least 0.05 G [Pa]
-    double D;                  // d eps_v^p / d lambda, contraction positive [-]
-    double alpha_x, alpha_y;   // d alpha / d lambda, times p [Pa]
-    double fabric_x, fabric_y; // d z / d lambda [-]
+    double G, K;        // [Pa]
+    double half_Kp;     // K_p/2, of softening at most what leaves half of the resistance [Pa]
+    double resistance;  // G + K_p/2 - K D r.u, at least 0.05 G [Pa]
+    double D;           // d eps_v^p / d lambda, contraction positive [-]
+    double pull, bound; // P, b in d alpha / d lambda = P (b u - alpha)/p [Pa, -]
+    double fabric_rate; // of d z / d lambda = rate (z_max u/sqrt(2) + z) [-]
 };
 
 /// What the flow depends on besides the stress: projections on the direction.
@@ -137,16 +137,12 @@ inline Flow flow_at(const Pm4Sand& m, const Pm4SandState& memory, const Point& a
     const double resists = flow.G - flow.K * flow.D * ((at.s_x * u_x + at.s_y * u_y) / at.p);
     flow.half_Kp = larger(0.5 * select(contracts, positive(Kp), Kp), -0.5 * positive(resists));
     flow.resistance = larger(resists + flow.half_Kp, 0.05 * flow.G);
-    const double per_bound =
+    flow.pull =
         flow.half_Kp * root_2 / select(to.bound < 0.0, smaller(to.bound, -1e-12), larger(to.bound, 1e-12));
-    const double to_bound = 0.5 * (on.Mb - m.yield_radius);
-    flow.alpha_x = per_bound * (to_bound * u_x - at.alpha_x);
-    flow.alpha_y = per_bound * (to_bound * u_y - at.alpha_y);
+    flow.bound = 0.5 * (on.Mb - m.yield_radius);
     const bool builds = (to.dilatancy < 0.0) & (D < 0.0);
     const double slowed = 1.0 + positive(0.5 * at.fabric_path / limit - 1.0);
-    const double rate = select(builds, -m.fabric_rate / (slowed * root_2), 0.0);
-    flow.fabric_x = rate * (limit / root_2 * u_x + at.fabric_x);
-    flow.fabric_y = rate * (limit / root_2 * u_y + at.fabric_y);
+    flow.fabric_rate = select(builds, -m.fabric_rate / (slowed * root_2), 0.0);
     return flow;
 }
 

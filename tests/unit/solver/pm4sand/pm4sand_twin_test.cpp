@@ -75,23 +75,22 @@ double difference(const Pm4SandState& a, const Pm4SandState& b)
     return std::sqrt((x * x + y * y + z * z + 2.0 * xy * xy) / size);
 }
 
-/// Measured: half of the paths within 1.2e-7, 40 of 50 within 1e-6, the worst 5.1e-6. Both codes converge to
-/// each other as their steps shrink; that the rest is the twin's step, where the law has jumps, is not shown
-/// yet.
+/// Measured: 49 of 50 paths within 9.7e-7, the other within 1.6e-6. With longer steps and a looser tolerance
+/// more of them differ, by the jumps of the law at reversals.
 TEST(Pm4SandTwin, AgreesOnFiftyRandomPaths)
 {
     const std::vector<TwinPath> paths = read_paths();
     ASSERT_EQ(paths.size(), 50U);
     int close = 0;
     for (const TwinPath& path : paths) {
-        const Pm4SandState end = end_of(path, 20000.0, 1e-8);
+        const Pm4SandState end = end_of(path, 80000.0, 1e-10);
         const double distance = difference(end, path.end);
         close += distance < 1e-6 ? 1 : 0;
-        EXPECT_LT(distance, 1e-5) << "path " << path.number;
+        EXPECT_LT(distance, 2e-6) << "path " << path.number;
         EXPECT_NEAR(end.fabric_path, path.end.fabric_path, 1e-4) << "path " << path.number;
         EXPECT_NEAR(end.void_ratio, path.end.void_ratio, 1e-8) << "path " << path.number;
     }
-    EXPECT_GE(close, 40);
+    EXPECT_GE(close, 49);
 }
 
 } // namespace

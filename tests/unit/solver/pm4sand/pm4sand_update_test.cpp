@@ -9,6 +9,7 @@
 #include <numbers>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace quicksand {
 namespace {
@@ -123,6 +124,37 @@ TEST(Pm4Sand, ErrsLessWithATighterTolerance)
     const double coarse = std::abs(end_at(1e-2) - exact), fine = std::abs(end_at(1e-4) - exact);
     EXPECT_LT(fine, 0.1 * coarse + 1e-5 * exact);
     EXPECT_LT(fine, 1e-3 * exact);
+}
+
+/// Ten cycles of simple shear to 1 %, which leave sand of 2 kPa whose yield surface is 8 Pa wide, in steps of
+/// 1.6e-4: a hundred times the strain in which the direction of flow turns. Measured: 0.2 % of the stress of
+/// liquefied sand, 7 % with directions taken at the ends of substeps.
+TEST(Pm4Sand, FollowsLiquefiedSandInLongSteps)
+{
+    constexpr int cycles = 10, steps = 400; // of a cycle
+    const auto path_at = [&](double tolerance) {
+        Pm4Sand law = sand_of(0.55);
+        law.stress_tolerance = tolerance;
+        Pm4SandState state = state_of(50e3, 100e3, 0.0);
+        begin_shaking(law, state);
+        std::vector<double> stresses;
+        double strain = 0.0;
+        for (int k = 1; k <= cycles * steps; ++k) {
+            const double next = 0.01 * std::sin(2.0 * std::numbers::pi * k / steps);
+            update(law, {0.0, 0.0, next - strain}, state);
+            strain = next;
+            if (k > cycles * steps / 2)
+                stresses.insert(stresses.end(), {state.tau_xy, 0.5 * (state.sigma_x + state.sigma_y)});
+        }
+        return stresses;
+    };
+    const std::vector<double> exact = path_at(1e-6), stresses = path_at(1e-3);
+    double squares = 0.0, differences = 0.0;
+    for (std::size_t k = 0; k < exact.size(); ++k) {
+        squares += exact[k] * exact[k];
+        differences += (stresses[k] - exact[k]) * (stresses[k] - exact[k]);
+    }
+    EXPECT_LT(std::sqrt(differences / squares), 5e-3);
 }
 
 class RandomStrains {

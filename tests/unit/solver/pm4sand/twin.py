@@ -15,8 +15,8 @@ import sys
 
 PA = 100e3
 TABLE = pathlib.Path(__file__).with_name("paths.csv")
-STEP = 1e-7  # of strain
-HALVINGS = 12  # of a step in which the law changes
+STEP = 2.5e-8  # of strain
+HALVINGS = 14  # of a step in which the law changes
 I = (1.0, 1.0, 0.0)
 
 
