@@ -12,7 +12,7 @@ constexpr Pm4Sand standard = {};
 
 using Key = LawKey<Pm4Sand>;
 
-constexpr std::array<Key, 26> keys = {{
+constexpr std::array<Key, 27> keys = {{
     {{.name = "relative_density",
       .unit = "-",
       .meaning = "Relative density Dr; gives (N1)60 = 46 Dr^2 (Idriss and Boulanger 2008).",
@@ -189,6 +189,14 @@ constexpr std::array<Key, 26> keys = {{
       .usual = {0.2, 0.45},
       .standard = standard.static_poisson_ratio},
      &Pm4Sand::static_poisson_ratio},
+    {{.name = "resolved_floors",
+      .unit = "-",
+      .meaning = "Below this multiple of p_min errors of substeps count as at it, which makes liquefied sand "
+                 "faster.",
+      .allowed = not_negative,
+      .usual = {0.0, 40.0},
+      .standard = standard.resolved_floors},
+     &Pm4Sand::resolved_floors},
     {{.name = "stress_tolerance",
       .unit = "-",
       .meaning = "Error of the stress in a substep of PM4Sand, relative, which bounds its length.",

@@ -48,6 +48,7 @@ struct Pm4Sand {
     // of this program
     double static_poisson_ratio = 1.0 / 3.0; // nu while settling under gravity [-]
     double stress_tolerance = 1e-3;          // error of the stress in a substep, relative [-]
+    double resolved_floors = 20.0;           // below this multiple of p_min errors count as at it [-]
 
     // derived by complete()
     double critical_ratio = not_given;  // M = 2 sin phi_cv [-]

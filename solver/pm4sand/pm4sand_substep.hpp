@@ -134,7 +134,8 @@ inline End finish(const Pm4Sand& m, const Pm4SandState& memory, const Contact& c
     const bool flows = contact.elastic < 1.0;
     const double error =
         contact.error + select(flows, 0.5 * std::sqrt(d_p * d_p + d_x * d_x + d_y * d_y), 0.0);
-    return {select(flows, flown, contact.at), error / larger(flown.p, memory.least_stress)};
+    const double resolved = larger(m.resolved_floors, 1.0) * memory.least_stress;
+    return {select(flows, flown, contact.at), error / larger(flown.p, resolved)};
 }
 
 /// The state at the end.

@@ -56,6 +56,7 @@ Pm4SandState end_of(const TwinPath& path, double steps, double tolerance)
     law.relative_density = path.density;
     law.contraction_rate = 0.5;
     law.stress_tolerance = tolerance;
+    law.resolved_floors = 0.0;
     law = complete(law);
     Pm4SandState state = path.start;
     begin_shaking(law, state);
