@@ -21,6 +21,16 @@ constexpr Seconds plain_interval{30.0};
 
 } // namespace
 
+std::string unbalanced_text(const UnbalancedForces& unbalanced, double tolerance)
+{
+    const double times = unbalanced.of_weight / tolerance;
+    const std::string multiple =
+        times < 1e6 ? grouped(static_cast<long long>(times + 0.5)) : short_number(times, 2);
+    return fmt::format("out-of-balance force {} of the weight, {} times the tolerance, largest at ({}, {}) m",
+                       short_number(unbalanced.of_weight, 2), multiple, short_number(unbalanced.place.x(), 4),
+                       short_number(unbalanced.place.y(), 4));
+}
+
 ProgressLine::ProgressLine(double start_time, double end_time, std::size_t particles, Journal& journal)
     : start_time_(start_time), end_time_(end_time), particles_(static_cast<double>(particles)),
       journal_(journal), terminal_(isatty(STDOUT_FILENO) == 1), began_(Clock::now()), last_line_(began_),
@@ -67,14 +77,13 @@ void ProgressLine::went_back(const FailureRecord& record, const State& state)
                              short_number(state.time), remedy));
 }
 
-void ProgressLine::show_relaxation(std::int64_t steps, double out_of_balance, double tolerance)
+void ProgressLine::show_relaxation(const SettlingProgress& settling, double tolerance)
 {
     const Clock::time_point now = Clock::now();
     if (now - last_line_ < terminal_interval) return;
     last_line_ = now;
-    show(fmt::format("settling: step {}  out-of-balance force {} of the weight, to reach {}  elapsed {}",
-                     steps, short_number(out_of_balance, 2), short_number(tolerance, 2),
-                     duration_text(elapsed())),
+    show(fmt::format("settling: step {}  {}  elapsed {}", grouped(settling.steps),
+                     unbalanced_text(settling.unbalanced, tolerance), duration_text(elapsed())),
          last_tenth_);
 }
 

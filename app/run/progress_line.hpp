@@ -22,7 +22,7 @@ public:
     void went_back(const FailureRecord& record, const State& state) override;
 
     /// Of the settling before the shaking.
-    void show_relaxation(std::int64_t steps, double out_of_balance, double tolerance);
+    void show_relaxation(const SettlingProgress& settling, double tolerance);
 
     /// Make room for other lines.
     void clear();
@@ -44,5 +44,8 @@ private:
     std::chrono::steady_clock::time_point began_, last_line_, last_plain_;
     std::string last_limit_; // of the last step that was not shortened for output
 };
+
+/// "out-of-balance force 0.0073 of the weight, 7,300 times the tolerance, largest at (4.5, 1) m".
+std::string unbalanced_text(const UnbalancedForces& unbalanced, double tolerance);
 
 } // namespace quicksand

@@ -8,6 +8,7 @@
 #include "app/run/stop_signal.hpp"
 #include "io/files/file_error.hpp"
 #include "io/frames/vtk_series.hpp"
+#include "io/reports/settling_evidence.hpp"
 #include "io/reports/summary_reading.hpp"
 #include "io/results/checkpoint.hpp"
 #include "io/results/output_observers.hpp"
@@ -103,6 +104,14 @@ void keep_state(const Session& session)
     write_checkpoint(session.folder.checkpoint(), session.run.state(), session.hash);
 }
 
+/// The soil that has not come to rest, for its user to look at; in lines for the log.
+std::string show_unsettled(const Session& session)
+{
+    const Scene& scene = session.scene;
+    return leave_settling_evidence(session.folder, scene.title, session.run.body(),
+                                   session.run.state_of_body());
+}
+
 void begin_unsettled(Session& session)
 {
     const std::size_t limited = session.run.begin_shaking();
@@ -119,23 +128,27 @@ void settle(Session& session, const RelaxationControls& controls)
     using Clock = std::chrono::steady_clock;
     const std::chrono::duration<double> interval(session.scene.output.checkpoint_interval);
     auto last = Clock::now();
-    const auto look_on = [&](std::int64_t steps, double out_of_balance) {
-        progress.show_relaxation(steps, out_of_balance, controls.tolerance);
+    const auto look_on = [&](const SettlingProgress& settling) {
+        progress.show_relaxation(settling, controls.tolerance);
         if (Clock::now() - last <= interval) return;
         keep_state(session);
         last = Clock::now();
     };
     const RelaxationReport report = session.run.settle(controls, look_on, StopSignal::received);
+    progress.clear();
     if (!report.settled) {
         keep_state(session);
+        session.journal.say(fmt::format("Stopped at step {} of the settling: {}", grouped(report.steps),
+                                        unbalanced_text(report.unbalanced, controls.tolerance)) +
+                            show_unsettled(session));
         return;
     }
-    progress.clear();
-    session.journal.say(
-        fmt::format("Settled in {} steps, {}: out-of-balance force {} of the weight, displacement up to "
-                    "{} mm, which counts as zero from here",
-                    report.steps, duration_text(progress.elapsed()), short_number(report.out_of_balance, 2),
-                    short_number(1e3 * report.max_displacement, 2)));
+    remove_settling_evidence(session.folder);
+    session.journal.say(fmt::format(
+        "Settled in {} steps, {}: out-of-balance force {} of the weight, displacement up to "
+        "{} mm, which counts as zero from here",
+        report.steps, duration_text(progress.elapsed()), short_number(report.unbalanced.of_weight, 2),
+        short_number(1e3 * report.max_displacement, 2)));
     if (report.at_failure > 0) {
         session.journal.say(fmt::format("{} particles have settled at the failure limit of their sand",
                                         grouped(static_cast<long long>(report.at_failure))));
@@ -256,7 +269,8 @@ SessionEnd run_guarded(Session& session)
         return run_stages(session);
     } catch (const NumericalError& error) {
         session.manifest.end_quietly(error.what());
-        session.journal.complain(error.what() + say_where_good(session.folder));
+        const std::string unsettled = session.run.is_shaking() ? "" : show_unsettled(session);
+        session.journal.complain(error.what() + unsettled + say_where_good(session.folder));
         return SessionEnd::failed;
     } catch (const std::exception& error) {
         session.manifest.end_quietly(error.what());

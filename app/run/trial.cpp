@@ -104,9 +104,9 @@ RelaxationForecast forecast_relaxation(const RelaxationControls& controls, Stage
 {
     Decay decay;
     const StopWatch watch;
-    const auto note = [&](std::int64_t steps, double out_of_balance) {
-        decay.steps.push_back(static_cast<double>(steps));
-        decay.logarithms.push_back(std::log(out_of_balance));
+    const auto note = [&](const SettlingProgress& settling) {
+        decay.steps.push_back(static_cast<double>(settling.steps));
+        decay.logarithms.push_back(std::log(settling.unbalanced.of_weight));
     };
     const auto enough = [&] { return watch.seconds() > relaxation_trial_seconds; };
     const RelaxationReport report = run.settle(controls, note, enough);

@@ -63,10 +63,19 @@ void remove_in(const fs::path& folder, Ours&& ours)
     if (fs::is_empty(folder)) remove_file(folder);
 }
 
+void remove_series(const fs::path& index)
+{
+    // The index first: a kill in between leaves no entry without a frame.
+    remove_file(temporary_name(index));
+    remove_file(index);
+    remove_in(fs::path(index).replace_extension(), is_frame_file);
+}
+
 void remove_former_run(const ResultsFolder& folder)
 {
     const fs::path& directory = folder.directory;
     remove_frames(folder);
+    remove_settling_evidence(folder);
     remove_in(directory / "probes", is_probe);
     remove_in(directory / "checkpoint",
               [](const fs::path& file) { return file.filename().string().starts_with("state.h5"); });
@@ -126,12 +135,13 @@ void require_checkpoint(const ResultsFolder& folder)
 
 void remove_frames(const ResultsFolder& folder)
 {
-    for (const fs::path& index : {folder.particle_series(), folder.grid_series()}) {
-        // The index first: a kill in between leaves no entry without a frame.
-        remove_file(temporary_name(index));
-        remove_file(index);
-        remove_in(fs::path(index).replace_extension(), is_frame_file);
-    }
+    for (const fs::path& index : {folder.particle_series(), folder.grid_series()}) remove_series(index);
+}
+
+void remove_settling_evidence(const ResultsFolder& folder)
+{
+    remove_series(folder.settling_series());
+    remove_file(folder.settling_picture());
 }
 
 ResultsFolder prepare_results_folder(const fs::path& directory, const Scene& scene, FolderUse use)

@@ -25,6 +25,9 @@ struct ResultsFolder {
     std::filesystem::path log() const { return directory / "log.txt"; }
     std::filesystem::path particle_series() const { return directory / "fields.pvd"; }
     std::filesystem::path grid_series() const { return directory / "grid.pvd"; }
+    /// Of soil that did not come to rest.
+    std::filesystem::path settling_series() const { return directory / "settling.pvd"; }
+    std::filesystem::path settling_picture() const { return directory / "settling.png"; }
     std::filesystem::path history() const { return directory / "history.csv"; }
     std::filesystem::path steps() const { return directory / "steps.csv"; }
     std::filesystem::path probe(const std::string& name) const
@@ -46,5 +49,8 @@ ResultsFolder prepare_report_folder(const std::filesystem::path& directory, cons
 
 /// Remove fields.pvd, grid.pvd and their frames, where there are any. Throws FileError.
 void remove_frames(const ResultsFolder& folder);
+
+/// Remove what a settling that failed or was stopped left to look at, where there is any. Throws FileError.
+void remove_settling_evidence(const ResultsFolder& folder);
 
 } // namespace quicksand

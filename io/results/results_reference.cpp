@@ -23,6 +23,10 @@ constexpr std::array run_files = {
                    "the particles every output.frame_interval: polygons with the arrays below"},
     DocumentedName{"grid.pvd, grid/*.vtu",
                    "the background grid at the same times: averages of the particles at its nodes"},
+    DocumentedName{
+        "settling.pvd, settling/*.vtu, settling.png",
+        "the particles, and a picture of their displacement, where the soil did not come to rest or was "
+        "stopped while it settled"},
     DocumentedName{"probes/NAME.csv", "the probes of the scene every output.probe_interval"},
     DocumentedName{"history.csv", "the whole body every output.history_interval"},
     DocumentedName{"steps.csv", "the time steps and what they cost, at the same times"},

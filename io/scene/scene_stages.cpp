@@ -32,7 +32,8 @@ void check_names(const DocumentNode& stages, Diagnostics& findings)
 {
     // files of a run lie beside the folders of its stages
     constexpr const char* expected = "letters, digits, - and _, other than the names of a run's own folders";
-    const std::vector<std::string> taken = {"checkpoint", "fields", "grid", "probes", "pictures", "figures"};
+    const std::vector<std::string> taken = {"checkpoint", "fields",   "grid",   "settling",
+                                            "probes",     "pictures", "figures"};
     for (const DocumentNode& stage : stages.children) {
         if (!is_plain(stage.name) || std::find(taken.begin(), taken.end(), stage.name) != taken.end())
             findings.add(error_at(stage.name_place, "stage", "a stage cannot be called '" + stage.name + "'",

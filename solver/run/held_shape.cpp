@@ -148,7 +148,7 @@ void reset_displacement(HeldShape& shape)
 
 double out_of_balance(const Problem& problem, double acceleration, const HeldShape& shape)
 {
-    return unbalanced_forces(problem, acceleration, shape.conditions, shape.walls, shape.sums);
+    return unbalanced_forces(problem, acceleration, shape.conditions, shape.walls, shape.sums).of_weight;
 }
 
 double largest_displacement(const Problem& problem, const HeldShape& shape)

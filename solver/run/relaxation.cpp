@@ -1,16 +1,11 @@
-#include "solver/base/failure.hpp"
 #include "solver/measure/particle_quantities.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/problem/material_runs.hpp"
-#include "solver/run/elastic_displacement.hpp"
+#include "solver/run/settling_watch.hpp"
 #include "solver/run/simulation.hpp"
-#include "solver/run/unbalanced_forces.hpp"
 #include "solver/step/single_phase_step.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <sstream>
 #include <string_view>
 
 namespace quicksand {
@@ -19,7 +14,7 @@ namespace {
 
 constexpr std::int64_t steps_between_checks = 50;
 
-double out_of_balance(const Problem& problem, const SinglePhaseWorkspace& work)
+UnbalancedForces forces_of(const Problem& problem, const SinglePhaseWorkspace& work)
 {
     return unbalanced_forces(problem, 0.0, work.conditions, work.walls, work.sums);
 }
@@ -47,62 +42,6 @@ std::size_t count_at_failure(const Problem& problem, const Particles& particles)
     return count;
 }
 
-std::size_t farthest_particle(const Particles& particles)
-{
-    std::size_t farthest = 0;
-    double most = -1.0; // [m2]
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double square = displacement(particles, p).squaredNorm();
-        if (square > most) {
-            farthest = p;
-            most = square;
-        }
-    }
-    return farthest;
-}
-
-[[noreturn]] void fail_to_settle(const RelaxationControls& controls, double residual, double dt,
-                                 const State& state)
-{
-    std::ostringstream what;
-    what << "the soil does not settle: after " << state.step << " steps the out-of-balance force is "
-         << residual << " of the weight, the tolerance " << controls.tolerance;
-    FailureRecord record = failure_at(dt, state, farthest_particle(state.particles));
-    record.phase = "relaxation";
-    record.what = what.str() + "; the particle below has moved farthest";
-    record.causes =
-        "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
-        "small or max_steps too few";
-    throw NumericalError(record);
-}
-
-/// Displacement that no soil reaches which comes to rest as drawn: a cell, a quarter of its height and twice
-/// its elastic displacement, whichever is largest [m].
-double largest_settling(const Problem& problem, const Particles& particles)
-{
-    return std::max({problem.grid.cell_size, 0.25 * drawn_height(particles),
-                     2.0 * elastic_displacement(problem, particles)});
-}
-
-/// Soil that slides does not come to rest, or only as another slope than the drawn one.
-void require_standing(double limit, double dt, const State& state)
-{
-    const std::size_t p = farthest_particle(state.particles);
-    const double moved = displacement(state.particles, p).norm();
-    if (!(moved > limit)) return;
-    std::ostringstream what;
-    what.precision(3);
-    what << "the soil runs away instead of settling: it has moved " << moved << " m, soil that comes to rest "
-         << "moves less than " << limit << " m";
-    FailureRecord record = failure_at(dt, state, p);
-    record.phase = "relaxation";
-    record.what = what.str();
-    record.causes =
-        "the slope cannot stand under its weight (quicksand stability tells its factor of safety); "
-        "a wall is missing among the boundaries; the soil is far too soft for its weight";
-    throw NumericalError(record);
-}
-
 /// begin_shaking() of the body alone, without the columns of free fields.
 std::size_t begin_with_memory(const Problem& problem, State& state)
 {
@@ -128,7 +67,7 @@ double out_of_balance(const Problem& problem, const State& state)
     scatter_to_nodes(problem, 0.0, copy, work);
     constexpr double unit_time = 1.0; // forces stand for impulses
     assemble_walls(problem, unit_time, work.sums, work);
-    return out_of_balance(problem, work);
+    return forces_of(problem, work).of_weight;
 }
 
 namespace {
@@ -182,9 +121,9 @@ bool settle_at_strength(const Problem& shaken, const RelaxationControls& control
         brake(state.particles);
         if (step % steps_between_checks != 0) continue;
         check_particles(dt, state);
-        report.out_of_balance = out_of_balance(problem, work);
+        report.unbalanced = forces_of(problem, work);
         report.steps = state.step;
-        if (report.out_of_balance <= share_of_tolerance * controls.tolerance) return true;
+        if (report.unbalanced.of_weight <= share_of_tolerance * controls.tolerance) return true;
         if (!stop || !stop()) continue;
         state = beginning;
         return false;
@@ -200,7 +139,7 @@ Problem settling_problem(const Problem& problem)
 }
 
 RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls, State& state,
-                       const std::function<void(std::int64_t, double)>& progress, const StopRule& stop)
+                       const SettlingWatcher& progress, const StopRule& stop)
 {
     const Problem problem = settling_problem(shaken);
     if (state.stage != Stage::relaxation) {
@@ -211,19 +150,18 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
         state.whole_step = 0.0;
     }
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
-    const double limit = largest_settling(problem, state.particles);
+    SettlingWatch watch(problem, controls, state.particles);
     RelaxationReport report;
     while (!rests(state)) {
         const double dt = stable_relaxation_step(problem, state.particles).dt;
         advance_single_phase_step(problem, dt, controls.damping, state, work);
         if (state.step % steps_between_checks != 0) continue;
         check_particles(dt, state);
-        report.out_of_balance = out_of_balance(problem, work);
+        report.unbalanced = forces_of(problem, work);
         report.steps = state.step;
-        if (report.out_of_balance <= controls.tolerance) break;
-        require_standing(limit, dt, state);
-        if (state.step >= controls.max_steps) fail_to_settle(controls, report.out_of_balance, dt, state);
-        if (progress) progress(state.step, report.out_of_balance);
+        if (report.unbalanced.of_weight <= controls.tolerance) break;
+        watch.look(state, report.unbalanced, dt);
+        if (progress) progress({state.step, report.unbalanced});
         if (stop && stop()) return report;
     }
     set_at_rest(state.particles);

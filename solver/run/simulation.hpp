@@ -5,6 +5,7 @@
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 #include "solver/run/observer.hpp"
+#include "solver/run/unbalanced_forces.hpp"
 
 #include <functional>
 #include <vector>
@@ -17,11 +18,19 @@ struct RelaxationControls {
     std::int64_t max_steps = 200'000; // then the stage is a NumericalError [-]
 };
 
+/// What is told now and then while the soil settles.
+struct SettlingProgress {
+    std::int64_t steps = 0;      // [-]
+    UnbalancedForces unbalanced; // now
+};
+
+using SettlingWatcher = std::function<void(const SettlingProgress&)>;
+
 /// Outcome of the relaxation stage.
 struct RelaxationReport {
     bool settled = false;          // false: stopped
     std::int64_t steps = 0;        // [-]
-    double out_of_balance = 0.0;   // out-of-balance force / body force at the end [-]
+    UnbalancedForces unbalanced;   // at the end
     double max_displacement = 0.0; // how far the soil moved while settling [m]
     std::size_t at_failure = 0;    // particles whose shear stress is the largest their sand can carry [-]
 };
@@ -32,11 +41,10 @@ double out_of_balance(const Problem& problem, const State& state);
 
 /// Settle under gravity, damped and with the pore pressures held; then velocities are zero, displacements are
 /// counted from the settled shape and sigma'_v0 is frozen. A state of the stage relaxation goes on where it
-/// stopped. Now and then, between two steps and before the soil has settled, `progress(steps,
-/// out_of_balance)` is called and `stop` asked. Throws NumericalError.
+/// stopped. Now and then, between two steps and before the soil has settled, `progress` is called and `stop`
+/// asked. Throws NumericalError; the state is then the one in which the soil was found not to settle.
 RelaxationReport relax(const Problem& problem, const RelaxationControls& controls, State& state,
-                       const std::function<void(std::int64_t, double)>& progress = {},
-                       const StopRule& stop = {});
+                       const SettlingWatcher& progress = {}, const StopRule& stop = {});
 
 /// The problem while it settles under gravity: laws with a memory of cycles are replaced by what they are in
 /// a static stage.

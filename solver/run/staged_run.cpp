@@ -44,8 +44,7 @@ const State& StagedRun::state_of_body()
     return wide_;
 }
 
-RelaxationReport StagedRun::settle(const RelaxationControls& relaxation,
-                                   const std::function<void(std::int64_t, double)>& progress,
+RelaxationReport StagedRun::settle(const RelaxationControls& relaxation, const SettlingWatcher& progress,
                                    const StopRule& stop)
 {
     ENSURE(!is_shaking_);

@@ -54,8 +54,7 @@ public:
     bool is_finished() const { return is_shaking_ && state().time >= controls_.end_time; }
 
     /// Settle, and begin the shaking unless it was stopped; see relax(). Before the shaking.
-    RelaxationReport settle(const RelaxationControls& relaxation,
-                            const std::function<void(std::int64_t, double)>& progress = {},
+    RelaxationReport settle(const RelaxationControls& relaxation, const SettlingWatcher& progress = {},
                             const StopRule& stop = {});
 
     /// Begin the shaking from the stress as it is; returns what begin_shaking() of the problem does. Before

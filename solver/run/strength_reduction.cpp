@@ -1,7 +1,7 @@
 #include "solver/run/strength_reduction.hpp"
 
 #include "solver/base/failure.hpp"
-#include "solver/run/elastic_displacement.hpp"
+#include "solver/measure/elastic_displacement.hpp"
 #include "solver/run/held_shape.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/step/time_step_control.hpp"

@@ -264,8 +264,12 @@ TEST(Settling, GoesOnWhereItWasStopped)
         stopped.output.find("Stopped on request while settling. Go on with the same command and --resume."),
         std::string::npos)
         << stopped.output;
+    EXPECT_NE(stopped.output.find(" times the tolerance, largest at ("), std::string::npos) << stopped.output;
+    EXPECT_TRUE(std::filesystem::exists(results + "/settling.pvd"));
+    EXPECT_TRUE(std::filesystem::exists(results + "/settling.png"));
     const Outcome resumed = run_program(run + results + " --resume");
     ASSERT_EQ(resumed.code, 0) << resumed.output;
+    EXPECT_FALSE(std::filesystem::exists(results + "/settling.pvd")) << "it has settled since";
     EXPECT_EQ(read_file(results + "/history.csv"), read_file(folder / "whole/history.csv"));
     EXPECT_EQ(read_file(results + "/fields.pvd"), read_file(folder / "whole/fields.pvd"));
 }

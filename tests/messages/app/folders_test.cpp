@@ -198,7 +198,12 @@ TEST(NumericalFailure, OfSoilThatCannotStandEndsSoonWithItsPlace)
     EXPECT_EQ(outcome.code, 3) << outcome.output;
     expect_mention(outcome, "while settling, in phase 'relaxation' of step ");
     expect_mention(outcome, "the soil runs away instead of settling: it has moved ");
+    expect_mention(outcome, " of the weight and largest at (");
     expect_mention(outcome, "\n  particle ");
+    expect_mention(outcome,
+                   "  the soil as it is: " + (folder / "results/settling.pvd").string() + " (ParaView)");
+    EXPECT_TRUE(std::filesystem::exists(folder / "results/settling/frame_000000.vtu"));
+    EXPECT_TRUE(std::filesystem::exists(folder / "results/settling.png"));
     expect_mention(outcome,
                    "likely causes: the slope cannot stand under its weight (quicksand stability tells "
                    "its factor of safety)");

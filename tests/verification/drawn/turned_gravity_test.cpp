@@ -46,7 +46,7 @@ double settle(AssembledCase& assembled)
 {
     RelaxationControls controls;
     controls.tolerance = 1e-6;
-    return relax(assembled.problem, controls, assembled.state).out_of_balance;
+    return relax(assembled.problem, controls, assembled.state).unbalanced.of_weight;
 }
 
 /// Effective stress in the drawing's own directions: across and along its height.

@@ -5,7 +5,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace quicksand {
 namespace {
@@ -77,6 +79,23 @@ TEST(Relaxation, EndsSoonWhereTheSoilRunsAway)
         EXPECT_LT(error.record.step, 2000);
         EXPECT_GE(error.record.identifier, 0);
         EXPECT_GT(error.record.position.x(), 0.3) << "the free side, not the held one";
+    }
+}
+
+TEST(Relaxation, TellsWhereTheForcesAreOutOfBalance)
+{
+    const Problem problem = block_problem(false);
+    State state = unsettled(problem);
+    std::vector<SettlingProgress> told;
+    relax(problem, RelaxationControls{}, state, [&](const SettlingProgress& now) { told.push_back(now); });
+    ASSERT_FALSE(told.empty());
+    for (const SettlingProgress& now : told) {
+        EXPECT_EQ(now.steps % 50, 0);
+        EXPECT_GT(now.unbalanced.of_weight, 0.0);
+        EXPECT_GT(now.unbalanced.share_at_place, 0.0);
+        EXPECT_LE(now.unbalanced.share_at_place, 1.0);
+        const Vector2 place = now.unbalanced.place;
+        EXPECT_TRUE(place.x() >= 0.0 && place.x() <= 1.5 && place.y() >= 0.0 && place.y() <= 1.5);
     }
 }
 

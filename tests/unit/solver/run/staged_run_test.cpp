@@ -82,7 +82,7 @@ TEST(StagedRun, SettlesAndThenShakes)
 
     const RelaxationReport report = run.settle(loosely);
     EXPECT_TRUE(report.settled);
-    EXPECT_LE(report.out_of_balance, loosely.tolerance);
+    EXPECT_LE(report.unbalanced.of_weight, loosely.tolerance);
     EXPECT_TRUE(run.is_shaking());
     EXPECT_FALSE(run.is_finished());
     EXPECT_EQ(run.state().step, 0);
@@ -145,7 +145,7 @@ TEST(StagedRun, SettledSoilIsNotStopped)
     StagedRun run(body, unsettled(body), whole_body);
     std::int64_t seen = 0;
     const RelaxationReport report = run.settle(
-        loosely, [&](std::int64_t step, double) { seen = step; }, [&] { return seen >= steps; });
+        loosely, [&](const SettlingProgress& now) { seen = now.steps; }, [&] { return seen >= steps; });
     EXPECT_TRUE(report.settled);
     EXPECT_EQ(report.steps, steps);
     EXPECT_LT(seen, steps);

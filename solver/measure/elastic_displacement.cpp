@@ -1,4 +1,4 @@
-#include "solver/run/elastic_displacement.hpp"
+#include "solver/measure/elastic_displacement.hpp"
 
 #include <algorithm>
 #include <limits>

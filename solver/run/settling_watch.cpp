@@ -1,0 +1,97 @@
+#include "solver/run/settling_watch.hpp"
+
+#include "solver/base/failure.hpp"
+#include "solver/measure/elastic_displacement.hpp"
+#include "solver/measure/particle_quantities.hpp"
+#include "solver/motion/particle_order.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+
+namespace quicksand {
+
+namespace {
+
+/// The most likely first: where most of the weight is out of balance, nothing bears the soil.
+std::string causes_of_running_away(const UnbalancedForces& unbalanced)
+{
+    const std::string slope =
+        "the slope cannot stand under its weight (quicksand stability tells its factor of safety)";
+    const std::string wall = "a wall is missing among the boundaries";
+    const bool falls = unbalanced.of_weight > 0.5;
+    return (falls ? wall + "; " + slope : slope + "; " + wall) + "; the soil is far too soft for its weight";
+}
+
+std::size_t farthest_particle(const Particles& particles)
+{
+    std::size_t farthest = 0;
+    double most = -1.0; // [m2]
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double square = displacement(particles, p).squaredNorm();
+        if (square > most) {
+            farthest = p;
+            most = square;
+        }
+    }
+    return farthest;
+}
+
+/// Displacement that no soil reaches which comes to rest as drawn: a cell, a quarter of its height and twice
+/// its elastic displacement, whichever is largest [m].
+double largest_settling(const Problem& problem, const Particles& particles)
+{
+    return std::max({problem.grid.cell_size, 0.25 * drawn_height(particles),
+                     2.0 * elastic_displacement(problem, particles)});
+}
+
+std::string describe(const UnbalancedForces& unbalanced)
+{
+    std::ostringstream text;
+    text.precision(3);
+    text << "the unbalanced force is " << unbalanced.of_weight << " of the weight and largest at ("
+         << unbalanced.place.x() << ", " << unbalanced.place.y() << ") m";
+    return text.str();
+}
+
+[[noreturn]] void fail(const State& state, const std::string& what, const std::string& causes, double dt)
+{
+    const std::size_t p = farthest_particle(state.particles);
+    FailureRecord record = failure_at(dt, state, p);
+    record.phase = "relaxation";
+    record.what = what;
+    record.causes = causes;
+    throw NumericalError(record);
+}
+
+} // namespace
+
+SettlingWatch::SettlingWatch(const Problem& problem, const RelaxationControls& controls,
+                             const Particles& particles)
+    : controls_(controls), largest_displacement_(largest_settling(problem, particles))
+{
+}
+
+void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced, double dt) const
+{
+    const Particles& particles = state.particles;
+    const double moved = displacement(particles, farthest_particle(particles)).norm();
+    std::ostringstream what;
+    what.precision(3);
+    if (moved > largest_displacement_) {
+        what << "the soil runs away instead of settling: it has moved " << moved
+             << " m, soil that comes to rest moves less than " << largest_displacement_ << " m; "
+             << describe(unbalanced);
+        fail(state, what.str(), causes_of_running_away(unbalanced), dt);
+    }
+    if (state.step < controls_.max_steps) return;
+    what << "the soil does not settle: after " << state.step << " steps the out-of-balance force is "
+         << unbalanced.of_weight << " of the weight, the tolerance " << controls_.tolerance << "; "
+         << describe(unbalanced) << "; the particle below has moved farthest";
+    fail(state, what.str(),
+         "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
+         "small or max_steps too few",
+         dt);
+}
+
+} // namespace quicksand

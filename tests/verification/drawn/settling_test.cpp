@@ -1,0 +1,88 @@
+// What must not matter while soil settles: how many particles a cell has.
+#include "tests/fixtures/drawn_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+constexpr double box_size = 4.0; // [m]
+
+/// A slope of 1:3 from 7.3 m down to the ground, whose corners lie off cells of 2 m.
+AssembledCase slope_of(const std::string& law, int particles)
+{
+    const std::vector<NamedCorner> corners = {{{0.0, 0.0}, "base"},     {{52.0, 0.0}, "right"},
+                                              {{52.0, 12.7}, "ground"}, {{25.9, 12.7}, "ground"},
+                                              {{4.0, 20.0}, "ground"},  {{0.0, 20.0}, "left"}};
+    const std::string count = std::to_string(particles);
+    const std::string tables = "[sampling]\nparticles_per_cell = [" + count + ", " + count +
+                               "]\n[analysis]\nscheme = \"implicit\"\n[water]\nlevel = 12.7\n"
+                               "[materials.soil]\nporosity = 0.43\nhydraulic_conductivity = 1e-4\n" +
+                               law +
+                               "[regions.soil]\nmaterial = \"soil\"\n"
+                               "[boundaries.base]\nsoil = \"fixed\"\n[boundaries.left]\nsoil = \"roller\"\n"
+                               "[boundaries.right]\nsoil = \"roller\"\n[relaxation]\n";
+    return assemble(scene_with(2.0, {0.0, 0.0}, 26, 12, tables), polygon_section(corners));
+}
+
+struct Box {
+    double volume = 0.0;                     // [m3/m]
+    double vertical = 0.0, horizontal = 0.0; // sum of stress times volume [N m/m]
+};
+
+std::map<std::pair<int, int>, Box> boxes_of(const Particles& particles)
+{
+    std::map<std::pair<int, int>, Box> boxes;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Vector2 place = particles.reference_position[p] / box_size;
+        Box& box = boxes[{static_cast<int>(place.x()), static_cast<int>(place.y())}];
+        box.volume += particles.volume[p];
+        box.vertical += particles.volume[p] * particles.stress.yy[p];
+        box.horizontal += particles.volume[p] * particles.stress.xx[p];
+    }
+    return boxes;
+}
+
+/// Root mean square of the difference of mean stresses in boxes that are full of soil, over the largest
+/// vertical one [-].
+double difference(const Particles& a, const Particles& b)
+{
+    const auto of_a = boxes_of(a), of_b = boxes_of(b);
+    double square = 0.0, largest = 0.0;
+    int terms = 0;
+    for (const auto& [place, box] : of_a) {
+        const auto other = of_b.find(place);
+        if (other == of_b.end() || box.volume < 0.99 * box_size * box_size) continue;
+        const Box& second = other->second;
+        square += std::pow(box.vertical / box.volume - second.vertical / second.volume, 2);
+        square += std::pow(box.horizontal / box.volume - second.horizontal / second.volume, 2);
+        largest = std::max(largest, -box.vertical / box.volume);
+        terms += 2;
+    }
+    return std::sqrt(square / terms) / largest;
+}
+
+TEST(SettledSlope, IsTheSameWithTwoAndThreeParticlesAcrossACell)
+{
+    for (const std::string& law :
+         {std::string("model = \"mohr_coulomb\"\nshear_modulus = 12e6\npoisson_ratio = 0.3\n"
+                      "friction_angle = \"33 deg\"\ncohesion = 0\n"),
+          std::string("model = \"ubcsand\"\nrelative_density = 0.5\n")}) {
+        AssembledCase coarse = slope_of(law, 2), fine = slope_of(law, 3);
+        const RelaxationReport two = relax(coarse.problem, {}, coarse.state);
+        const RelaxationReport three = relax(fine.problem, {}, fine.state);
+        EXPECT_LT(two.steps, 3000);
+        EXPECT_LT(three.steps, 3000);
+        EXPECT_LT(difference(coarse.state.particles, fine.state.particles), 0.01) << law;
+    }
+}
+
+} // namespace
+} // namespace quicksand
