@@ -60,9 +60,19 @@ inline Direction direction_along(double x, double y)
     return {x * per_size, select(size > 1e-200, y * per_size, 1.0)};
 }
 
+/// w = s - p alpha, the distance to the centre of the yield surface [Pa].
+struct Distance {
+    double x, y;
+};
+inline Distance from_centre(const Point& at)
+{
+    return {at.s_x - at.p * at.alpha_x, at.s_y - at.p * at.alpha_y};
+}
+
 inline Direction direction_of(const Point& at)
 {
-    return direction_along(at.s_x - at.p * at.alpha_x, at.s_y - at.p * at.alpha_y);
+    const Distance w = from_centre(at);
+    return direction_along(w.x, w.y);
 }
 
 /// The mean direction of flow of a strain from `start`, whose elastic change and lambda are those at `at`.
@@ -73,9 +83,9 @@ inline Direction mean_direction(const Pm4Sand& m, const Point& start, const Poin
     const double way = lambda * (flow.G + flow.pull * flow.bound) / radius;
     const double share = (3.0 + way) / (6.0 + way);
     const double drawn = lambda * (flow.pull + flow.K * flow.D) - elastic.p;
-    const double w_x = start.s_x - start.p * start.alpha_x, w_y = start.s_y - start.p * start.alpha_y;
-    return direction_along(w_x + share * (elastic.s_x + drawn * at.alpha_x),
-                           w_y + share * (elastic.s_y + drawn * at.alpha_y));
+    const Distance w = from_centre(start);
+    return direction_along(w.x + share * (elastic.s_x + drawn * at.alpha_x),
+                           w.y + share * (elastic.s_y + drawn * at.alpha_y));
 }
 
 /// The plastic shear strain that brings a stress which would go from `start` by an elastic change back to the
@@ -85,8 +95,8 @@ inline double multiplier(const Pm4Sand& m, const Point& start, const Point& at, 
 {
     const double ratio = (at.s_x * u.x + at.s_y * u.y) / at.p;
     const double driven = elastic.s_x * u.x + elastic.s_y * u.y - ratio * elastic.p;
-    const double w_x = start.s_x - start.p * start.alpha_x, w_y = start.s_y - start.p * start.alpha_y;
-    const double inside = 0.5 * m.yield_radius * start.p - (w_x * u.x + w_y * u.y);
+    const Distance w = from_centre(start);
+    const double inside = 0.5 * m.yield_radius * start.p - (w.x * u.x + w.y * u.y);
     return positive(driven - inside) / flow.resistance;
 }
 

@@ -41,33 +41,31 @@ inline void set_point(const Point& at, Pm4SandState& state)
     state.void_ratio = at.void_ratio;
 }
 
+/// combine(a, b) number by number.
+template <class Combine>
+inline Point combined(const Point& a, const Point& b, Combine&& combine)
+{
+    return {combine(a.p, b.p),
+            combine(a.s_x, b.s_x),
+            combine(a.s_y, b.s_y),
+            combine(a.sigma_z, b.sigma_z),
+            combine(a.alpha_x, b.alpha_x),
+            combine(a.alpha_y, b.alpha_y),
+            combine(a.fabric_x, b.fabric_x),
+            combine(a.fabric_y, b.fabric_y),
+            combine(a.fabric_path, b.fabric_path),
+            combine(a.void_ratio, b.void_ratio)};
+}
+
 /// a + w d for what changes.
 inline Point sum(const Point& a, double w, const Point& d)
 {
-    return {a.p + w * d.p,
-            a.s_x + w * d.s_x,
-            a.s_y + w * d.s_y,
-            a.sigma_z + w * d.sigma_z,
-            a.alpha_x + w * d.alpha_x,
-            a.alpha_y + w * d.alpha_y,
-            a.fabric_x + w * d.fabric_x,
-            a.fabric_y + w * d.fabric_y,
-            a.fabric_path + w * d.fabric_path,
-            a.void_ratio + w * d.void_ratio};
+    return combined(a, d, [w](double number, double change) { return number + w * change; });
 }
 
 inline Point select(bool condition, const Point& yes, const Point& no)
 {
-    return {select(condition, yes.p, no.p),
-            select(condition, yes.s_x, no.s_x),
-            select(condition, yes.s_y, no.s_y),
-            select(condition, yes.sigma_z, no.sigma_z),
-            select(condition, yes.alpha_x, no.alpha_x),
-            select(condition, yes.alpha_y, no.alpha_y),
-            select(condition, yes.fabric_x, no.fabric_x),
-            select(condition, yes.fabric_y, no.fabric_y),
-            select(condition, yes.fabric_path, no.fabric_path),
-            select(condition, yes.void_ratio, no.void_ratio)};
+    return combined(yes, no, [condition](double y, double n) { return select(condition, y, n); });
 }
 
 inline Pm4SandState select(bool condition, const Pm4SandState& yes, const Pm4SandState& no)

@@ -25,11 +25,11 @@ inline double elastic_modulus(const Pm4Sand& m, const Pm4SandState& memory, cons
 /// The part of an elastic path inside the yield surface: 1 where all of it is [-].
 inline double elastic_part(const Pm4Sand& m, const Point& from, const Point& change)
 {
-    const double w_x = from.s_x - from.p * from.alpha_x, w_y = from.s_y - from.p * from.alpha_y;
+    const Distance w = from_centre(from);
     const double d_x = change.s_x - change.p * from.alpha_x, d_y = change.s_y - change.p * from.alpha_y;
     const double half = 0.5 * m.yield_radius, rho = half * from.p, d_rho = half * change.p;
-    const double A = d_x * d_x + d_y * d_y - d_rho * d_rho, B = w_x * d_x + w_y * d_y - rho * d_rho;
-    const double C = smaller(0.0, w_x * w_x + w_y * w_y - rho * rho);
+    const double A = d_x * d_x + d_y * d_y - d_rho * d_rho, B = w.x * d_x + w.y * d_y - rho * d_rho;
+    const double C = smaller(0.0, w.x * w.x + w.y * w.y - rho * rho);
     const double root = std::sqrt(larger(0.0, B * B - A * C));
     const bool outward = B > 0.0;
     const double way = select(outward, -C, root - B) / select(outward, B + root, larger(A, 1e-300));

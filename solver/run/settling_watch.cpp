@@ -54,9 +54,9 @@ std::string describe(const UnbalancedForces& unbalanced)
     return text.str();
 }
 
-[[noreturn]] void fail(const State& state, const std::string& what, const std::string& causes, double dt)
+[[noreturn]] void fail(const State& state, std::size_t p, const std::string& what, const std::string& causes,
+                       double dt)
 {
-    const std::size_t p = farthest_particle(state.particles);
     FailureRecord record = failure_at(dt, state, p);
     record.phase = "relaxation";
     record.what = what;
@@ -74,21 +74,21 @@ SettlingWatch::SettlingWatch(const Problem& problem, const RelaxationControls& c
 
 void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced, double dt) const
 {
-    const Particles& particles = state.particles;
-    const double moved = displacement(particles, farthest_particle(particles)).norm();
+    const std::size_t farthest = farthest_particle(state.particles);
+    const double moved = displacement(state.particles, farthest).norm();
     std::ostringstream what;
     what.precision(3);
     if (moved > largest_displacement_) {
         what << "the soil runs away instead of settling: it has moved " << moved
              << " m, soil that comes to rest moves less than " << largest_displacement_ << " m; "
              << describe(unbalanced);
-        fail(state, what.str(), causes_of_running_away(unbalanced), dt);
+        fail(state, farthest, what.str(), causes_of_running_away(unbalanced), dt);
     }
     if (state.step < controls_.max_steps) return;
     what << "the soil does not settle: after " << state.step << " steps the out-of-balance force is "
          << unbalanced.of_weight << " of the weight, the tolerance " << controls_.tolerance << "; "
          << describe(unbalanced) << "; the particle below has moved farthest";
-    fail(state, what.str(),
+    fail(state, farthest, what.str(),
          "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
          "small or max_steps too few",
          dt);

@@ -21,14 +21,7 @@ AssembledCase slope_of(const std::string& law, int particles)
     const std::vector<NamedCorner> corners = {{{0.0, 0.0}, "base"},     {{52.0, 0.0}, "right"},
                                               {{52.0, 12.7}, "ground"}, {{25.9, 12.7}, "ground"},
                                               {{4.0, 20.0}, "ground"},  {{0.0, 20.0}, "left"}};
-    const std::string count = std::to_string(particles);
-    const std::string tables = "[sampling]\nparticles_per_cell = [" + count + ", " + count +
-                               "]\n[analysis]\nscheme = \"implicit\"\n[water]\nlevel = 12.7\n"
-                               "[materials.soil]\nporosity = 0.43\nhydraulic_conductivity = 1e-4\n" +
-                               law +
-                               "[regions.soil]\nmaterial = \"soil\"\n"
-                               "[boundaries.base]\nsoil = \"fixed\"\n[boundaries.left]\nsoil = \"roller\"\n"
-                               "[boundaries.right]\nsoil = \"roller\"\n[relaxation]\n";
+    const std::string tables = section_in_water(particles, "implicit", "12.7", law);
     return assemble(scene_with(2.0, {0.0, 0.0}, 26, 12, tables), polygon_section(corners));
 }
 

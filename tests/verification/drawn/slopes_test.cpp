@@ -89,15 +89,9 @@ AssembledCase slope_of(const std::string& model, int particles, double offset)
     const std::vector<NamedCorner> corners = {{{0.0, 0.0}, "base"},    {{12.0, 0.0}, "right"},
                                               {{12.0, 2.0}, "ground"}, {{8.0, 2.0}, "ground"},
                                               {{4.0, 4.0}, "ground"},  {{0.0, 4.0}, "left"}};
-    const std::string count = std::to_string(particles);
-    const std::string tables = "[sampling]\nparticles_per_cell = [" + count + ", " + count +
-                               "]\n[analysis]\nscheme = \"semi_implicit\"\n[water]\nlevel = 5.0\n"
-                               "[materials.soil]\nmodel = \"" +
-                               model +
-                               "\"\nrelative_density = 0.55\nporosity = 0.43\n"
-                               "hydraulic_conductivity = 1e-4\n[regions.soil]\nmaterial = \"soil\"\n"
-                               "[boundaries.base]\nsoil = \"fixed\"\n[boundaries.left]\nsoil = \"roller\"\n"
-                               "[boundaries.right]\nsoil = \"roller\"\n[relaxation]\ntolerance = 1e-6\n";
+    const std::string tables = section_in_water(particles, "semi_implicit", "5.0",
+                                                "model = \"" + model + "\"\nrelative_density = 0.55\n") +
+                               "tolerance = 1e-6\n";
     return assemble(scene_with(0.5, {-1.0 - offset, -1.0 - offset}, 28, 13, tables),
                     polygon_section(corners));
 }
