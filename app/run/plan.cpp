@@ -22,7 +22,8 @@ constexpr double cells_per_wavelength = 10.0; // of a shear wave that the grid c
 std::string describe_waves(const Material& material, const WaveSpeeds& waves, const Problem& problem)
 {
     std::string text = fmt::format("  {:<25} ", material.name);
-    if (problem.water && material.saturated) {
+    if (!material.has_pores) text += "solid without pores, ";
+    if (problem.water && is_wet(material)) {
         text += fmt::format("fast P {:.0f}, undrained P {:.0f}, slow P {:.0f}, ", waves.fast, waves.undrained,
                             waves.slow);
     }

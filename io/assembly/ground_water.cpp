@@ -196,7 +196,7 @@ void set_initial_state(const Scene& scene, const FlowField* flow, const Section&
         const Vector2 point = particles.position[p];
         const double line = problem.water ? ground.surface(point.x()) : point.y();
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-        const bool wet = water_of(problem, material).has_value();
+        const bool wet = problem.water && is_wet(material);
         const double head = wet ? ground.head(point) : line;
         const double pressure = wet ? pressure_below(problem, head, point.y()) : 0.0;
         if (bears_stress_as_drawn(material.law)) {

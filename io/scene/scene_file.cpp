@@ -15,6 +15,7 @@
 #include "io/tables/scene_motion.hpp"
 #include "io/tables/scene_verification.hpp"
 #include "io/tables/stage_keys.hpp"
+#include "solver/problem/solid_mixture.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +89,8 @@ void fill_geometry(const SceneValues& values, const std::filesystem::path& folde
     scene.sampling = lattice;
 }
 
-Material read_material(const SceneValues& values, const NamedTable& table)
+/// A soil by its phases, or a solid by its density; the water is that of the scene.
+Material read_material(const SceneValues& values, const NamedTable& table, const std::optional<Water>& water)
 {
     const auto number = [&](const char* key) { return values.number(table.path + "." + key); };
     Material material;
@@ -96,6 +98,10 @@ Material read_material(const SceneValues& values, const NamedTable& table)
     material.volumetric_strain = values.text(table.path + ".volumetric_strain") == "cell"
                                      ? VolumetricStrain::cell
                                      : VolumetricStrain::particle;
+    if (values.text(table.path + ".water") == "none") {
+        make_solid(number("density"), water, material);
+        return material;
+    }
     material.grain_density = number("grain_density");
     material.porosity = number("porosity");
     material.hydraulic_conductivity = number("hydraulic_conductivity");
@@ -147,8 +153,10 @@ void fill_ground(const SceneValues& values, Scene& scene)
         scene.flow_place = values.place("water.initial_flow");
     }
     for (const NamedTable& table : tables_named(values, "materials")) {
-        scene.materials.push_back({read_material(values, table),
-                                   values.number(table.path + ".saturation_above_water"), table.place});
+        Material material = read_material(values, table, scene.water);
+        const double saturation =
+            material.has_pores ? values.number(table.path + ".saturation_above_water") : 1.0;
+        scene.materials.push_back({std::move(material), saturation, table.place});
     }
     for (const NamedTable& table : tables_named(values, "regions")) {
         scene.regions.push_back({table.name, values.text(table.path + ".material"), table.place});

@@ -120,6 +120,20 @@ void check_permeability(const SceneValues& values, Diagnostics& findings)
     }
 }
 
+/// Solids are elastic, up to a strength if they have one.
+void check_solids(const SceneValues& values, Diagnostics& findings)
+{
+    for (const NamedTable& material : tables_named(values, "materials")) {
+        const std::string path = material.path + ".water", model = values.text(material.path + ".model");
+        if (values.text(path) != "none" || model == "linear_elastic" || model == "mohr_coulomb") continue;
+        findings.add(error_at(values.place(path), "combination",
+                              path + " = \"none\" makes a solid without pores, and model = \"" + model +
+                                  "\" is no law of solids",
+                              "model = \"linear_elastic\" or \"mohr_coulomb\" with water = \"none\"",
+                              "remove water, or take the law of the solid"));
+    }
+}
+
 void check_boundaries(const SceneValues& values, Diagnostics& findings)
 {
     const auto boundaries = tables_named(values, "boundaries");
@@ -212,6 +226,7 @@ void check_references(const SceneValues& values, Diagnostics& findings)
     check_boundaries(values, findings);
     check_interpolation(values, findings);
     check_permeability(values, findings);
+    check_solids(values, findings);
     check_scheme(values, findings);
     check_probes(values, findings);
     check_accepted(values, findings);

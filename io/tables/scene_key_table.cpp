@@ -22,6 +22,7 @@ const Condition manufactured_only{"problem", {"axis_aligned", "largest_vortex", 
 const std::vector<std::string_view> coupled_only{"coupled"}, with_pressure{"coupled", "undrained"};
 const Condition water_with_pressure{"flow", with_pressure};
 const Condition profile_only{"kind", {"profile"}};
+const Condition with_pores{"water", {"pores"}}, a_solid{"water", {"none"}};
 
 // One row, one key: the formatter would make it ten lines.
 // clang-format off
@@ -161,26 +162,33 @@ std::vector<SceneKey> skeleton_keys()
 std::vector<SceneKey> phase_keys()
 {
     return {
+        {.pattern = "materials.*.water", .type = word, .default_value = "pores", .words = {"pores", "none"},
+         .doc = "Whether water fills the pores of the material, or it is a solid without pores: concrete, rock, steel."},
+        {.pattern = "materials.*.density", .dimension = Dimension::density, .required = true,
+         .allowed = positive, .plausible = {1000.0, 8000.0}, .when = a_solid,
+         .doc = "Density of the solid, in the air: 2400 of concrete; buoyancy is added below the water."},
         {.pattern = "materials.*.grain_density", .dimension = Dimension::density, .default_value = 2650.0,
          .allowed = positive, .plausible = {2000.0, 3300.0},
-         .caution = "this is the density of the grains, not of the soil", .doc = "Density of the grains."},
+         .caution = "this is the density of the grains, not of the soil", .when = with_pores, .doc = "Density of the grains."},
         {.pattern = "materials.*.porosity", .required = true, .allowed = fraction, .plausible = {0.2, 0.7},
-         .caution = "porosity is the void volume over the total volume, not the void ratio",
+         .caution = "porosity is the void volume over the total volume, not the void ratio", .when = with_pores,
          .doc = "Initial porosity: void volume over total volume."},
         {.pattern = "materials.*.hydraulic_conductivity", .dimension = Dimension::velocity, .required = true,
          .saturated_only = true, .flows = coupled_only, .used_by_seepage = true, .allowed = positive,
          .plausible = {1e-10, 1.0},
          .caution = "this is Darcy's conductivity in m/s, not an intrinsic permeability in m2, not k/gamma_w",
+         .when = with_pores,
          .doc = "Darcy's conductivity k, at the gravity of conductivity_gravity."},
         {.pattern = "materials.*.conductivity_gravity", .dimension = Dimension::acceleration,
          .saturated_only = true, .flows = coupled_only, .used_by_seepage = true,
-         .default_value = standard_gravity, .allowed = positive, .plausible = {1.0, 2000.0},
+         .default_value = standard_gravity, .allowed = positive, .plausible = {1.0, 2000.0}, .when = with_pores,
          .doc = "Gravity at which the conductivity was measured; at 120 g a wrong value changes k by a factor of 120."},
         {.pattern = "materials.*.saturation_above_water", .saturated_only = true, .default_value = 0.0,
-         .allowed = {.lower = 0.0, .upper = 1.0},
+         .allowed = {.lower = 0.0, .upper = 1.0}, .when = with_pores,
          .doc = "Fraction of the pore volume filled with water above the phreatic line; it adds weight only."},
         {.pattern = "materials.*.permeability_law", .type = word, .saturated_only = true, .flows = coupled_only,
          .default_value = "constant", .words = {"constant", "kozeny_carman", "specific_volume_squared"},
+         .when = with_pores,
          .doc = "Dependence of k on the porosity: constant, n^3/(1-n)^2, or 1/(1-n)^2."},
     };
 }

@@ -36,6 +36,13 @@ struct NodeConditions {
     std::vector<std::size_t> master; // of each node: the node that carries its sums, itself mostly
 };
 
+/// Whether the water of a node with these conditions moves with the grains alone.
+inline bool is_sealed(std::uint8_t conditions)
+{
+    constexpr std::uint8_t seals = seal_x | seal_y;
+    return (conditions & seals) == seals;
+}
+
 /// The conditions of a stage: curves that let go hold the soil in the relaxation alone.
 NodeConditions node_conditions(const Problem& problem, Stage stage = Stage::shaking);
 

@@ -64,7 +64,8 @@ std::size_t end_of_run(const Particles& particles, const CellLists& lists, std::
 }
 
 void add_tile(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,
-              const Tile& tile, const StencilStore& store, const NodeRows& rows, CellModuli& cells)
+              const Tile& tile, const StencilStore& store, const std::vector<std::uint8_t>& resists,
+              const NodeRows& rows, CellModuli& cells)
 {
     const double per_cell = 1.0 / (problem.grid.cell_size * problem.grid.cell_size);
     const std::size_t first_entry = lists.first_entry(tile);
@@ -73,7 +74,12 @@ void add_tile(const Problem& problem, double dt, const Particles& particles, con
         for (auto k = static_cast<std::size_t>(lists.cell_start[static_cast<std::size_t>(slot)]); k < last;) {
             const std::size_t end = end_of_run(particles, lists, k, last);
             const auto p = static_cast<std::size_t>(lists.order[k]);
-            const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+            const auto m = static_cast<std::size_t>(particles.material[p]);
+            if (resists[m] == 0) {
+                k = end;
+                continue;
+            }
+            const Material& material = problem.materials[m];
             const Moduli moduli = mean_moduli(material, dt, particles, p, p + (end - k));
             for (std::size_t q = p; k < end; ++k, ++q) {
                 const StoredStencil& stencil = store.stencils[k - first_entry];
@@ -87,13 +93,14 @@ void add_tile(const Problem& problem, double dt, const Particles& particles, con
 } // namespace
 
 void sum_cell_moduli(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,
-                     const std::vector<StencilStore>& stencils, const NodeRows& rows, CellModuli& cells)
+                     const std::vector<StencilStore>& stencils, const std::vector<std::uint8_t>& resists,
+                     const NodeRows& rows, CellModuli& cells)
 {
     cells.constrained.assign(rows.size(), 0.0);
     cells.shear.assign(rows.size(), 0.0);
     for_each_tile_by_colour(lists, [&](const Tile& tile) {
-        add_tile(problem, dt, particles, lists, tile, stencils[static_cast<std::size_t>(tile.number)], rows,
-                 cells);
+        add_tile(problem, dt, particles, lists, tile, stencils[static_cast<std::size_t>(tile.number)],
+                 resists, rows, cells);
     });
 }
 

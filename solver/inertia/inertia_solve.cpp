@@ -1,14 +1,27 @@
 #include "solver/inertia/inertia_solve.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace quicksand {
 
-InertiaSolve make_inertia_solve(const BackgroundGrid& grid, const NodeConditions& conditions)
+InertiaSolve make_inertia_solve(const Problem& problem, const NodeConditions& conditions, Stage stage)
 {
     InertiaSolve solve;
-    solve.rows = make_node_rows(grid);
+    for (const Material& material : problem.materials)
+        solve.resists.push_back(stage == Stage::shaking || !material.has_pores ? 1 : 0);
+    solve.rows = make_node_rows(problem.grid);
     for (const TiedNodes& tie : conditions.tied)
         solve.tied.push_back({solve.rows.place(tie.node), solve.rows.place(tie.master)});
     return solve;
+}
+
+bool is_resisted(const InertiaSolve& solve, std::size_t node)
+{
+    const std::size_t place = solve.rows.place(node), stride = solve.rows.stride;
+    const std::size_t cells[] = {place, place - 1, place - stride, place - stride - 1};
+    return std::any_of(std::begin(cells), std::end(cells),
+                       [&](std::size_t cell) { return solve.cells.constrained[cell] > 0.0; });
 }
 
 void multiply_stiffness(double factor, Vectors& field, InertiaSolve& solve)

@@ -25,6 +25,7 @@
 #include "solver/inertia/stiff_response.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,9 @@ inline constexpr double inertia_fraction = 0.5; // beta [-]
 // c where nothing moves the soil any more [-]: vibrations fall to a tenth in 25 steps; the pore pressures of
 // a liquefied column that drains are those of steps twenty times shorter within 2 %, with .25 within 4 %.
 inline constexpr double damping_of_vibrations = 0.1;
+// The same while soil settles. Local damping adds up to 0.95 of a braking force to it, and particles in cells
+// that they share with soil are up to 1.2 times stiffer than K: 1.95 * 1.2 <= 4 (beta + c).
+inline constexpr double damping_of_settling_solids = 0.5;
 
 /// Places of a tied node and its master.
 struct TiedPlaces {
@@ -42,6 +46,7 @@ struct TiedPlaces {
 
 /// The equations, and work arrays; fields are by place, zero where there is no soil.
 struct InertiaSolve {
+    std::vector<std::uint8_t> resists; // by material: whether its stiffness does
     NodeRows rows;
     CellModuli cells;
     NodeStiffness stiffness;
@@ -57,7 +62,12 @@ struct InertiaSolve {
     double kept = 1.0;    // beta / (beta + c) [-]
 };
 
-InertiaSolve make_inertia_solve(const BackgroundGrid& grid, const NodeConditions& conditions);
+/// With K of the whole skeleton in the shaking. While soil settles it takes the steps of its own waves, and K
+/// is that of solids alone (solid_mixture.hpp), whose waves would ask for far shorter ones.
+InertiaSolve make_inertia_solve(const Problem& problem, const NodeConditions& conditions, Stage stage);
+
+/// Whether a node has stiffness: there is a cell beside it whose soil or solid resists.
+bool is_resisted(const InertiaSolve& solve, std::size_t node);
 
 /// Set up the stiffness from the moduli of the cells, on the nodes with is_active(node); a cell with a node
 /// that is not has none. Fields become zero.

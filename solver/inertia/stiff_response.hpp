@@ -42,14 +42,15 @@ inline AxisShare axis_share(const NodeResponse& response)
 
 class StiffResponse {
 public:
-    /// Find the shares of the nodes from sums with tied nodes gathered; `velocity_dt` is the time over which
-    /// forces act [s].
-    template <class Sums>
-    void set_shares(const NodeConditions& conditions, double velocity_dt, const std::vector<Sums>& sums)
+    /// Find the shares of the nodes with is_active(node) from sums with tied nodes gathered; `velocity_dt` is
+    /// the time over which forces act [s].
+    template <class Sums, class IsActive>
+    void set_shares(const NodeConditions& conditions, double velocity_dt, const std::vector<Sums>& sums,
+                    IsActive&& is_active)
     {
         shares_.resize(2 * sums.size());
         for (std::size_t i = 0; i < sums.size(); ++i) {
-            const bool carries_sums = sums[i].active() && conditions.master[i] == i;
+            const bool carries_sums = is_active(i) && conditions.master[i] == i;
             for (int axis = 0; axis < 2; ++axis)
                 shares_[2 * i + static_cast<std::size_t>(axis)] =
                     carries_sums ? axis_share(response(sums[i], velocity_dt, conditions.of_node[i], axis))

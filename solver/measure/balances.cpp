@@ -194,12 +194,12 @@ Vector2 momentum_of_growth(double dt, const Scalars& volume, const Particles& pa
     return {(x[0] + x[1]) + (x[2] + x[3]), (y[0] + y[1]) + (y[2] + y[3])};
 }
 
-/// Whether a particle is saturated, a function of its number; materials are looked up only where there is
-/// soil of both kinds.
+/// Whether a particle is wet, a function of its number; materials are looked up only where there are both
+/// kinds.
 auto wetness(const Problem& problem, const Particles& particles)
 {
-    return [&, all_wet = !has_unsaturated_soil(problem)](std::size_t p) {
-        return all_wet || problem.materials[static_cast<std::size_t>(particles.material[p])].saturated;
+    return [&, all_wet = !is_partly_wet(problem)](std::size_t p) {
+        return all_wet || is_wet(problem.materials[static_cast<std::size_t>(particles.material[p])]);
     };
 }
 
@@ -292,7 +292,7 @@ void enter_exchange(const Problem& problem, double dt, const Particles& particle
     const bool pores_are_constant = problem.strain == StrainForm::small;
     if (!problem.water || pores_are_constant || water_flow(problem) == WaterFlow::undrained) return;
     Scalars wet;
-    if (has_unsaturated_soil(problem)) set_saturated_volumes(problem, particles, wet);
+    if (is_partly_wet(problem)) set_wet_volumes(problem, particles, wet);
     const Scalars& volume = wet.empty() ? particles.volume : wet;
     const Vector2 sum =
         ordered_sum<Vector2>(particles.size(), Vector2::Zero(), [&](std::size_t first, std::size_t last) {

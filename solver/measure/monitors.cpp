@@ -28,9 +28,13 @@ double water_mass(const Problem& problem, const Particles& particles, std::size_
 void add_fluid(const Problem& problem, const Particles& particles, std::size_t p, Monitors& monitors)
 {
     const double mass = water_mass(problem, particles, p);
+    add_phase(mass, velocity_of_water(particles, p), monitors);
+    if (!has_pores(problem, particles, p)) { // the water of its mixture is part of the solid
+        monitors.mass_solid += mass;
+        return;
+    }
     monitors.mass_fluid += mass;
     monitors.kinetic_energy_fluid += 0.5 * mass * velocity_of_water(particles, p).squaredNorm();
-    add_phase(mass, velocity_of_water(particles, p), monitors);
     const double pressure = risen_pore_pressure(problem, particles, p);
     monitors.max_excess_pore_pressure = std::max(monitors.max_excess_pore_pressure, pressure);
     const double initial = particles.initial_vertical_effective_stress[p];

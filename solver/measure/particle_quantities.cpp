@@ -16,18 +16,21 @@ Vector2 displacement(const Particles& particles, std::size_t p)
 
 double total_pore_pressure(const Problem& problem, const Particles& particles, std::size_t p)
 {
+    if (!has_pores(problem, particles, p)) return 0.0;
     return static_water_pressure(problem, particles.position.y[p]) + excess_pore_pressure(particles, p);
 }
 
 double excess_pressure_ratio(const Problem& problem, const Particles& particles, std::size_t p)
 {
     const double initial = particles.initial_vertical_effective_stress[p];
-    return initial < ru_stress_threshold(problem) ? std::numeric_limits<double>::quiet_NaN()
-                                                  : risen_pore_pressure(problem, particles, p) / initial;
+    return !has_pores(problem, particles, p) || initial < ru_stress_threshold(problem)
+               ? std::numeric_limits<double>::quiet_NaN()
+               : risen_pore_pressure(problem, particles, p) / initial;
 }
 
 double bounded_pressure_ratio(const Problem& problem, const Particles& particles, std::size_t p)
 {
+    if (!has_pores(problem, particles, p)) return 0.0;
     const double initial = particles.initial_vertical_effective_stress[p];
     return risen_pore_pressure(problem, particles, p) / std::max(initial, ru_stress_threshold(problem));
 }

@@ -120,7 +120,9 @@ double null_space_time(const Problem& problem)
 {
     constexpr double cells_of_memory = 20.0; // the fastest wave crosses in tau [-]
     double fastest = 0.0;
+    const bool soil_alone = has_soil_and_solids(problem);
     for (const Material& material : problem.materials) {
+        if (soil_alone && !material.has_pores) continue; // stiff solids would have the soil forget sooner
         const WaveSpeeds speeds = wave_speeds(material, water_of(problem, material), material.porosity);
         fastest = std::max(fastest, fastest_speed(problem, speeds));
     }

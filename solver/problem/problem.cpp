@@ -19,10 +19,22 @@ const std::optional<Water>& water_of(const Problem& problem, const Material& mat
     return material.saturated ? problem.water : none;
 }
 
-bool has_unsaturated_soil(const Problem& problem)
+bool has_soil_and_solids(const Problem& problem)
+{
+    const auto& all = problem.materials;
+    const auto is_soil = [](const Material& material) { return material.has_pores; };
+    return std::any_of(all.begin(), all.end(), is_soil) && !std::all_of(all.begin(), all.end(), is_soil);
+}
+
+bool has_pores(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    return problem.materials[static_cast<std::size_t>(particles.material[p])].has_pores;
+}
+
+bool is_partly_wet(const Problem& problem)
 {
     return problem.water && std::any_of(problem.materials.begin(), problem.materials.end(),
-                                        [](const Material& material) { return !material.saturated; });
+                                        [](const Material& material) { return !is_wet(material); });
 }
 
 std::optional<WaterFlow> water_flow(const Problem& problem)
@@ -63,6 +75,7 @@ double outer_excess_pressure(const Problem& problem, const Boundary& boundary, c
 
 double risen_pore_pressure(const Problem& problem, const Particles& particles, std::size_t p)
 {
+    if (!has_pores(problem, particles, p)) return 0.0;
     const double excess = excess_pore_pressure(particles, p);
     if (particles.water_table.empty()) return excess;
     const bool fixed = problem.strain == StrainForm::small;

@@ -37,6 +37,7 @@ struct Material {
     double conductivity_gravity = standard_gravity; // g_k, the gravity at which k is stated [m/s2]
     VolumetricStrain volumetric_strain = VolumetricStrain::particle;
     PermeabilityLaw permeability_law = PermeabilityLaw::constant;
+    bool has_pores = true; // false: a solid without pore water, see solid_mixture.hpp
     bool saturated = true; // pores full of water where the scene has water; false above a phreatic line
 };
 
@@ -105,8 +106,21 @@ struct FreeField {
 /// The water of a material's pores: none in a dry scene and above a phreatic line.
 const std::optional<Water>& water_of(const Problem& problem, const Material& material);
 
-/// Whether any material is not saturated in a scene with water.
-bool has_unsaturated_soil(const Problem& problem);
+/// Whether some materials have pores and others are solids.
+bool has_soil_and_solids(const Problem& problem);
+
+/// Whether the particle is soil with pores, and not a solid.
+bool has_pores(const Problem& problem, const Particles& particles, std::size_t p);
+
+/// Whether the pores of a material have a pressure where the scene has water: not above a phreatic line, nor
+/// in solids.
+inline bool is_wet(const Material& material)
+{
+    return material.saturated && material.has_pores;
+}
+
+/// Whether any material is not wet in a scene with water.
+bool is_partly_wet(const Problem& problem);
 
 /// How water flows in the scene; none: the scene is dry.
 std::optional<WaterFlow> water_flow(const Problem& problem);

@@ -61,7 +61,7 @@ void gather_gradients(const Problem& problem, const HeldShape& shape, const Tile
 void hold_walls_of(const Problem& problem, const State& state, HeldShape& shape)
 {
     if (!shape.walls.any) return;
-    find_roots(problem, shape.conditions, shape.lists, state.particles, shape.walls.roots);
+    find_roots(problem, shape.conditions, shape.lists, state.particles, {}, shape.walls.roots);
     aggregate_cells(shape.lists, shape.walls.roots.aggregated, shape.aggregated_lists);
     State resting = state;
     resting.stage = Stage::relaxation;

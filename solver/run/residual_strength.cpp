@@ -36,7 +36,7 @@ std::size_t give_residual_strength(const ResidualStrength& residual, Problem& pr
         const std::int32_t before = particles.material[p];
         const Material& material = problem.materials[static_cast<std::size_t>(before)];
         const double stress = particles.initial_vertical_effective_stress[p];
-        if (!material.saturated || !has_strength(material.law) || !(stress > 0.0)) continue;
+        if (!is_wet(material) || !has_strength(material.law) || !(stress > 0.0)) continue;
         if (risen_pore_pressure(problem, particles, p) < residual.liquefied_ru * stress) continue;
         const int step =
             static_cast<int>(std::lround(std::log(residual.ratio * stress) / std::log(strength_step)));

@@ -2,6 +2,7 @@
 
 #include "solver/base/failure.hpp"
 #include "solver/measure/elastic_displacement.hpp"
+#include "solver/problem/solid_mixture.hpp"
 #include "solver/run/held_shape.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/step/time_step_control.hpp"
@@ -41,7 +42,8 @@ public:
     /// Relax with the strength divided by `factor`; the state moves on when the body stands.
     StrengthTrial relax(double factor)
     {
-        const Problem weaker = with_reduced_strength(problem_, factor);
+        Problem weaker = with_reduced_strength(problem_, factor);
+        soften_solids(fastest_waves(weaker, state_.particles), weaker);
         const double dt = stable_relaxation_step(weaker, state_.particles).dt;
         const double acceleration = -controls_.seismic_coefficient * problem_.gravity;
         Particles trial_particles = state_.particles;

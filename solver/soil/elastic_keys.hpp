@@ -9,7 +9,7 @@ inline constexpr LawKeyText shear_modulus_key = {.name = "shear_modulus",
                                                  .unit = "Pa",
                                                  .meaning = "Shear modulus G of the skeleton.",
                                                  .allowed = {.lower = 0.0, .lower_open = true},
-                                                 .usual = {1e5, 1e10}};
+                                                 .usual = {1e5, 1e11}};
 inline constexpr LawKeyText poisson_ratio_key = {.name = "poisson_ratio",
                                                  .unit = "-",
                                                  .meaning = "Drained Poisson's ratio of the skeleton.",

@@ -120,7 +120,9 @@ double end_of_motion(const Problem& problem)
 void choose_resistance(const Problem& problem, const State& state, InertiaSolve& inertia)
 {
     const bool is_left_alone = state.whole_step > 0.0 && state.time >= end_of_motion(problem);
-    const double damping = is_left_alone ? damping_of_vibrations : 0.0;
+    const double damping = state.stage == Stage::relaxation ? damping_of_settling_solids
+                           : is_left_alone                  ? damping_of_vibrations
+                                                            : 0.0;
     inertia.resistance = inertia_fraction + damping;
     inertia.kept = inertia_fraction / inertia.resistance;
 }

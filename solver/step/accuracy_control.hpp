@@ -29,8 +29,8 @@ double end_of_motion(const Problem& problem);
 
 /// Set what the inertia of a step from the state on resists. Once nothing moves the soil any more and steps
 /// grow, vibrations are not followed; they would go on for ever, as strains to and fro at the rhythm of the
-/// steps, and compact sand: they are damped. Steps of a length given from outside (whole_step = 0) damp
-/// nothing.
+/// steps, and compact sand: they are damped; so are those of solids while soil settles. Steps of a length
+/// given from outside (whole_step = 0) damp nothing.
 void choose_resistance(const Problem& problem, const State& state, InertiaSolve& inertia);
 
 /// The step at a time where waves would limit it to wave_step, after one of the length last_step (0: the

@@ -75,10 +75,23 @@ struct ShearSum {
         speed_squared += other.speed_squared;
         return *this;
     }
+    double speed() const { return std::sqrt(speed_squared / volume); }
+};
+
+/// Solids apart: waves cross them within any step that follows the soil.
+struct ShearSums {
+    ShearSum soil, solids;
+
+    ShearSums& operator+=(const ShearSums& other)
+    {
+        soil += other.soil;
+        solids += other.solids;
+        return *this;
+    }
 };
 
 void include_cell(const Problem& problem, const Particles& particles, std::size_t first, std::size_t last,
-                  MaterialExtremes& extremes, ShearSum& shear)
+                  MaterialExtremes& extremes, ShearSums& shear)
 {
     const Material& material = problem.materials[static_cast<std::size_t>(particles.material[first])];
     double mass = 0.0, volume = 0.0;
@@ -92,18 +105,18 @@ void include_cell(const Problem& problem, const Particles& particles, std::size_
     const ParticleModuli moduli = std::visit(
         [&](const auto& law) { return particle_moduli(law, first, last, particles); }, material.law);
     const double h = problem.grid.cell_size, empty = std::max(0.0, 1.0 - volume / (h * h));
-    shear.volume += volume;
-    shear.speed_squared += volume * shear_speed_squared(problem, material, moduli.mean, porosity);
+    (material.has_pores ? shear.soil : shear.solids) +=
+        ShearSum{volume, volume * shear_speed_squared(problem, material, moduli.mean, porosity)};
     const double modulus = moduli.mean + empty * (moduli.stiffest - moduli.mean);
     extremes.stiffest_modulus = std::max(extremes.stiffest_modulus, modulus);
     if (is_cut(problem, particles, first, last, empty))
         extremes.stiffest_cut_modulus = std::max(extremes.stiffest_cut_modulus, modulus);
 }
 
-ShearSum include_chunk(const Problem& problem, const Particles& particles, std::size_t begin, std::size_t end,
-                       CellExtremes& extremes)
+ShearSums include_chunk(const Problem& problem, const Particles& particles, std::size_t begin,
+                        std::size_t end, CellExtremes& extremes)
 {
-    ShearSum shear;
+    ShearSums shear;
     extremes.max_speed =
         std::max(extremes.max_speed, std::sqrt(largest_speed_squared(particles, begin, end)));
     for (std::size_t first = begin, last = begin; first < end; first = last) {
@@ -130,7 +143,7 @@ CellExtremes find_extremes(const Problem& problem, const Particles& particles)
     CellExtremes extremes = none;
     const auto count = static_cast<std::int64_t>(particles.size());
     constexpr auto length = static_cast<std::int64_t>(chunk);
-    std::vector<ShearSum> shears(static_cast<std::size_t>((count + length - 1) / length)); // by chunk
+    std::vector<ShearSums> shears(static_cast<std::size_t>((count + length - 1) / length)); // by chunk
 #pragma omp parallel if (particles.size() > least_parallel_work)
     {
         CellExtremes own = none;
@@ -147,9 +160,10 @@ CellExtremes find_extremes(const Problem& problem, const Particles& particles)
                 include(own.materials[m], extremes.materials[m]);
         }
     }
-    ShearSum shear;
-    for (const ShearSum& part : shears) shear += part;
-    if (shear.volume > 0.0) extremes.shear_speed = std::sqrt(shear.speed_squared / shear.volume);
+    ShearSums shear;
+    for (const ShearSums& part : shears) shear += part;
+    const ShearSum& counted = shear.soil.volume > 0.0 ? shear.soil : shear.solids;
+    if (counted.volume > 0.0) extremes.shear_speed = counted.speed();
     return extremes;
 }
 

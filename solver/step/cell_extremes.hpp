@@ -21,7 +21,8 @@ struct MaterialExtremes {
 
 struct CellExtremes {
     double max_speed = 0.0;   // of the particles [m/s]
-    double shear_speed = 0.0; // of shear waves: root of the mean of G / density by volume [m/s]
+    double shear_speed = 0.0; // of shear waves in soil: root of the mean of G / density by volume; solids do
+                              // not count beside soil [m/s]
     std::vector<MaterialExtremes> materials; // as Problem::materials
 };
 

@@ -10,6 +10,8 @@
 #include "solver/motion/slivers.hpp"
 #include "solver/step/accuracy_control.hpp"
 
+#include <cmath>
+
 namespace quicksand {
 
 namespace {
@@ -28,6 +30,41 @@ void solve_velocities(const Problem& problem, double velocity_dt, double acceler
                                 work.motion);
     brake_by_dashpots(work.conditions, velocity_dt, work.dashpots, work.sums, work.motion);
     hold_at_walls(work.walls, work.motion);
+}
+
+/// Local damping takes part of a node's force; where stiffness resists, the forces within solids are far
+/// larger than what moves them, and it takes part of what accelerates the node in the end: mass times
+/// acceleration.
+void damp_accelerations(double damping, double velocity_dt, SinglePhaseWorkspace& work)
+{
+    const auto brake = [&](double mass, double change, double momentum) {
+        const double force = mass * std::abs(change) / velocity_dt;
+        return momentum == 0.0 ? 0.0 : -std::copysign(damping * force, momentum);
+    };
+    for_each_index(work.sums.size(), [&](std::size_t i) {
+        SinglePhaseSums& node = work.sums[i];
+        node.stress_force_x += brake(node.mass, work.motion[i].change_x, node.momentum_x);
+        node.stress_force_y += brake(node.mass, work.motion[i].change_y, node.momentum_y);
+    });
+}
+
+/// The velocities at the end of the step where stiffness resists accelerations.
+void solve_resisted(const Problem& problem, double dt, double velocity_dt, double acceleration,
+                    double damping, const State& state, SinglePhaseWorkspace& work)
+{
+    const auto solve = [&] { solve_velocities(problem, velocity_dt, acceleration, 0.0, work); };
+    solve();
+    sum_moduli(problem, dt, state.particles, work);
+    choose_resistance(problem, state, *work.inertia);
+    set_up_inertia(problem, dt, velocity_dt, work);
+    resist_acceleration(dt, velocity_dt, work);
+    solve();
+    if (damping == 0.0) return;
+    const std::vector<SinglePhaseSums> undamped = work.sums;
+    damp_accelerations(damping, velocity_dt, work);
+    resist_acceleration(dt, velocity_dt, work);
+    solve();
+    work.sums = undamped; // what is out of balance is told without the damping
 }
 
 /// Whether pore pressures act on the body: they follow from its motion, or are constant. While the soil
@@ -94,13 +131,10 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         const double acceleration = shaking ? base_acceleration(problem.base_motion, state.time) : 0.0;
         const double velocity_dt = velocity_interval(state, dt);
         assemble_walls(problem, velocity_dt, work.sums, work);
-        if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
-        solve_velocities(problem, velocity_dt, acceleration, damping, work);
         if (work.inertia) {
-            sum_moduli(problem, dt, particles, work);
-            choose_resistance(problem, state, *work.inertia);
-            set_up_inertia(problem, dt, velocity_dt, work);
-            resist_acceleration(dt, velocity_dt, work);
+            solve_resisted(problem, dt, velocity_dt, acceleration, damping, state, work);
+        } else {
+            if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
             solve_velocities(problem, velocity_dt, acceleration, damping, work);
         }
         if (state.balance_terms)

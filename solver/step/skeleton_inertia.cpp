@@ -7,6 +7,8 @@
 #include "solver/step/single_phase_step.hpp"
 #include "solver/step/two_phase_step.hpp"
 
+#include <algorithm>
+
 namespace quicksand {
 
 namespace {
@@ -21,8 +23,13 @@ template <class Workspace>
 void set_up(const Problem& problem, double dt, double velocity_dt, Workspace& work)
 {
     InertiaSolve& inertia = *work.inertia;
-    set_up_stiffness([&](std::size_t i) { return work.sums[i].active(); }, inertia);
-    inertia.response.set_shares(work.conditions, velocity_dt, work.sums);
+    const bool all =
+        std::all_of(inertia.resists.begin(), inertia.resists.end(), [](auto r) { return r != 0; });
+    const auto is_active = [&](std::size_t i) {
+        return work.sums[i].active() && (all || is_resisted(inertia, i));
+    };
+    set_up_stiffness(is_active, inertia);
+    inertia.response.set_shares(work.conditions, velocity_dt, work.sums, is_active);
     inertia.response.factorise(work.conditions, velocity_dt, inertia.resistance * dt * velocity_dt,
                                work.dashpots, work.walls.rows, inertia.rows, inertia.stiffness);
     const auto before = velocities_before(problem, work.conditions, work.walls, work.sums);

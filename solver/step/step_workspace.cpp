@@ -48,23 +48,25 @@ void keep_reference_weights(const Problem& problem, double dt, State& state, Ste
 void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
 {
     work.lists = make_cell_lists(problem.grid);
-    work.partly_saturated = has_unsaturated_soil(problem);
-    if (work.partly_saturated) work.wet_lists = work.lists;
+    work.partly_wet = is_partly_wet(problem);
+    if (work.partly_wet) work.wet_lists = work.lists;
     work.conditions = node_conditions(problem, stage);
+    if (problem.water && has_soil_and_solids(problem)) work.drawn_conditions = work.conditions.of_node;
     set_up_wall_rows(problem, stage, work.walls);
     work.wall_kinds = balance_nodes(work.conditions);
     work.balance_nodes = work.wall_kinds;
     work.stencils.resize(work.lists.tiles.size());
     work.average = make_volumetric_average(problem);
     work.null_space_time = null_space_time(problem);
-    if (stage != Stage::shaking || problem.scheme != TimeScheme::implicit) return;
-    work.inertia = make_inertia_solve(problem.grid, work.conditions);
+    const bool resists =
+        stage == Stage::shaking ? problem.scheme == TimeScheme::implicit : has_soil_and_solids(problem);
+    if (resists) work.inertia = make_inertia_solve(problem, work.conditions, stage);
 }
 
 void sum_moduli(const Problem& problem, double dt, const Particles& particles, StepWorkspace& work)
 {
-    sum_cell_moduli(problem, dt, particles, work.lists, work.stencils, work.inertia->rows,
-                    work.inertia->cells);
+    sum_cell_moduli(problem, dt, particles, work.lists, work.stencils, work.inertia->resists,
+                    work.inertia->rows, work.inertia->cells);
 }
 
 void fail_to_resist(double dt, const State& state)
@@ -97,19 +99,17 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
     } else {
         sort_particles(problem.grid, dt, state, work.lists);
     }
-    if (work.partly_saturated) select_saturated(problem, state.particles, work.lists, work.wet_lists);
+    if (work.partly_wet) select_wet(problem, state.particles, work.lists, work.wet_lists);
     if (!work.walls.any) return;
     WallRows& walls = work.walls;
     if (walls.aggregates_soil) {
-        find_roots(problem, work.conditions, work.lists, state.particles, walls.roots);
+        find_roots(problem, work.conditions, work.lists, state.particles, {}, walls.roots);
         aggregate_cells(work.lists, walls.roots.aggregated, work.aggregated_lists);
     }
-    if (walls.aggregates_water)
-        find_roots(problem, work.conditions, work.wet_lists, state.particles, walls.wet_roots);
-    if (work.partly_saturated)
-        aggregate_cells(work.wet_lists,
-                        walls.aggregates_water ? walls.wet_roots.aggregated : walls.roots.aggregated,
-                        work.aggregated_wet_lists);
+    if (walls.aggregates_water || walls.parts_from_solids)
+        find_roots(problem, work.conditions, work.wet_lists, state.particles,
+                   slots_with_solids(problem, work.lists, state.particles), walls.wet_roots);
+    if (work.partly_wet) aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);
 }
 
 } // namespace quicksand

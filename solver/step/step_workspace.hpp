@@ -29,10 +29,11 @@ namespace quicksand {
 /// Memory of the steps; nothing of it has to survive a checkpoint.
 struct StepWorkspace {
     CellLists lists;
-    CellLists wet_lists;           // the saturated particles alone, where there are others
-    bool partly_saturated = false; // a phreatic line runs through the soil
+    CellLists wet_lists;                                    // the wet particles alone, where there are others
+    bool partly_wet = false;                                // see is_partly_wet()
     AggregatedLists aggregated_lists, aggregated_wet_lists; // where soil ends within cells
     NodeConditions conditions;
+    std::vector<std::uint8_t> drawn_conditions; // of the nodes by curves alone; none without solids in water
     WallRows walls;
     std::vector<StencilStore> stencils;      // per tile
     bool stencils_are_kept = false;          // small strain: they hold for all steps
@@ -53,7 +54,7 @@ struct StepWorkspace {
     /// The same of the particles that have a pore pressure.
     const CellLists& lists_with_pressure() const
     {
-        if (!partly_saturated) return volume_lists();
+        if (!partly_wet) return volume_lists();
         return walls.any ? aggregated_wet_lists.lists : wet_lists;
     }
 

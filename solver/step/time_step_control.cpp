@@ -170,8 +170,14 @@ TimeStep stable_time_step(const Problem& problem, const Particles& particles, do
 TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles)
 {
     const CellExtremes extremes = find_extremes(problem, particles);
-    const TimeStep wave = wave_limit(problem, extremes, relaxation_safety,
-                                     [](const WaveSpeeds& speeds) { return speeds.skeleton; });
+    const double safe = relaxation_safety * problem.grid.cell_size;
+    const bool soil_alone = has_soil_and_solids(problem); // solids resist accelerations with their stiffness
+    const TimeStep wave = least_limit(
+        problem, extremes, [&](const Material& material, const MaterialExtremes& extreme, double porosity) {
+            if (soil_alone && !material.has_pores) return std::numeric_limits<double>::infinity();
+            const std::optional<Water>& water = water_of(problem, material);
+            return safe / wave_speeds(material, extreme.stiffest_modulus, water, porosity).skeleton;
+        });
     return limit_motion(problem, extremes, wave);
 }
 

@@ -4,6 +4,7 @@
 #include "solver/boundaries/boundary_compliance.hpp"
 #include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/solid_seals.hpp"
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/inertia/coupled_motion.hpp"
 #include "solver/measure/balances.hpp"
@@ -51,7 +52,7 @@ void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& 
         gather_two_phase(problem, dt, fraction, work.lists, tile, work.stencils_of(tile), work.motion,
                          particles, work.grid_velocity, work.flux_divergence);
     });
-    if (work.partly_saturated) carry_moisture(problem, particles);
+    if (work.partly_wet) carry_moisture(problem, particles);
     if (!state.balance_terms) return;
     enter_outflow(problem, dt, particles, work.flux_divergence, *state.balance_terms);
     enter_exchange(problem, dt, particles, *state.balance_terms);
@@ -113,14 +114,14 @@ void set_up_pressure(const Problem& problem, double dt, double velocity_dt, cons
                      SemiImplicitWorkspace& work)
 {
     PressureSolve& pressure = work.pressure;
-    if (work.partly_saturated) {
+    if (work.partly_wet) {
         // soil without water gives cells no divergence, and cells of such soil alone an equation dp = 0
-        set_saturated_volumes(problem, particles, work.wet_volume);
+        set_wet_volumes(problem, particles, work.wet_volume);
         std::fill(pressure.storage.begin(), pressure.storage.end(), 1.0);
         std::fill(pressure.expected.begin(), pressure.expected.end(), 0.0);
     }
     std::fill(pressure.increment.begin(), pressure.increment.end(), 0.0);
-    const Scalars& volume = work.partly_saturated ? work.wet_volume : particles.volume;
+    const Scalars& volume = work.partly_wet ? work.wet_volume : particles.volume;
     const CellLists& lists = work.lists_with_pressure();
     for_each_tile(work.lists, [&](const Tile& tile) {
         assemble_divergence(problem.grid, volume, work.lists, tile, work.stencils_of(tile),
@@ -134,7 +135,7 @@ void set_up_pressure(const Problem& problem, double dt, double velocity_dt, cons
     for (const std::size_t i : work.walls.rows.nodes())
         porosities.push_back(node_porosity(problem, work.sums[i]));
     set_row_response(porosities, work.walls.rows, pressure);
-    if (work.walls.any) aggregate_pressures(work.walls.roots.aggregated, pressure);
+    if (work.walls.any) aggregate_pressures(work.walls.shared_pressures(), pressure);
 }
 
 /// Solve for the increments with the fluxes of the motion, the equations being set up, and add their forces.
@@ -276,6 +277,7 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     gather_tied_sums(work.conditions, work.outer);
+    if (!work.drawn_conditions.empty()) seal_by_solids(work.drawn_conditions, work.sums, work.conditions);
 }
 
 double set_fluxes(double dt, double velocity_dt, SemiImplicitWorkspace& work)

@@ -13,7 +13,7 @@
 namespace quicksand {
 
 struct TwoPhaseWorkspace : StepWorkspace {
-    Scalars wet_volume; // of the saturated particles, 0 of the others [m3/m]
+    Scalars wet_volume; // of the wet particles, 0 of the others [m3/m]
     std::vector<TwoPhaseSums> sums;
     std::vector<OuterForce> outer; // none where there are none
     std::vector<TwoPhaseMotion> motion;

@@ -187,7 +187,8 @@ bool is_torn(const Problem& problem, const CellLists& lists, const Particles& pa
 }
 
 /// Volumes in the cells, and how well they are filled.
-void fill_cells(const Problem& problem, const CellLists& lists, const Particles& particles, CellRoots& roots)
+void fill_cells(const Problem& problem, const CellLists& lists, const Particles& particles,
+                const std::vector<std::uint8_t>& spoilt, CellRoots& roots)
 {
     const BackgroundGrid& grid = problem.grid;
     roots.fill.resize(grid.cell_count());
@@ -201,7 +202,9 @@ void fill_cells(const Problem& problem, const CellLists& lists, const Particles&
             if (sum == 0.0) continue;
             const auto cell = static_cast<std::size_t>(lists.cell_of_slot[s]);
             roots.fill[cell] = sum / whole;
-            if (sum >= least_fill * whole) {
+            if (!spoilt.empty() && spoilt[s] != 0) {
+                roots.filling[cell] = Filling::bad;
+            } else if (sum >= least_fill * whole) {
                 roots.filling[cell] = Filling::good;
             } else {
                 roots.filling[cell] = is_torn(problem, lists, particles, s) ? Filling::torn : Filling::bad;
@@ -231,12 +234,23 @@ bool has_cut_soil(const Problem& problem)
     return problem.cut_domains.has_pieces();
 }
 
+std::vector<std::uint8_t> slots_with_solids(const Problem& problem, const CellLists& lists,
+                                            const Particles& particles)
+{
+    std::vector<std::uint8_t> slots;
+    if (!has_soil_and_solids(problem)) return slots;
+    slots.assign(lists.cell_of_slot.size(), 0);
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        if (!has_pores(problem, particles, p)) slots[static_cast<std::size_t>(lists.cell_of_particle[p])] = 1;
+    return slots;
+}
+
 void find_roots(const Problem& problem, const NodeConditions& conditions, const CellLists& lists,
-                const Particles& particles, CellRoots& roots)
+                const Particles& particles, const std::vector<std::uint8_t>& spoilt, CellRoots& roots)
 {
     static const CellsByDistance ring({0.5, 0.5});
     const BackgroundGrid& grid = problem.grid;
-    fill_cells(problem, lists, particles, roots);
+    fill_cells(problem, lists, particles, spoilt, roots);
     if (roots.filling != roots.marked) {
         find_followers(grid, conditions, roots);
         roots.marked = roots.filling;

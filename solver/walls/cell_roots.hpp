@@ -7,6 +7,10 @@
 // one mean change of volume. A node without a good cell follows the velocities of a good cell, extrapolated
 // linearly. In torn soil, as in a splash, it follows the nearest corner instead, since extrapolated gradients
 // would accelerate loose particles.
+//
+// Soil that shares a cell with a solid is badly filled for its water, too: the cell hardly changes its
+// volume, for both have one strain and the solid is stiff, so that a pressure of its own would not follow
+// that beside it.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
@@ -46,8 +50,13 @@ struct CellRoots {
 bool has_cut_soil(const Problem& problem);
 
 /// Find the good cells and the roots of the others. The cells of a tied node are those of its master, too.
+/// `spoilt` are the slots whose cells are bad however full, none or one number for each slot.
 void find_roots(const Problem& problem, const NodeConditions& conditions, const CellLists& lists,
-                const Particles& particles, CellRoots& roots);
+                const Particles& particles, const std::vector<std::uint8_t>& spoilt, CellRoots& roots);
+
+/// The slots with particles of solids; none where the problem has no solids.
+std::vector<std::uint8_t> slots_with_solids(const Problem& problem, const CellLists& lists,
+                                            const Particles& particles);
 
 /// A part of v_k = sum weight_m v_m.
 struct FollowedNode {

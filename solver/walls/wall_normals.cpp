@@ -54,7 +54,7 @@ void sum_tile(const Problem& problem, const Particles& particles, const CellList
             const StoredStencil& stencil = store.stencils[k - first_entry];
             add_normal(store, stencil, nodes_x, particles.volume[p], walls.touched_nodes, walls.normal);
             if (walls.divides_water &&
-                problem.materials[static_cast<std::size_t>(particles.material[p])].saturated)
+                is_wet(problem.materials[static_cast<std::size_t>(particles.material[p])]))
                 add_normal(store, stencil, nodes_x, particles.volume[p], walls.touched_nodes,
                            walls.wet_normal);
         }
@@ -84,12 +84,13 @@ void sum_normals(const Problem& problem, const Particles& particles, const NodeC
 void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
 {
     walls.edges = make_soil_edges(problem, stage);
-    walls.divides_water = has_unsaturated_soil(problem);
+    walls.divides_water = is_partly_wet(problem);
     walls.aggregates_soil = !walls.edges.empty() || has_cut_soil(problem);
     walls.aggregates_water = walls.divides_water && stage == Stage::shaking &&
                              water_flow(problem) == WaterFlow::coupled &&
                              problem.scheme == TimeScheme::explicit_steps;
-    walls.any = walls.aggregates_soil || walls.aggregates_water;
+    walls.parts_from_solids = stage == Stage::shaking && problem.water && has_soil_and_solids(problem);
+    walls.any = walls.aggregates_soil || walls.aggregates_water || walls.parts_from_solids;
     if (!walls.any) return;
     for (const WallChain& chain : walls.edges.chains) {
         walls.chain_moves.push_back(moves(problem.boundaries[chain.edges.front().boundary].soil));

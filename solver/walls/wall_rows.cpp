@@ -90,12 +90,19 @@ void add_grain_rows(const Problem& problem, WallRows& walls)
     }
 }
 
-void add_water_rows(const Problem& problem, WallRows& walls)
+void add_water_rows(const Problem& problem, const NodeConditions& conditions, WallRows& walls)
 {
     const Vectors& normal = walls.divides_water ? walls.wet_normal : walls.normal;
     const std::vector<WallPart> parts =
         divide_normals(walls.edges, walls.contacts, walls.active_nodes, normal);
-    const std::vector<ChainHats> hats = by_hats(problem, walls, parts);
+    std::vector<ChainHats> hats = by_hats(problem, walls, parts);
+    // where all water of a row moves with the grains, their row holds it
+    for (ChainHats& chain : hats)
+        std::erase_if(chain, [&](const std::vector<HatPart>& hat) {
+            return std::all_of(hat.begin(), hat.end(), [&](const HatPart& part) {
+                return is_sealed(conditions.of_node[part.wall->contact->node]);
+            });
+        });
     for (std::size_t c = 0; c < hats.size(); ++c) {
         const WaterHold hold = walls.edges.chains[c].hold.water;
         if (hold == WaterHold::sealed) add_rows(hats[c], Held::water, false, walls.rows);
@@ -115,12 +122,13 @@ double water_of_node(const SinglePhaseSums&)
 }
 
 /// The rows v_k - sum w_m v_m = 0 of a node for the directions that no wall holds at the node itself: those
-/// of the grains are 0 and 1, those of the water 2 and 3.
+/// of the grains are 0 and 1, those of the water 2 and 3, unless it moves with the grains.
 void add_follower(const NodeConditions& conditions, std::size_t k, const std::vector<FollowedNode>& followed,
                   int first_direction, int end_direction, VelocityRows& rows)
 {
     for (int direction = first_direction; direction < end_direction; ++direction) {
         const int axis = direction % 2;
+        if (direction >= 2 && is_sealed(conditions.of_node[k])) continue;
         if (conditions.of_node[k] & (direction < 2 ? solid_fixed[axis] : fluid_fixed[axis])) continue;
         const NodeVelocities unit = NodeVelocities::Unit(direction);
         rows.begin_row(0.0);
@@ -291,7 +299,7 @@ void assemble_wall_rows(const Problem& problem, const NodeConditions& conditions
     walls.rows.clear(sums.size());
     find_active(sums, walls);
     add_grain_rows(problem, walls);
-    add_water_rows(problem, walls);
+    add_water_rows(problem, conditions, walls);
     add_followers(problem, conditions, sums, walls);
     factorise(problem, conditions, dt, dashpots, sums, walls);
 }

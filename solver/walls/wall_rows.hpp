@@ -39,7 +39,9 @@ struct WallRows {
     /// So have those that hold little water, where soil above the water table is dry: explicit steps would be
     /// short without bound where almost no water reaches a node. Implicit pressure and drag are stable there.
     bool aggregates_water = false;
-    bool divides_water = false; // dry and saturated soil meet: their normals differ
+    /// Solids lie beside soil whose water has a pressure: cells that both share have roots, for the pressure.
+    bool parts_from_solids = false;
+    bool divides_water = false; // wet and other particles meet: their normals differ
     WallContacts contacts;
     bool contacts_are_due = true;
     bool normals_are_kept = false;           // small strain: they hold for all steps
@@ -47,11 +49,17 @@ struct WallRows {
     std::vector<std::uint8_t> touched_nodes;
     std::vector<std::uint8_t> active_nodes; // of those in contact: whether they have soil
     Vectors normal;                         // a_i of the nodes in contact, of all soil [m]
-    Vectors wet_normal;                     // of the saturated soil, where there is other soil [m]
+    Vectors wet_normal;                     // of the wet particles, where there are others [m]
     CellRoots roots;
-    CellRoots wet_roots; // of the saturated soil alone, where the water has its own
+    CellRoots wet_roots; // of the wet particles alone, where the water has its own or there are solids
     VelocityRows rows;
     std::vector<std::size_t> chain_of_row; // of the rows before the followers'
+
+    /// The cells that have the pressure of another.
+    const std::vector<AggregatedCell>& shared_pressures() const
+    {
+        return aggregates_water || parts_from_solids ? wet_roots.aggregated : roots.aggregated;
+    }
 };
 
 void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls);

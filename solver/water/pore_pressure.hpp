@@ -55,12 +55,11 @@ inline double growth_of_turn(double dt, const Gradients& L, std::size_t p)
     return dt * (L.xx[p] * L.yy[p] - L.xy[p] * L.yx[p]);
 }
 
-/// The lists of the saturated particles alone: only these have a pore pressure.
-void select_saturated(const Problem& problem, const Particles& particles, const CellLists& all,
-                      CellLists& wet);
+/// The lists of the wet particles alone: only these have a pore pressure.
+void select_wet(const Problem& problem, const Particles& particles, const CellLists& all, CellLists& wet);
 
-/// Volumes of the saturated particles, 0 for the others [m3/m].
-void set_saturated_volumes(const Problem& problem, const Particles& particles, Scalars& volumes);
+/// Volumes of the wet particles, 0 for the others [m3/m].
+void set_wet_volumes(const Problem& problem, const Particles& particles, Scalars& volumes);
 
 /// The water that unsaturated soil holds moves with its grains.
 void carry_moisture(const Problem& problem, Particles& particles);

@@ -279,7 +279,7 @@ R"_(
 test.toml:6:17: warning[plausibility]: materials.sand.shear_modulus = 1 Pa is unusually small
     6 | shear_modulus = "1 Pa"
       |                 ^~~~~~
-expected: usually 1e5 to 1e10 Pa
+expected: usually 1e5 to 1e11 Pa
 hint: did you mean "1 MPa"?
 to accept it: accept = ["materials.sand.shear_modulus"] at the top of the test file
 test.toml:9:1: error[consolidation]: the specimen is too soft for these stresses: no strain leads to them

@@ -38,6 +38,29 @@ scene.toml:27:1: warning[unused]: no region has the material "clay"
       | ^~~~~~~~~~~~~~~~
 to accept it: accept = ["materials.clay"] at the top of the scene
 )_"},
+SceneMistake{"SolidOfSand",
+    "model = \"linear_elastic\"\nshear_modulus = \"60 MPa\"\npoisson_ratio = 0.3\ngrain_density = 2670\nporosity = 0.405\nhydraulic_conductivity = 5.8e-5\n",
+    "model = \"ubcsand\"\nn1_60 = 10\nwater = \"none\"\ndensity = 2400\n",
+R"_(
+scene.toml:22:9: error[combination]: materials.sand.water = "none" makes a solid without pores, and model = "ubcsand" is no law of solids
+   22 | water = "none"
+      |         ^~~~~~
+expected: model = "linear_elastic" or "mohr_coulomb" with water = "none"
+hint: remove water, or take the law of the solid
+)_"},
+SceneMistake{"SolidWithPores",
+    "grain_density = 2670\nporosity = 0.405\nhydraulic_conductivity = 5.8e-5\n",
+    "water = \"none\"\nporosity = 0.405\n",
+R"_(
+scene.toml:19:1: error[missing-key]: [materials.sand] has no density
+   19 | [materials.sand]
+      | ^~~~~~~~~~~~~~~~
+expected: density [kg/m3]: Density of the solid, in the air: 2400 of concrete; buoyancy is added below the water.
+scene.toml:24:1: error[unused-key]: materials.sand.porosity is not used with water = "none"
+   24 | porosity = 0.405
+      | ^~~~~~~~
+hint: remove it, or set water = "pores"
+)_"},
 SceneMistake{"TiedToUnknown",
     "tied_to = \"right\"",
     "tied_to = \"rihgt\"",

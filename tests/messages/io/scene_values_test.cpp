@@ -237,7 +237,7 @@ R"_(
 scene.toml:21:17: warning[plausibility]: materials.sand.shear_modulus = 60000 Pa is unusually small
    21 | shear_modulus = 60e3
       |                 ^~~~
-expected: usually 1e5 to 1e10 Pa
+expected: usually 1e5 to 1e11 Pa
 hint: did you mean "60000 kPa"?
 to accept it: accept = ["materials.sand.shear_modulus"] at the top of the scene
 )_"},

@@ -62,7 +62,7 @@ TEST(SceneSchema, DescribesAKey)
     Gravity at which the conductivity was measured; at 120 g a wrong value changes k by a factor of 120.
     is       number in m/s2
     default  9.81
-    used     with water.flow = "coupled" or water.initial_flow = "seepage"
+    used     with water = "pores", with water.flow = "coupled" or water.initial_flow = "seepage"
     range    more than 0 m/s2
     usual    1 to 2000 m/s2
 )");

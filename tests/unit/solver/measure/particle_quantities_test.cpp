@@ -1,5 +1,6 @@
 #include "solver/interpolation/cpdi2.hpp"
 #include "solver/measure/particle_quantities.hpp"
+#include "solver/problem/solid_mixture.hpp"
 
 #include <gtest/gtest.h>
 
@@ -57,8 +58,13 @@ TEST(ParticleQuantities, RuIsUndefinedUnderHardlyAnyStress)
     resize(particles, 2, WaterFlow::coupled);
     particles.pore_pressure = {50.0, 50.0};
     particles.initial_vertical_effective_stress = {100.0, 0.5};
-    EXPECT_EQ(excess_pressure_ratio(Problem{}, particles, 0), 0.5);
-    EXPECT_TRUE(std::isnan(excess_pressure_ratio(Problem{}, particles, 1)));
+    Problem problem;
+    problem.materials.resize(2);
+    EXPECT_EQ(excess_pressure_ratio(problem, particles, 0), 0.5);
+    EXPECT_TRUE(std::isnan(excess_pressure_ratio(problem, particles, 1)));
+    make_solid(2400.0, Water{}, problem.materials[1]);
+    particles.material[0] = 1;
+    EXPECT_TRUE(std::isnan(excess_pressure_ratio(problem, particles, 0))) << "a solid has no ru";
 }
 
 } // namespace quicksand

@@ -35,7 +35,7 @@ struct Soil {
     void update()
     {
         sort_particles(problem.grid, 0.0, state, lists);
-        find_roots(problem, conditions, lists, state.particles, roots);
+        find_roots(problem, conditions, lists, state.particles, {}, roots);
     }
 
     /// The slot of a cell of the scene's grid.
