@@ -10,6 +10,7 @@
 #include "io/scene/cell_size.hpp"
 #include "io/scene/scene_grid.hpp"
 #include "io/scene/scene_section.hpp"
+#include "io/scene/thin_gaps.hpp"
 #include "io/tables/scene_boundaries.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
@@ -154,6 +155,7 @@ void check_case(AssembledCase& assembled)
         problem.rim = rim_of(section);
         problem.tied_sides = find_tied_sides(scene, section, grid, findings);
         check_free_field_sides(scene, section, grid, findings);
+        check_gaps(scene, problem, findings);
         set_face_water(scene, section, problem, findings);
     }
     findings.accept(scene.accepted);

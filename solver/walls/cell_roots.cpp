@@ -18,8 +18,9 @@ constexpr double least_fill = 0.4 - 1e-6;
 // Of torn soil, in volumes as sampled: sand from its densest to its loosest takes 1.2.
 constexpr double torn_volume = 1.2;
 constexpr double reach_of_root =
-    2.5;                       // of a badly filled cell's centre, or a node: two rings of cells [cells]
-constexpr double equal = 1e-9; // of distances
+    2.5;                        // of a badly filled cell's centre, or a node: two rings of cells [cells]
+constexpr double equal = 1e-9;  // of distances
+constexpr int longest_way = 12; // from a cell to a good one through thin soil: a wedge of 1:30 [cells]
 // Of fills: cells that soil fills at rest differ by some per mille from step to step, and a root that changes
 // with every step would jump.
 constexpr double equally_full = 0.05;
@@ -60,10 +61,10 @@ struct CellsByDistance {
         int i, j;
         double distance; // its square [cells^2]
     };
+    Vector2 point; // centre of a cell or a node, counted from the lower left corner of the cell (0, 0)
     std::vector<Step> steps;
 
-    /// `point` is the centre of a cell or a node, counted from the lower left corner of the cell (0, 0).
-    explicit CellsByDistance(const Vector2& point)
+    explicit CellsByDistance(const Vector2& place) : point(place)
     {
         for (int j = -3; j <= 3; ++j) {
             for (int i = -3; i <= 3; ++i) {
@@ -77,11 +78,22 @@ struct CellsByDistance {
     }
 };
 
+/// Of equally near cells those that are nearly as full as the fullest.
+void keep_the_fullest(const BackgroundGrid& grid, const CellRoots& roots, NearCells& near)
+{
+    double fullest = 0.0;
+    for (const Cell& cell : near) fullest = std::max(fullest, roots.fill[cell.index(grid)]);
+    const auto end = std::remove_if(near.begin(), near.end(), [&](const Cell& cell) {
+        return roots.fill[cell.index(grid)] < fullest - equally_full;
+    });
+    near.count = static_cast<std::size_t>(end - near.begin());
+}
+
 NearCells nearest_good_cells(const BackgroundGrid& grid, const CellRoots& roots, const Cell& around,
                              const CellsByDistance& ring)
 {
     NearCells near;
-    double least = 0.0, fullest = 0.0;
+    double least = 0.0;
     for (const CellsByDistance::Step& step : ring.steps) {
         if (near.count > 0 && step.distance > least) break;
         const Cell cell{around.i + step.i, around.j + step.j};
@@ -90,13 +102,60 @@ NearCells nearest_good_cells(const BackgroundGrid& grid, const CellRoots& roots,
         if (roots.filling[cell.index(grid)] != Filling::good) continue;
         near.cells[near.count++] = cell;
         least = step.distance;
-        fullest = std::max(fullest, roots.fill[cell.index(grid)]);
     }
-    const auto end = std::remove_if(near.begin(), near.end(), [&](const Cell& cell) {
-        return roots.fill[cell.index(grid)] < fullest - equally_full;
-    });
-    near.count = static_cast<std::size_t>(end - near.begin());
+    keep_the_fullest(grid, roots, near);
     return near;
+}
+
+/// Good cells at the end of the way through badly filled ones that touch each other: of those at the end of
+/// the shortest way the nearest. In a wedge of 1:7 three cells at the tip are badly filled, and nodes there
+/// that followed none would have almost no mass. Soil that lies apart has none.
+NearCells good_cells_through_soil(const BackgroundGrid& grid, const CellRoots& roots, const Cell& around,
+                                  const CellsByDistance& ring)
+{
+    constexpr int reach = longest_way + 3, side = 2 * reach + 1; // the way begins within two rings
+    std::array<bool, side * side> seen{};
+    std::vector<Cell> reached, next;
+    NearCells near;
+    double least = 0.0;
+    const auto reach_cell = [&](const Cell& cell) {
+        if (cell.i < 0 || cell.j < 0 || cell.i >= grid.all_cells_x() || cell.j >= grid.all_cells_y()) return;
+        bool& known =
+            seen[static_cast<std::size_t>((cell.j - around.j + reach) * side + (cell.i - around.i + reach))];
+        if (known) return;
+        known = true;
+        const Filling filling = roots.filling[cell.index(grid)];
+        if (filling == Filling::bad) next.push_back(cell);
+        if (filling != Filling::good) return;
+        const double distance = (cell.centre() - ring.point - Vector2(around.i, around.j)).squaredNorm();
+        if (near.count > 0 && distance > least + equal) return;
+        if (near.count > 0 && distance < least - equal) near.count = 0;
+        least = distance;
+        if (near.count < near.cells.size()) near.cells[near.count++] = cell;
+    };
+    double nearest = -1.0;
+    for (const CellsByDistance::Step& step : ring.steps) {
+        if (nearest >= 0.0 && step.distance > nearest) break;
+        reach_cell({around.i + step.i, around.j + step.j});
+        if (!next.empty()) nearest = step.distance;
+    }
+    for (int way = 0; way < longest_way && near.count == 0 && !next.empty(); ++way) {
+        reached.swap(next);
+        next.clear();
+        for (const Cell& cell : reached)
+            for (int j = -1; j <= 1; ++j)
+                for (int i = -1; i <= 1; ++i) reach_cell({cell.i + i, cell.j + j});
+    }
+    keep_the_fullest(grid, roots, near);
+    return near;
+}
+
+/// The good cells that serve a cell or a node; none are sought through soil for what is torn.
+NearCells good_cells_for(const BackgroundGrid& grid, const CellRoots& roots, const Cell& around,
+                         const CellsByDistance& ring, bool torn)
+{
+    const NearCells near = nearest_good_cells(grid, roots, around, ring);
+    return near.count > 0 || torn ? near : good_cells_through_soil(grid, roots, around, ring);
 }
 
 /// The centre of the soil in a cell, from the rim [cells].
@@ -259,7 +318,8 @@ void find_roots(const Problem& problem, const NodeConditions& conditions, const 
     const auto aggregate = [&](std::size_t s) {
         const auto cell = static_cast<std::size_t>(lists.cell_of_slot[s]);
         if (roots.filling[cell] == Filling::none || roots.filling[cell] == Filling::good) return;
-        const NearCells near = nearest_good_cells(grid, roots, cell_at(grid, cell), ring);
+        const NearCells near =
+            good_cells_for(grid, roots, cell_at(grid, cell), ring, roots.filling[cell] == Filling::torn);
         if (near.count == 0) return;
         const Cell root = near.count == 1
                               ? *near.begin()
@@ -281,8 +341,9 @@ void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node
     static const CellsByDistance ring({0.0, 0.0});
     const auto row = static_cast<std::size_t>(grid.nodes_x());
     const int i = static_cast<int>(node % row), j = static_cast<int>(node / row);
-    const NearCells near = nearest_good_cells(grid, roots, {i, j}, ring);
-    const int farthest = is_torn_beside(grid, roots, i, j) ? 0 : 1; // cells to continue over
+    const bool torn = is_torn_beside(grid, roots, i, j);
+    const NearCells near = good_cells_for(grid, roots, {i, j}, ring, torn);
+    const int farthest = torn ? 0 : 1; // cells to continue over
     followed.clear();
     for (const Cell& root : near) {
         // the corner of the root that is nearest, and how many cells the node is beyond it, one at most

@@ -1,4 +1,4 @@
-// Level ground whose surface cuts thin pieces off the boxes: one column of it stands for all.
+// Thin soil: pieces that a level surface cuts off the boxes, and fill that thins out on rock.
 #include "solver/measure/monitors.hpp"
 #include "solver/run/staged_run.hpp"
 #include "tests/fixtures/drawn_section.hpp"
@@ -54,6 +54,41 @@ frequency = "20 Hz"
                 apart = std::max(apart, (one.particles.position[q] - all.particles.position[p]).norm());
     }
     EXPECT_LT(apart, 1e-9 * fallen + 1e-14);
+}
+
+/// Largest velocity of grains within half a second from rest, in fill under water that thins out to the left
+/// on rock falling by 1 in `run_out` [m/s].
+double unrest_of_wedge(double run_out, int particles, const std::string& soil)
+{
+    const double depth = 0.3, width = run_out * depth;
+    std::string tables = section_in_water(particles, "semi_implicit", "0.5", soil);
+    const std::string left = "[boundaries.left]\nsoil = \"roller\"\n"; // there is no side at the tip
+    tables.replace(tables.find(left), left.size(), "[boundaries.top]\nsoil = \"free\"\n");
+    const AssembledCase wedge =
+        assemble(scene_with(0.1, {-0.2, -0.5}, static_cast<int>(10.0 * width) + 4, 7, tables),
+                 polygon_section({{{0.0, 0.0}, "base"}, {{width, -depth}, "right"}, {{width, 0.0}, "top"}}));
+    State state = wedge.state;
+    EXPECT_LE(relax(wedge.problem, {}, state).unbalanced.of_weight, 1e-6);
+    double largest = 0.0;
+    for (int part = 1; part <= 5; ++part) {
+        run(wedge.problem, 0.1 * part, {}, state);
+        for (std::size_t p = 0; p < state.particles.size(); ++p)
+            largest = std::max(largest, state.particles.velocity_solid[p].norm());
+    }
+    return largest;
+}
+
+TEST(ThinPieces, OfFillThatThinsOutOnRockRestToTheTip)
+{
+    // more than two cells at the tip are badly filled where rock falls by less than 1:6
+    const std::string stiff = "model = \"linear_elastic\"\nshear_modulus = \"8 MPa\"\npoisson_ratio = 0.3\n";
+    const std::string sand = "model = \"ubcsand\"\nrelative_density = \"50 %\"\n";
+    for (const double run_out : {7.0, 12.0}) {
+        for (const int particles : {3, 4}) {
+            EXPECT_LT(unrest_of_wedge(run_out, particles, stiff), 1e-6) << run_out << ", " << particles;
+            EXPECT_LT(unrest_of_wedge(run_out, particles, sand), 1e-6) << run_out << ", " << particles;
+        }
+    }
 }
 
 } // namespace

@@ -109,6 +109,51 @@ TEST(CellRoots, AFewPerMilleOfVolumeDoNotTurnThem)
     EXPECT_LT(followed(1.1), both);
 }
 
+/// Four cells beside each other, of which the first is full; above them a floating particle, or none.
+struct ThinSoil {
+    Problem problem;
+    State state;
+    CellLists lists;
+    NodeConditions conditions;
+    CellRoots roots;
+
+    explicit ThinSoil(double floating)
+    {
+        problem.grid = {{0.0, 0.0}, h, 8, 3};
+        problem.materials = {stiff_sand()};
+        state = fill(problem, 2, [&](const Vector2& x) {
+            const bool thin = x.y() < 0.25 && x.x() < 3.0;
+            return (x.x() < 0.5 && x.y() < 0.5) || thin || (x.y() < 0.25 && x.x() > floating);
+        });
+        for (std::size_t p = 0; p < state.particles.size(); ++p)
+            if (state.particles.position.x[p] > 0.5) state.particles.volume[p] *= 0.5;
+        lists = make_cell_lists(problem.grid);
+        conditions = node_conditions(problem, Stage::shaking);
+        sort_particles(problem.grid, 0.0, state, lists);
+        find_roots(problem, conditions, lists, state.particles, roots);
+    }
+};
+
+TEST(CellRoots, OfATipIsTheFirstGoodCellOnTheWayThroughTheSoil)
+{
+    const ThinSoil soil(9.0);
+    ASSERT_EQ(soil.roots.aggregated.size(), 5U); // up to five cells away
+    for (const AggregatedCell& cell : soil.roots.aggregated)
+        EXPECT_EQ(cell.root, soil.roots.aggregated[0].root);
+    std::vector<FollowedNode> followed; // the node (6, 0) at the tip
+    const int ghost = BackgroundGrid::ghost_cells;
+    follow(soil.problem.grid, soil.roots, soil.problem.grid.node_index(6 + ghost, ghost), followed);
+    double sum = 0.0;
+    for (const FollowedNode& other : followed) sum += other.weight;
+    EXPECT_NEAR(sum, 1.0, 1e-15);
+}
+
+TEST(CellRoots, SoilThatLiesApartHasNone)
+{
+    const ThinSoil soil(3.5); // a cell is empty between the tip and this soil
+    EXPECT_EQ(soil.roots.aggregated.size(), 5U);
+}
+
 TEST(CellRoots, FollowersContinueTheGoodCellLinearly)
 {
     const Soil soil([](const Vector2& x) { return x.x() > 0.5 && x.x() < 0.75 && x.y() < 1.25; });
