@@ -5,6 +5,7 @@
 #include "app/sweep/engine_files.hpp"
 #include "app/sweep/process_pool.hpp"
 #include "app/sweep/sweep_collection.hpp"
+#include "geometry/drawing/gmsh_file.hpp"
 #include "io/files/file_error.hpp"
 #include "io/files/folder_lock.hpp"
 #include "io/files/output_folder.hpp"
@@ -13,6 +14,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
 #include <fstream>
 
 namespace quicksand {
@@ -59,6 +61,8 @@ std::vector<PoolTask> tasks_of(const SweepPlan& plan)
 bool run_here(const SweepPlan& plan, Journal& journal)
 {
     const StopSignal signal;
+    // gmsh reads a drawing once for all runs that have its parameters; a user's own folder stays
+    setenv(drawing_store_variable, drawings_of(plan).c_str(), 0);
     const std::vector<PoolTask> tasks = tasks_of(plan);
     std::size_t done = plan.runs.size() - tasks.size();
     bool failed = false;

@@ -1,5 +1,6 @@
 #include "app/sweep/engine_files.hpp"
 
+#include "geometry/drawing/gmsh_file.hpp"
 #include "io/files/atomic_file.hpp"
 #include "solver/base/failure.hpp"
 
@@ -88,9 +89,10 @@ std::string write_engine_files(const SweepPlan& plan, std::string_view engine)
 {
     std::string commands;
     const std::string program = fs::read_symlink("/proc/self/exe").string();
+    const std::string drawings = drawing_store_variable + ("=" + drawings_of(plan).string());
     for (const CheckedRun& run : plan.runs) {
         std::vector<std::string> words = words_of(plan, run);
-        words.insert(words.begin(), program);
+        words.insert(words.begin(), {"env", drawings, program});
         const std::string line = shell_line(words);
         if (line.find('\n') != std::string::npos)
             throw InputError("a path with a line break cannot stand in commands.txt: " + line);

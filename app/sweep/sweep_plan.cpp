@@ -91,6 +91,11 @@ std::vector<std::string> words_of(const SweepPlan& plan, const CheckedRun& run)
     return words;
 }
 
+fs::path drawings_of(const SweepPlan& plan)
+{
+    return plan.folder / "drawings";
+}
+
 std::string describe_plan(const SweepPlan& plan)
 {
     std::string text = fmt::format("{} runs of {}; {} left to do", plan.runs.size(),

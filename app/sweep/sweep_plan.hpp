@@ -26,6 +26,9 @@ SweepPlan plan_sweep(const SweepChoice& choice);
 /// The words with which this program does a run: "run", the scene and so on.
 std::vector<std::string> words_of(const SweepPlan& plan, const CheckedRun& run);
 
+/// The folder in which the runs keep what gmsh made of their drawings.
+std::filesystem::path drawings_of(const SweepPlan& plan);
+
 /// A line for every run: its folder, its values, and what is left to do.
 std::string describe_plan(const SweepPlan& plan);
 

@@ -1,6 +1,7 @@
 #include "geometry/drawing/gmsh_file.hpp"
 
 #include "geometry/drawing/child_process.hpp"
+#include "geometry/drawing/drawing_store.hpp"
 #include "geometry/drawing/geo_script.hpp"
 #include "geometry/drawing/lower_case.hpp"
 #include "geometry/drawing/nearest_name.hpp"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -112,17 +114,24 @@ void check_file(const GmshRequest& request)
     check_parameters(request, declared_parameters(request.file));
 }
 
-json run_helper(const GmshRequest& request)
+/// What the helper is to do with a file.
+std::vector<std::string> settings_of(const GmshRequest& request)
+{
+    std::vector<std::string> settings = {fmt::format("{:.17g}", request.curve_tolerance),
+                                         fmt::format("{:.17g}", request.quad_size.value_or(0.0))};
+    for (const auto& [name, value] : request.parameters) {
+        settings.push_back(name);
+        settings.push_back(fmt::format("{:.17g}", value));
+    }
+    return settings;
+}
+
+json run_helper(const GmshRequest& request, const fs::path& helper, const std::vector<std::string>& settings)
 {
     const ScratchFile scratch;
-    std::vector<std::string> arguments = {fs::absolute(request.file).string(), scratch.path(),
-                                          fmt::format("{:.17g}", request.curve_tolerance),
-                                          fmt::format("{:.17g}", request.quad_size.value_or(0.0))};
-    for (const auto& [name, value] : request.parameters) {
-        arguments.push_back(name);
-        arguments.push_back(fmt::format("{:.17g}", value));
-    }
-    const ChildResult child = run_program(find_gmsh_helper(), arguments, request.time_limit);
+    std::vector<std::string> arguments = {fs::absolute(request.file).string(), scratch.path()};
+    arguments.insert(arguments.end(), settings.begin(), settings.end());
+    const ChildResult child = run_program(helper, arguments, request.time_limit);
     const std::string name = request.file.string();
     if (child.end == ChildEnd::out_of_time) {
         throw InputError(fmt::format("{}: gmsh was stopped after {:g} s\n"
@@ -150,6 +159,23 @@ json run_helper(const GmshRequest& request)
                                      "hint: take Exit out of the file",
                                      name));
     }
+    return result;
+}
+
+bool is_usable(const json& result)
+{
+    return result["gmsh_errors"].empty() && result["faults"].empty() && result["mesh_errors"].empty();
+}
+
+json ask_gmsh(const GmshRequest& request)
+{
+    const fs::path helper = find_gmsh_helper();
+    const std::vector<std::string> settings = settings_of(request);
+    const char* folder = std::getenv(drawing_store_variable);
+    const DrawingStore store(folder == nullptr ? "" : folder, request.file, helper, settings);
+    if (std::optional<json> kept = store.find()) return *std::move(kept);
+    json result = run_helper(request, helper, settings);
+    if (is_usable(result)) store.keep(result);
     return result;
 }
 
@@ -293,7 +319,7 @@ fs::path find_gmsh_helper()
 Section read_gmsh_file(const GmshRequest& request)
 {
     check_file(request);
-    const json result = run_helper(request);
+    const json result = ask_gmsh(request);
     const std::string name = request.file.string();
     if (!result["gmsh_errors"].empty()) {
         throw InputError(fmt::format("{}: gmsh cannot read it:{}\nhint: {}", name,

@@ -13,6 +13,10 @@
 
 namespace quicksand {
 
+/// Names a folder that keeps what gmsh made of drawings, for other runs of the same drawing. `sweep` sets it
+/// for its runs.
+constexpr const char* drawing_store_variable = "QUICKSAND_DRAWINGS";
+
 struct GmshRequest {
     std::filesystem::path file;
     std::map<std::string, double> parameters; // values that replace those of the .geo file's DefineConstant

@@ -68,6 +68,8 @@ TEST_F(SweepProgram, DoesWhatIsMissing)
     expect_mention(first, "4 runs, 4 left to do, 2 at a time with 1 thread each");
     expect_mention(first, "4 runs: 4 finished (4 ");
     EXPECT_TRUE(fs::exists(out / "sweep.png"));
+    EXPECT_EQ(std::distance(fs::directory_iterator(out / "drawings"), fs::directory_iterator()), 1)
+        << "four runs have one drawing";
     EXPECT_TRUE(row(1).starts_with("1,run_0001,117.72,0.405,finished,")) << row(1);
     EXPECT_TRUE(row(4).starts_with("4,run_0004,235.44,0.42,finished,")) << row(4);
     EXPECT_NE(header_of(out / "sweep.csv").find(",crest_settlement_m_peak,crest_settlement_m_final,"),
@@ -153,6 +155,7 @@ TEST_F(SweepProgram, WritesACommandForEachRun)
     expect_mention(outcome, " --collect");
     const std::vector<std::string> commands = lines_of(out / "commands.txt");
     ASSERT_EQ(commands.size(), 4U);
+    EXPECT_TRUE(commands[2].starts_with("env 'QUICKSAND_DRAWINGS=")) << commands[2];
     EXPECT_NE(commands[2].find(" --set 'motion.amplitude=\"24 g\"' --set materials.sand.porosity=0.405 -o '"),
               std::string::npos)
         << commands[2];
