@@ -130,7 +130,7 @@ struct ThinSoil {
         lists = make_cell_lists(problem.grid);
         conditions = node_conditions(problem, Stage::shaking);
         sort_particles(problem.grid, 0.0, state, lists);
-        find_roots(problem, conditions, lists, state.particles, roots);
+        find_roots(problem, conditions, lists, state.particles, {}, roots);
     }
 };
 
