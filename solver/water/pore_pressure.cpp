@@ -101,9 +101,9 @@ Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const Cel
     return fit.slope(problem.grid.cell_size);
 }
 
-/// Whether a cell has so much soil of others besides its own that its pressure must be flat: the force of a
-/// slope on the means (new_part_of_slopes) grows with the square of its length. With 0.4 of a cell more it is
-/// stable, with 0.5 it is not.
+/// Whether a cell beside a solid has so much soil of others besides its own that its pressure must be flat:
+/// the force of a slope on the means (new_part_of_slopes) grows with the square of its length. With 0.4 of a
+/// cell more it is stable, with 0.5 it is not.
 bool is_enlarged(const Problem& problem, double volume)
 {
     return volume > 1.4 * problem.grid.cell_size * problem.grid.cell_size;
@@ -292,9 +292,10 @@ void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, c
 {
     const Vectors& place = place_in_equations(problem, particles);
     const bool cavitates = problem.water->cavitation_pressure.has_value();
+    const bool has_solids = has_soil_and_solids(problem);
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
         const Vector2 centre = means.centre[slot];
-        const Vector2 slope = is_enlarged(problem, means.volume[slot])
+        const Vector2 slope = has_solids && is_enlarged(problem, means.volume[slot])
                                   ? Vector2::Zero()
                                   : pressure_slope(problem, lists, means, sloping, slot);
         for (std::size_t k = first; k < last; ++k) {
