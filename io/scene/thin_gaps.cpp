@@ -1,6 +1,7 @@
 #include "io/scene/thin_gaps.hpp"
 
 #include "io/keys/scene_schema.hpp"
+#include "io/tables/scene_boundaries.hpp"
 
 #include <fmt/format.h>
 
@@ -80,9 +81,8 @@ Gap gap_of(const Boundary& boundary, const std::vector<Segment>& rim, const Back
 
 SourcePlace place_of(const Scene& scene, const std::string& curve)
 {
-    const auto same = [&](const SceneBoundary& boundary) { return boundary.boundary.name == curve; };
-    const auto found = std::find_if(scene.boundaries.begin(), scene.boundaries.end(), same);
-    return found == scene.boundaries.end() ? scene.geometry_place : found->place;
+    const SceneBoundary* written = find_boundary(scene, curve);
+    return written == nullptr ? scene.geometry_place : written->place;
 }
 
 } // namespace

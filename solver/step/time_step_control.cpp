@@ -47,13 +47,14 @@ TimeStep least_limit(const Problem& problem, const CellExtremes& extremes, Limit
     return limit;
 }
 
-/// The fastest of a wave decides.
+/// The fastest of a wave decides, by speed(material, its waves); 0: no wave of the material does.
 template <class Speed>
 TimeStep wave_limit(const Problem& problem, const CellExtremes& extremes, double safety, Speed&& speed)
 {
     const auto limit = [&](const Material& material, const MaterialExtremes& extreme, double porosity) {
         return safety * problem.grid.cell_size /
-               speed(wave_speeds(material, extreme.stiffest_modulus, water_of(problem, material), porosity));
+               speed(material,
+                     wave_speeds(material, extreme.stiffest_modulus, water_of(problem, material), porosity));
     };
     return least_limit(problem, extremes, limit);
 }
@@ -120,8 +121,9 @@ TimeStep limit_of_waves(const Problem& problem, const CellExtremes& extremes)
 {
     if (water_flow(problem) == WaterFlow::coupled && problem.scheme != TimeScheme::explicit_steps)
         return semi_implicit_limit(problem, extremes);
-    return wave_limit(problem, extremes, wave_safety,
-                      [&](const WaveSpeeds& speeds) { return fastest_speed(problem, speeds); });
+    return wave_limit(problem, extremes, wave_safety, [&](const Material&, const WaveSpeeds& speeds) {
+        return fastest_speed(problem, speeds);
+    });
 }
 
 TimeStep step_from(const Problem& problem, double time, double whole_step, const Particles& particles,
@@ -170,14 +172,11 @@ TimeStep stable_time_step(const Problem& problem, const Particles& particles, do
 TimeStep stable_relaxation_step(const Problem& problem, const Particles& particles)
 {
     const CellExtremes extremes = find_extremes(problem, particles);
-    const double safe = relaxation_safety * problem.grid.cell_size;
     const bool soil_alone = has_soil_and_solids(problem); // solids resist accelerations with their stiffness
-    const TimeStep wave = least_limit(
-        problem, extremes, [&](const Material& material, const MaterialExtremes& extreme, double porosity) {
-            if (soil_alone && !material.has_pores) return std::numeric_limits<double>::infinity();
-            const std::optional<Water>& water = water_of(problem, material);
-            return safe / wave_speeds(material, extreme.stiffest_modulus, water, porosity).skeleton;
-        });
+    const TimeStep wave = wave_limit(problem, extremes, relaxation_safety,
+                                     [&](const Material& material, const WaveSpeeds& speeds) {
+                                         return soil_alone && !material.has_pores ? 0.0 : speeds.skeleton;
+                                     });
     return limit_motion(problem, extremes, wave);
 }
 

@@ -25,13 +25,8 @@ poisson_ratio = 0.3
 porosity = 0.4
 [regions.soil]
 material = "sand"
-[boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "roller"
-[boundaries.right]
-soil = "roller"
-[boundaries.wall]
+)" + fixtures::base_and_sides +
+                          R"([boundaries.wall]
 soil = "roller"
 [run]
 end_time = 1.0

@@ -49,13 +49,7 @@ density = 2400.0
 material = "soil"
 [regions.lid]
 material = "concrete"
-[boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "roller"
-[boundaries.right]
-soil = "roller"
-)";
+)" + base_and_sides;
 
 /// `shift` of the grid's lines against the drawing, in cells; with it the lid ends within cells.
 AssembledCase assemble_column(const std::string& tables, double shift = 0.0)
