@@ -267,11 +267,6 @@ Scalars VelocityRows::misses(bool to_zero, const std::vector<NodeVelocities>& ve
     return missing;
 }
 
-Scalars VelocityRows::multipliers_to_zero(const std::vector<NodeVelocities>& velocities) const
-{
-    return solve(misses(true, velocities));
-}
-
 std::vector<NodeVelocities> VelocityRows::impulses(const Scalars& multipliers) const
 {
     std::vector<NodeVelocities> result(nodes_.size(), NodeVelocities::Zero());
@@ -281,16 +276,24 @@ std::vector<NodeVelocities> VelocityRows::impulses(const Scalars& multipliers) c
     return result;
 }
 
-void VelocityRows::correct(bool to_zero, std::vector<NodeVelocities>& velocities) const
+Scalars VelocityRows::correct(bool to_zero, std::vector<NodeVelocities>& velocities) const
 {
-    if (empty()) return;
+    Scalars sum(size(), 0.0);
+    if (empty()) return sum;
     const int times = repeat() ? 2 : 1; // the second takes out what the ridge has left
     for (int time = 0; time < times; ++time) {
         const Scalars multipliers = solve(misses(to_zero, velocities));
+        for (std::size_t r = 0; r < size(); ++r) sum[r] += multipliers[r];
         for_each_entry([&](std::size_t r, std::size_t k) {
             velocities[entries_[k].place] -= multipliers[r] * responses_[k];
         });
     }
+    return sum;
+}
+
+Scalars VelocityRows::multipliers_to_zero(std::vector<NodeVelocities> velocities) const
+{
+    return correct(true, velocities);
 }
 
 void VelocityRows::hold(std::vector<NodeVelocities>& velocities) const

@@ -98,7 +98,7 @@ public:
     VelocityRows part(const std::vector<bool>& chosen) const;
 
     /// Multipliers that take velocities at nodes() to rows of value zero [N s].
-    Scalars multipliers_to_zero(const std::vector<NodeVelocities>& velocities) const;
+    Scalars multipliers_to_zero(std::vector<NodeVelocities> velocities) const;
 
     /// Impulses on the nodes: - C^T multipliers [N s].
     std::vector<NodeVelocities> impulses(const Scalars& multipliers) const;
@@ -162,7 +162,7 @@ private:
     Scalars products(const std::vector<NodeVelocities>& velocities) const;
     Scalars misses(bool to_zero, const std::vector<NodeVelocities>& velocities) const;
     Scalars solve(Scalars right_hand_side) const;
-    void correct(bool to_zero, std::vector<NodeVelocities>& velocities) const;
+    Scalars correct(bool to_zero, std::vector<NodeVelocities>& velocities) const; // the multipliers
     bool inverses_turn() const;
     bool repeat() const; // whether some rows nearly say what others do
     bool is_made_for_rows(const Pattern& pattern, bool turns) const;

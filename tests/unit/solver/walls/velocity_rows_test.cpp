@@ -30,5 +30,22 @@ TEST(VelocityRows, TellHowNearlyTheyRepeatEachOtherNowAndNotBefore)
     EXPECT_EQ(rows.smallest_pivot(), 1.0);
 }
 
+// Of a slope whose toe ended in such rows, an unbalanced force stayed that was none.
+TEST(VelocityRows, ThatNearlyRepeatEachOtherHoldForcesAsTheyHoldVelocities)
+{
+    VelocityRows rows;
+    rows.clear(2);
+    add_row(1, 1.0, 0.0, rows);
+    add_row(1, 1.0, 1e-5, rows); // a pivot of 1e-10
+    rows.begin_followers();
+    rows.factorise({NodeInverse::Identity()});
+    const NodeVelocities gained(1.0, 1.0, 0.0, 0.0);
+    std::vector<NodeVelocities> velocities = {gained};
+    rows.project(velocities);
+    const std::vector<NodeVelocities> impulses = rows.impulses(rows.multipliers_to_zero({gained}));
+    EXPECT_LT(velocities[0].norm(), 1e-3); // measured 1e-4
+    EXPECT_NEAR((gained + impulses[0]).norm(), velocities[0].norm(), 1e-9);
+}
+
 } // namespace
 } // namespace quicksand
