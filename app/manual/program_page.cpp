@@ -20,7 +20,7 @@ constexpr const char* description =
     "material "
     "points with deforming domains (CPDI) that carry grains and pore water through a background grid; the "
     "sand is "
-    "UBCSAND. Results are opened in ParaView.";
+    "UBCSAND or PM4Sand. Results are opened in ParaView.";
 
 constexpr std::array files = {
     Entry{"scene.toml", "a scene; see quicksand-scene(5)"},
