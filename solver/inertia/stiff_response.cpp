@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <type_traits>
 
 namespace quicksand {
@@ -23,11 +24,10 @@ template <class Number>
 void solve_with(const BandedFactor<Number>& factor, Scalars& values)
 {
     std::vector<Number> vector(factor.vector_length(), Number{0});
-    const auto begin = vector.begin() + static_cast<std::ptrdiff_t>(factor.band());
-    std::transform(values.begin(), values.end(), begin,
+    std::transform(values.begin(), values.end(), vector.begin(),
                    [](double value) { return static_cast<Number>(value); });
     factor.solve(vector.data());
-    std::copy_n(begin, values.size(), values.begin());
+    std::copy_n(vector.begin(), values.size(), values.begin());
 }
 
 /// The smallest rectangle of nodes around those with soil.
@@ -197,11 +197,12 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
     note_parts(walls);
     number_equations(conditions, grid);
     const std::size_t equations = list_.size() + multipliers_.size();
-    std::size_t band = 0;
+    std::vector<std::size_t> first_columns(equations);
+    std::iota(first_columns.begin(), first_columns.end(), std::size_t{0});
     Scalars diagonal(equations, 0.0);
     for (const Unknown& u : list_) diagonal[u.equation] = share(u.node, u.axis).mass;
     const auto sum_diagonal = [&](std::size_t row, std::size_t column, double value) {
-        band = std::max(band, row - column);
+        first_columns[row] = std::min(first_columns[row], column);
         if (row == column) diagonal[row] += std::abs(value);
     };
     for_each_of_dashpots(velocity_dt, dashpots, sum_diagonal);
@@ -234,7 +235,7 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
     }
     std::visit(
         [&]<class Number>(BandedFactor<Number>& matrix) {
-            matrix.reset(equations, band);
+            matrix.reset(first_columns);
             const auto fill = [&](std::size_t row, std::size_t column, double value) {
                 matrix.add(row, column, scale_[row] * scale_[column] * value);
             };

@@ -76,13 +76,12 @@ Response respond(const BandedCholesky& factor, const std::vector<BlockRows::Part
                  std::vector<float>& work)
 {
     constexpr float least = 1e-5f; // of a row scaled to one: a mirrored drawing has mirrored answers
-    for (const BlockRows::Part& part : parts) work[factor.band() + part.row] = part.value;
+    for (const BlockRows::Part& part : parts) work[part.row] = part.value;
     Response response;
     response.first = parts.front().row / BandedCholesky::lanes * BandedCholesky::lanes;
     const std::size_t end = factor.solve_lower(parts.front().row, parts.back().row + 1, least, work.data());
-    const auto y = work.begin() + static_cast<std::ptrdiff_t>(factor.band());
-    const auto first = y + static_cast<std::ptrdiff_t>(response.first),
-               last = y + static_cast<std::ptrdiff_t>(end);
+    const auto first = work.begin() + static_cast<std::ptrdiff_t>(response.first),
+               last = work.begin() + static_cast<std::ptrdiff_t>(end);
     response.y.assign(first, last);
     std::fill(first, last, 0.0f);
     return response;
@@ -132,14 +131,13 @@ void set_up_rows(double dt, const std::vector<HeldRow>& held, const NodeTouches&
 void hold_rows(const BandedCholesky& factor, const std::vector<float>& given, BlockRows& rows,
                std::vector<float>& solution)
 {
-    const std::size_t band = factor.band();
     for (std::size_t k = 0; k < rows.parts.size(); ++k)
-        rows.multipliers[static_cast<Eigen::Index>(k)] = product(rows.parts[k], solution.data() + band);
+        rows.multipliers[static_cast<Eigen::Index>(k)] = product(rows.parts[k], solution.data());
     rows.factor.solveInPlace(rows.multipliers);
     solution = given;
     for (std::size_t k = 0; k < rows.parts.size(); ++k)
         for (const BlockRows::Part& part : rows.parts[k])
-            solution[band + part.row] += part.value * rows.multipliers[static_cast<Eigen::Index>(k)];
+            solution[part.row] += part.value * rows.multipliers[static_cast<Eigen::Index>(k)];
     factor.solve(solution.data());
 }
 

@@ -139,10 +139,25 @@ void for_each_group(std::vector<Touch> touches, std::size_t band, Visit&& visit)
     }
 }
 
+/// The first row that a row has a product with, for each of `rows`.
+std::vector<std::size_t> first_partners(std::size_t rows, std::size_t band, const NodeTouches& touches)
+{
+    std::vector<std::size_t> first(rows);
+    for (std::size_t row = 0; row < rows; ++row) first[row] = row;
+    touches.for_each([&](std::size_t, const std::vector<Touch>& cells) {
+        for_each_group(cells, band, [&](std::span<const Touch> group) {
+            std::size_t least = rows;
+            for (const Touch& touch : group) least = std::min(least, touch.row);
+            for (const Touch& touch : group) first[touch.row] = std::min(first[touch.row], least);
+        });
+    });
+    return first;
+}
+
 void factorise(double dt, const PressureEquations& equations, const NodeTouches& touches, CellBlock& block)
 {
     const std::size_t rows = block.slots.size(), band = band_of(touches);
-    block.factor.reset(rows, band);
+    block.factor.reset(first_partners(rows, band, touches));
     block.solution.assign(block.factor.vector_length(), 0.0f);
     block.scale.resize(rows);
     std::vector<double> scale(rows);
@@ -169,12 +184,10 @@ void factorise(double dt, const PressureEquations& equations, const NodeTouches&
 
 void solve_block(const Scalars& residual, CellBlock& block)
 {
-    const std::size_t band = block.factor.band();
     for (std::size_t row = 0; row < block.slots.size(); ++row) {
         // scaled in double precision: residuals may be smaller than single precision holds
         const auto slot = static_cast<std::size_t>(block.slots[row]);
-        block.solution[band + row] =
-            static_cast<float>(residual[slot] * static_cast<double>(block.scale[row]));
+        block.solution[row] = static_cast<float>(residual[slot] * static_cast<double>(block.scale[row]));
     }
     if (!block.rows.parts.empty()) block.given = block.solution;
     block.factor.solve(block.solution.data());
@@ -183,10 +196,9 @@ void solve_block(const Scalars& residual, CellBlock& block)
 
 void add_answer(const CellBlock& block, Scalars& answer)
 {
-    const std::size_t band = block.factor.band();
     for (std::size_t row = 0; row < block.slots.size(); ++row) {
         answer[static_cast<std::size_t>(block.slots[row])] +=
-            static_cast<double>(block.solution[band + row]) * static_cast<double>(block.scale[row]);
+            static_cast<double>(block.solution[row]) * static_cast<double>(block.scale[row]);
     }
 }
 
