@@ -243,9 +243,10 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
             for_each_of_dashpots(velocity_dt, dashpots, fill);
             for_each_of_stiffness(factor, grid, stiffness, fill);
             for_each_of_rows(fill);
-            for (const std::size_t m : multipliers_) {
+            for (std::size_t row = 0; row < multipliers_.size(); ++row) {
+                const std::size_t m = multipliers_[row];
                 matrix.set_negative(m);
-                if (scale_[m] == 0.0) matrix.add(m, m, -1.0);
+                matrix.add(m, m, scale_[m] == 0.0 ? -1.0 : -scale_[m] * scale_[m] * walls.softness(row));
             }
             matrix.factorise(least_pivot<Number>);
         },

@@ -3,7 +3,7 @@
 // The water of a node is eliminated: its velocity is u = e v + q f_w, v that of the grains, f_w the impulse
 // on the water, e the part of the grains' velocity that drag and seals hand on. The grains then answer
 //   (M + b K) v + C^T l = f_s + e f_w            M: mass of the grains with what they carry along
-//   C v - C_w q C_w^T l = - C_w q f_w            C = C_s + C_w e: rows of walls and followers
+//   C v - (C_w q C_w^T + d) l = - C_w q f_w      C = C_s + C_w e: rows of walls and followers, d: softness
 // with b K of inertia_solve.hpp. The matrix is quasi-definite: it has a factor with the signs of
 // its rows as long as a multiplier comes after the nodes of its row. The nodes are counted along the
 // shorter side of the soil, so that the factor is narrow.

@@ -12,9 +12,11 @@ namespace quicksand {
 
 namespace {
 
-/// Added to the diagonal of ones where rows nearly repeat each other, as at corners: a pivot is then below
-/// `least_pivot`.
-constexpr double ridge = 1e-12, least_pivot = 1e-8;
+/// Added to the diagonal of ones where rows nearly repeat each other, as at corners and at the tips of
+/// wedges: a pivot is then below `least_pivot`. The nodes are held by what such rows have in common; what
+/// only their difference asks for is left free. It comes from parts of rows as small as 1e-4 and would hold
+/// nodes that no wall holds.
+constexpr double ridge = 1e-10, least_pivot = 1e-8;
 /// A row acts on nothing where all of its nodes are held: its P is below this part of what free nodes would
 /// give.
 constexpr double least_response = 1e-14;
@@ -278,17 +280,17 @@ std::vector<NodeVelocities> VelocityRows::impulses(const Scalars& multipliers) c
 
 Scalars VelocityRows::correct(bool to_zero, std::vector<NodeVelocities>& velocities) const
 {
-    Scalars sum(size(), 0.0);
-    if (empty()) return sum;
-    const int times = repeat() ? 2 : 1; // the second takes out what the ridge has left
-    for (int time = 0; time < times; ++time) {
-        const Scalars multipliers = solve(misses(to_zero, velocities));
-        for (std::size_t r = 0; r < size(); ++r) sum[r] += multipliers[r];
-        for_each_entry([&](std::size_t r, std::size_t k) {
-            velocities[entries_[k].place] -= multipliers[r] * responses_[k];
-        });
-    }
-    return sum;
+    if (empty()) return {};
+    Scalars multipliers = solve(misses(to_zero, velocities));
+    for_each_entry([&](std::size_t r, std::size_t k) {
+        velocities[entries_[k].place] -= multipliers[r] * responses_[k];
+    });
+    return multipliers;
+}
+
+double VelocityRows::softness(std::size_t row) const
+{
+    return repeat() && scale_[row] > 0.0 ? ridge / (scale_[row] * scale_[row]) : 0.0;
 }
 
 Scalars VelocityRows::multipliers_to_zero(std::vector<NodeVelocities> velocities) const

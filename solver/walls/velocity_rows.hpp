@@ -86,6 +86,10 @@ public:
     /// Smallest pivot of P, scaled to a diagonal of ones: small where rows nearly repeat each other [-].
     double smallest_pivot() const { return smallest_pivot_; }
 
+    /// What a row yields by its multiplier where rows nearly repeat each other: c . u + softness multiplier
+    /// is its value [m/s per N s].
+    double softness(std::size_t row) const;
+
     const NodeInverse& inverse(std::size_t place) const { return inverses_[place]; }
 
     double value(std::size_t row) const { return values_[row]; }
