@@ -82,6 +82,7 @@ ExitCode check_scene(const CheckChoice& choice)
     say_stage(stages.front(), 1, stages.size(), journal);
     journal.say(describe_scene_keys(setup));
     journal.say(describe_soil(assembled));
+    if (const std::string slip = describe_interfaces(assembled); !slip.empty()) journal.say(slip);
     journal.say(describe_boundaries(assembled, patch_tests));
     if (const std::string laws = describe_laws(assembled); !laws.empty()) journal.say(laws);
     if (const std::string flow = describe_initial_flow(assembled); !flow.empty()) journal.say(flow);
@@ -92,6 +93,8 @@ ExitCode check_scene(const CheckChoice& choice)
         say_changes(stages[k - 1], stages[k], journal);
         if (stages[k].scene.stage->kind == StageKind::stability) continue;
         const SceneSetup of_stage = set_up_reading(choice.scene, stages[k], journal);
+        if (const std::string slip = describe_interfaces(of_stage.assembled); !slip.empty())
+            journal.say(slip);
         if (const std::string flow = describe_initial_flow(of_stage.assembled); !flow.empty())
             journal.say(flow);
         if (runs_in_time(stages[k])) say_run(of_stage, folder, journal);

@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 #include <variant>
 
@@ -120,6 +122,33 @@ std::string describe_soil(const AssembledCase& assembled)
     text += fmt::format("  mass of the grains {} kg/m, of the water {} kg/m\n",
                         short_number(sums.mass_solid, 6), short_number(sums.mass_fluid, 6));
     return text;
+}
+
+namespace {
+
+/// "0.5" or "0.5 to 1"
+std::string thickness_text(const InterfaceLayer& layer)
+{
+    const std::string largest = short_number(layer.thickness);
+    return layer.least_thickness < layer.thickness ? short_number(layer.least_thickness) + " to " + largest
+                                                   : largest;
+}
+
+} // namespace
+
+std::string describe_interfaces(const AssembledCase& assembled)
+{
+    std::string text;
+    for (const InterfaceLayer& layer : assembled.interfaces) {
+        text += fmt::format("  {:<16}{} particles of {} within {} m of {} slide at {:.3g} deg", layer.name,
+                            grouped(static_cast<long long>(layer.particles)), layer.sliding,
+                            thickness_text(layer), layer.beside,
+                            std::atan(layer.strength.friction) * 180.0 / std::numbers::pi);
+        if (layer.strength.cohesion > 0.0)
+            text += fmt::format(" and {} Pa", short_number(layer.strength.cohesion));
+        text += layer.is_that_of_soil ? ", the strength of the soil itself along a plane\n" : "\n";
+    }
+    return text.empty() ? text : "Interfaces\n" + text;
 }
 
 std::string describe_initial_state(const AssembledCase& assembled)

@@ -17,6 +17,9 @@ std::string describe_scene_keys(const SceneSetup& setup);
 /// Regions, particles, grid and masses.
 std::string describe_soil(const AssembledCase& assembled);
 
+/// What slides along what, and at which strength; "" without interfaces.
+std::string describe_interfaces(const AssembledCase& assembled);
+
 /// The conditions on every boundary curve, and the total force of every load.
 std::string describe_boundaries(const AssembledCase& assembled, const std::vector<PatchTest>& tests);
 

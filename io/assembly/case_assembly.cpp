@@ -6,6 +6,7 @@
 #include "io/assembly/face_water.hpp"
 #include "io/assembly/ground_water.hpp"
 #include "io/assembly/initial_flow.hpp"
+#include "io/assembly/interface_layers.hpp"
 #include "io/assembly/probe_places.hpp"
 #include "io/scene/cell_size.hpp"
 #include "io/scene/scene_grid.hpp"
@@ -261,8 +262,11 @@ AssembledCase assemble_case(SceneReading reading, Section section)
                                                assembled.problem, assembled.warnings);
     const FlowField* flow = assembled.initial_flow ? &assembled.initial_flow->field : nullptr;
     throw_errors(assembled.warnings, assembled.scene);
-    const auto of_domain =
-        divide_materials(assembled.scene, flow, assembled.sampling, of_region, assembled.problem);
+    auto of_domain = lay_interfaces(assembled.section, assembled.sampling, of_region, assembled.scene,
+                                    assembled.problem, assembled.interfaces, assembled.warnings);
+    assembled.warnings.accept(assembled.scene.accepted);
+    throw_errors(assembled.warnings, assembled.scene);
+    divide_materials(assembled.scene, flow, assembled.sampling, of_domain, assembled.problem);
     check_outer_water(assembled.scene, assembled.problem, assembled.warnings);
     throw_errors(assembled.warnings, assembled.scene);
     Particles& particles = assembled.state.particles;

@@ -136,31 +136,27 @@ void check_phreatic_line(const Scene& scene, Diagnostics& findings)
     }
 }
 
-std::vector<std::int32_t> divide_materials(const Scene& scene, const FlowField* flow,
-                                           const Sampling& sampling,
-                                           const std::vector<std::int32_t>& of_region, Problem& problem)
+void divide_materials(const Scene& scene, const FlowField* flow, const Sampling& sampling,
+                      std::vector<std::int32_t>& of_domain, Problem& problem)
 {
-    std::vector<std::int32_t> of_domain;
+    if (!problem.water) return;
     std::vector<std::int32_t> above(problem.materials.size(), -1); // material -> its like above the line
-    for (const ParticleDomain& domain : sampling.domains) {
-        const std::int32_t below = of_region[domain.region];
-        of_domain.push_back(below);
-        if (!problem.water) continue;
+    for (std::size_t p = 0; p < sampling.domains.size(); ++p) {
+        const ParticleDomain& domain = sampling.domains[p];
         const double tolerance = 1e-9 * problem.grid.cell_size, y = domain.centre.y();
         if (GroundWater{scene, flow}.saturates(domain.centre, tolerance)) {
             problem.water->rises_above_level =
                 problem.water->rises_above_level || flow != nullptr || y > problem.water->level + tolerance;
             continue;
         }
-        const auto m = static_cast<std::size_t>(below);
+        const auto m = static_cast<std::size_t>(of_domain[p]);
         if (above[m] < 0) {
             above[m] = static_cast<std::int32_t>(problem.materials.size());
             problem.materials.push_back(
                 unsaturated(problem.materials[m], *problem.water, scene.materials[m].saturation_above_water));
         }
-        of_domain.back() = above[m];
+        of_domain[p] = above[m];
     }
-    return of_domain;
 }
 
 void check_outer_water(const Scene& scene, const Problem& problem, Diagnostics& findings)

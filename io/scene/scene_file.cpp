@@ -12,6 +12,7 @@
 #include "io/scene/stage_changes.hpp"
 #include "io/tables/scene_boundaries.hpp"
 #include "io/tables/scene_figures.hpp"
+#include "io/tables/scene_interfaces.hpp"
 #include "io/tables/scene_motion.hpp"
 #include "io/tables/scene_verification.hpp"
 #include "io/tables/stage_keys.hpp"
@@ -297,6 +298,7 @@ SceneReading read_scene(const std::filesystem::path& file, const DocumentNode& d
     fill_ground(values, scene);
     fill_run(values, scene);
     scene.boundaries = read_boundaries(values, file.parent_path(), findings);
+    scene.interfaces = read_interfaces(values, findings);
     read_soil_laws(values, scene, findings);
     scene.base_motion = read_motion(values, file.parent_path(), findings);
     scene.verification = read_verification(values, findings);

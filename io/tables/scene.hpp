@@ -4,9 +4,11 @@
 #include "io/keys/source_place.hpp"
 #include "io/tables/scene_stage.hpp"
 #include "solver/problem/problem.hpp"
+#include "solver/problem/slip_strength.hpp"
 #include "solver/run/staged_run.hpp"
 #include "solver/verification/studies/study.hpp"
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -36,6 +38,16 @@ struct SceneRegion {
     std::string name;     // physical surface
     std::string material; // name of a material
     SourcePlace place;
+};
+
+/// How two regions slide on each other, see solver/problem/slip_strength.hpp.
+struct SceneInterface {
+    std::string name;
+    std::array<std::string, 2> regions;
+    SlipStrength strength;                // without a ratio
+    std::optional<double> strength_ratio; // of the soil's own tan(phi) and c [-]
+    std::optional<double> thickness;      // of the soil that slides; none: chosen by the grid [m]
+    SourcePlace place, regions_place, strength_place, thickness_place;
 };
 
 struct SceneBoundary {
@@ -110,6 +122,7 @@ struct Scene {
     SourcePlace flow_place;      // of the key that says so
     std::vector<SceneMaterial> materials;
     std::vector<SceneRegion> regions;
+    std::vector<SceneInterface> interfaces;
     std::vector<SceneBoundary> boundaries;
     double k0 = 0.5;                              // sigma'_h / sigma'_v of the initial state [-]
     double excess_pore_pressure = 0.0;            // everywhere at the start of the run [Pa]

@@ -3,6 +3,7 @@
 #include "io/laws/soil_laws.hpp"
 #include "io/tables/figure_keys.hpp"
 #include "io/tables/motion_keys.hpp"
+#include "io/tables/scene_interfaces.hpp"
 #include "io/tables/stage_keys.hpp"
 #include "solver/verification/studies/study.hpp"
 
@@ -312,9 +313,10 @@ std::vector<SceneKey> all_keys()
          .default_value = std::vector<std::string>{},
          .doc = "Keys whose warnings you have read and accept, as [\"materials.sand.porosity\"]."},
     };
-    for (const auto& part : {geometry_keys(), analysis_keys(), ground_keys(), skeleton_keys(), phase_keys(),
-                             soil_law_keys(), region_keys(), boundary_keys(), initial_keys(), motion_keys(),
-                             run_keys(), stage_keys(), figure_keys(), verification_keys()}) {
+    for (const auto& part :
+         {geometry_keys(), analysis_keys(), ground_keys(), skeleton_keys(), phase_keys(), soil_law_keys(),
+          region_keys(), interface_keys(), boundary_keys(), initial_keys(), motion_keys(), run_keys(),
+          stage_keys(), figure_keys(), verification_keys()}) {
         keys.insert(keys.end(), part.begin(), part.end());
     }
     return keys;

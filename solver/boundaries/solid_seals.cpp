@@ -1,20 +1,35 @@
 #include "solver/boundaries/solid_seals.hpp"
 
-#include "solver/base/threads.hpp"
-#include "solver/problem/solid_mixture.hpp"
+#include <cstddef>
 
 namespace quicksand {
 
-void seal_by_solids(const std::vector<std::uint8_t>& drawn, std::vector<TwoPhaseSums>& sums,
-                    NodeConditions& conditions)
+namespace {
+
+void seal(std::size_t node, NodeConditions& conditions)
 {
     constexpr unsigned water_held = fluid_x_fixed | fluid_y_fixed, seals = seal_x | seal_y;
-    for_each_index(sums.size(), [&](std::size_t i) {
-        const bool sealed = sums[i].drag > sealing_drag * sums[i].volume;
-        conditions.of_node[i] =
-            sealed ? static_cast<std::uint8_t>((drawn[i] & ~water_held) | seals) : drawn[i];
-        if (sealed) sums[i].drag = 0.0;
-    });
+    std::uint8_t& held = conditions.of_node[conditions.master[node]];
+    held = static_cast<std::uint8_t>((held & ~water_held) | seals);
+}
+
+} // namespace
+
+void seal_by_solids(const Problem& problem, const Particles& particles, const CellLists& lists,
+                    const std::vector<std::uint8_t>& drawn, NodeConditions& conditions)
+{
+    const auto row = static_cast<std::size_t>(problem.grid.all_cells_x()),
+               nodes = static_cast<std::size_t>(problem.grid.nodes_x());
+    conditions.of_node = drawn;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        if (material.has_pores || !material.saturated) continue;
+        const auto slot = static_cast<std::size_t>(lists.cell_of_particle[p]);
+        const auto cell = static_cast<std::size_t>(lists.cell_of_slot[slot]);
+        const std::size_t first = cell / row * nodes + cell % row;
+        for (const std::size_t node : {first, first + 1, first + nodes, first + nodes + 1})
+            seal(node, conditions);
+    }
 }
 
 } // namespace quicksand

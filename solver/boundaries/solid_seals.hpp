@@ -2,16 +2,18 @@
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
-#include "solver/boundaries/nodes.hpp"
+#include "solver/particles/cell_lists.hpp"
+#include "solver/problem/problem.hpp"
 
 #include <cstdint>
 #include <vector>
 
 namespace quicksand {
 
-/// Set the conditions of the nodes from `drawn`, those of the curves, and the seals of solids, which the sums
-/// tell by their drag; nothing is left of it. Where a solid seals, no curve holds the water: the grains do.
-void seal_by_solids(const std::vector<std::uint8_t>& drawn, std::vector<TwoPhaseSums>& sums,
-                    NodeConditions& conditions);
+/// Set the conditions of the nodes from `drawn`, those of the curves, and the seals of solids below the
+/// water: at the corners of the cells that hold one. Such cells have the pressure of others (cell_roots.hpp)
+/// and may take no water from them. Where a solid seals, no curve holds the water: the grains do.
+void seal_by_solids(const Problem& problem, const Particles& particles, const CellLists& lists,
+                    const std::vector<std::uint8_t>& drawn, NodeConditions& conditions);
 
 } // namespace quicksand

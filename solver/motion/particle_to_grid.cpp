@@ -37,7 +37,8 @@ inline TwoPhaseContribution contribution_of(const Problem& problem, const Partic
     const double V = particles.volume[p], n = particles.porosity[p];
     const double V_w = material.saturated ? V : 0.0;
     const double m_s = particles.mass_solid[p], m_w = n * problem.water->density * V_w;
-    const double drag = V_w * drag_coefficient(material, *problem.water, particles, p);
+    const double drag = // solids seal instead, see solid_seals.hpp
+        material.has_pores ? V_w * drag_coefficient(material, *problem.water, particles, p) : 0.0;
     const double xx = particles.stress.xx[p], yy = particles.stress.yy[p], xy = particles.stress.xy[p];
     const double pressure = particles.pore_pressure[p];
     const Lanes masses = {m_s, m_s, m_w, m_w};

@@ -12,7 +12,7 @@ namespace quicksand {
 void make_solid(double density, const std::optional<Water>& water, Material& material)
 {
     constexpr double usual_porosity = 0.5; // [-]
-    constexpr double conductivity = 1e-14; // next to nothing, see sealing_drag [m/s]
+    constexpr double conductivity = 1e-14; // next to nothing [m/s]
     const double water_density = water ? water->density : 0.0;
     // a solid lighter than half the water keeps grains of positive mass
     material.porosity = std::min(usual_porosity, 0.5 * density / std::max(water_density, 1.0));

@@ -5,7 +5,8 @@
 // with the static pressure on both phases its buoyancy and the outer pressure of the water. Nothing flows
 // through it. The water of the mixture has no pressure beyond the static one: it takes no part in the change
 // of pressure of its cell (is_wet()), so that a solid has the stiffness of its law alone. Nodes that a solid
-// shares with soil are sealed by its drag, and soil beside it presses on it with the pressure of its water.
+// shares with soil are sealed (solid_seals.hpp), and soil beside it presses on it with the pressure of its
+// water.
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -15,10 +16,6 @@
 #include <vector>
 
 namespace quicksand {
-
-/// Of a node, per volume of its soil and solids: beyond it there is a solid, and the water moves with the
-/// grains. Soil would have it at k = 1e-12 m/s; a solid has 200 times as much [N s/m4].
-inline constexpr double sealing_drag = 1e15;
 
 /// Make a material of a density [kg/m3] a solid without pores, whose mixture is that of the scene's water;
 /// its law stays. Above the water, where it has no water to share its mass with, a solid is one that is full

@@ -8,6 +8,8 @@
 #include "solver/step/two_phase_step.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
 
 namespace quicksand {
 
@@ -19,15 +21,39 @@ Vector2 inertia_force(const Sums& node)
     return {node.inertia_force_x, node.inertia_force_y};
 }
 
+/// Whether each node takes part in the solution: those with stiffness, and all others of the rows that hold
+/// one of them. A row would hold its other nodes where one that moves is left out.
+template <class Sums>
+std::vector<std::uint8_t> nodes_in_solution(const InertiaSolve& inertia, const VelocityRows& rows,
+                                            const std::vector<Sums>& sums)
+{
+    std::vector<std::uint8_t> nodes(sums.size(), 0);
+    for_each_index(sums.size(),
+                   [&](std::size_t i) { nodes[i] = sums[i].active() && is_resisted(inertia, i) ? 1 : 0; });
+    std::vector<std::uint8_t> reached(rows.size(), 0);
+    for (bool grows = true; grows;) {
+        grows = false;
+        rows.for_each_coefficient([&](std::size_t row, std::size_t node, const NodeVelocities&) {
+            if (nodes[node] == 0 || reached[row] != 0) return;
+            reached[row] = 1;
+            grows = true;
+        });
+        rows.for_each_coefficient([&](std::size_t row, std::size_t node, const NodeVelocities&) {
+            if (reached[row] != 0 && sums[node].active()) nodes[node] = 1;
+        });
+    }
+    return nodes;
+}
+
 template <class Workspace>
 void set_up(const Problem& problem, double dt, double velocity_dt, Workspace& work)
 {
     InertiaSolve& inertia = *work.inertia;
     const bool all =
         std::all_of(inertia.resists.begin(), inertia.resists.end(), [](auto r) { return r != 0; });
-    const auto is_active = [&](std::size_t i) {
-        return work.sums[i].active() && (all || is_resisted(inertia, i));
-    };
+    std::vector<std::uint8_t> nodes;
+    if (!all) nodes = nodes_in_solution(inertia, work.walls.rows, work.sums);
+    const auto is_active = [&](std::size_t i) { return all ? work.sums[i].active() : nodes[i] != 0; };
     set_up_stiffness(is_active, inertia);
     inertia.response.set_shares(work.conditions, velocity_dt, work.sums, is_active);
     inertia.response.factorise(work.conditions, velocity_dt, inertia.resistance * dt * velocity_dt,

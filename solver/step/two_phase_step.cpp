@@ -277,7 +277,8 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     gather_tied_sums(work.conditions, work.outer);
-    if (!work.drawn_conditions.empty()) seal_by_solids(work.drawn_conditions, work.sums, work.conditions);
+    if (!work.drawn_conditions.empty())
+        seal_by_solids(problem, particles, work.lists, work.drawn_conditions, work.conditions);
 }
 
 double set_fluxes(double dt, double velocity_dt, SemiImplicitWorkspace& work)

@@ -45,7 +45,7 @@ R"_(
 scene.toml:7:1: error[unknown-table]: unknown table [gird]
     7 | [gird]
       | ^~~~~~
-expected: one of geometry, grid, sampling, analysis, gravity, water, materials, regions, boundaries, initial, relaxation, motion, run, output, probes, stages, figures, verification
+expected: one of geometry, grid, sampling, analysis, gravity, water, materials, regions, interfaces, boundaries, initial, relaxation, motion, run, output, probes, stages, figures, verification
 hint: did you mean grid?
 )_"},
 SceneMistake{"UnknownTopLevelKey",

@@ -82,7 +82,7 @@ TEST(SceneStageMessages, TablesOfAStageAreThoseOfTheScene)
               R"_(scene.toml:61:1: error[unknown-table]: unknown table [watr]
    61 | [stages.watr]
       | ^~~~~~~~~~~~~
-expected: one of geometry, grid, sampling, analysis, gravity, water, materials, regions, boundaries, initial, relaxation, motion, run, output, probes, stages, figures, verification
+expected: one of geometry, grid, sampling, analysis, gravity, water, materials, regions, interfaces, boundaries, initial, relaxation, motion, run, output, probes, stages, figures, verification
 hint: did you mean water?
 )_");
 }
