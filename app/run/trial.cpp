@@ -191,7 +191,7 @@ OutputForecast forecast_output(const AssembledCase& assembled, const fs::path& d
     open_balances(assembled.problem, state);
     const ScratchFolder scratch(directory);
     const auto writers =
-        make_output_observers(assembled.scene, assembled.problem, state, {scratch.path(), "", false});
+        make_output_observers(assembled.scene, assembled.problem, state, {scratch.path(), "", "", false});
     for (const auto& writer : writers) {
         measure_writer(*writer, assembled.problem, state, assembled.scene.end_time, scratch.path(), forecast);
     }

@@ -90,7 +90,8 @@ void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced,
          << describe(unbalanced) << "; the particle below has moved farthest";
     fail(state, farthest, what.str(),
          "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
-         "small or max_steps too few",
+         "small or max_steps too few (go on with --resume and a larger relaxation.tolerance or more "
+         "relaxation.max_steps)",
          dt);
 }
 
