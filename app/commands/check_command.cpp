@@ -27,7 +27,7 @@ void write_initial_frame(const AssembledCase& assembled, const ResultsFolder& fo
     State state = assembled.state;
     begin_shaking(assembled.problem, state);
     for (const auto& writer :
-         make_output_observers(scene, assembled.problem, state, {folder.directory, "", false})) {
+         make_output_observers(scene, assembled.problem, state, {folder.directory, "", "", false})) {
         writer->observe(assembled.problem, state, {0, 0.0, {}, 0});
         writer->finish();
     }

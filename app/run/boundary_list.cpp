@@ -206,6 +206,10 @@ std::string describe_boundaries(const AssembledCase& assembled, const std::vecto
     const auto add = [&](const std::string& line) { text += fmt::format("  {:<16}{}\n", "", line); };
     for (std::size_t b = 0; b < problem.boundaries.size(); ++b) {
         const Boundary& boundary = problem.boundaries[b];
+        if (boundary.segments.empty()) {
+            text += fmt::format("  {:<16}no soil beside it here\n", boundary.name);
+            continue;
+        }
         text += fmt::format("  {:<16}{:.4g} m, {}{}{}\n", boundary.name, length_of(boundary),
                             kind_of(boundary.soil).word, problem.water ? ", water " : "",
                             problem.water ? name_of(boundary.water) : "");

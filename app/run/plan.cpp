@@ -101,6 +101,11 @@ std::string describe_soil(const AssembledCase& assembled)
     std::size_t cut = 0;
     for (std::size_t r = 0; r < assembled.sampling.regions.size(); ++r) {
         const RegionSampling& region = assembled.sampling.regions[r];
+        if (region.particles == 0) {
+            text +=
+                fmt::format("  {:<16}{:>12.6g}  without soil here\n", problem.region_names[r], region.area);
+            continue;
+        }
         text += fmt::format("  {:<16}{:>12.6g}{:>14.2e}{:>12}{:>20}\n", problem.region_names[r], region.area,
                             region.area_error, grouped(static_cast<long long>(region.particles)),
                             grouped(static_cast<long long>(region.cut)));

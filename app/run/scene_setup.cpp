@@ -1,6 +1,7 @@
 #include "app/run/scene_setup.hpp"
 
 #include "io/results/run_manifest.hpp"
+#include "io/scene/state_keys.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/base/threads.hpp"
 
@@ -48,6 +49,11 @@ std::vector<SceneReading> read_stages(const SceneChoice& choice, Journal& journa
     return read_scene_stages(find_scene_file(choice.scene), choice.overrides);
 }
 
+SceneHashes hashes_of(const SceneChoice& choice, const SceneReading& reading)
+{
+    return {scene_hash(reading.scene.text, choice.overrides), text_hash(state_text(reading.keys))};
+}
+
 SceneSetup set_up_reading(const SceneChoice& choice, SceneReading reading, Journal& journal)
 {
     Scene& scene = reading.scene;
@@ -55,7 +61,7 @@ SceneSetup set_up_reading(const SceneChoice& choice, SceneReading reading, Journ
     if (scene.stage && settles(scene.stage->kind)) scene.end_time = 0.0; // one frame, settled
     SceneSetup setup;
     setup.keys = reading.keys;
-    setup.hash = scene_hash(scene.text, choice.overrides);
+    setup.hashes = hashes_of(choice, reading);
     setup.assembled = assemble_case(std::move(reading));
     const Diagnostics& warnings = setup.assembled.warnings;
     if (!warnings.empty()) journal.complain(warnings.render(setup.assembled.scene.text));

@@ -12,10 +12,18 @@
 
 namespace quicksand {
 
+/// By which results know their scene again.
+struct SceneHashes {
+    std::string scene; // of its text and the overrides
+    std::string state; // of the keys that the state hangs on
+};
+
+SceneHashes hashes_of(const SceneChoice& choice, const SceneReading& reading);
+
 struct SceneSetup {
     AssembledCase assembled;       // its state is the initial one, before any settling
     std::vector<ResolvedKey> keys; // of the scene, as read
-    std::string hash;              // of the scene's text and the overrides
+    SceneHashes hashes;
 };
 
 /// Set the number of threads, read the scene, draw and sample its section, and print the warnings. Throws

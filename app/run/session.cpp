@@ -6,6 +6,7 @@
 #include "app/run/progress_line.hpp"
 #include "app/run/run_verdict.hpp"
 #include "app/run/stop_signal.hpp"
+#include "io/files/atomic_file.hpp"
 #include "io/files/file_error.hpp"
 #include "io/frames/vtk_series.hpp"
 #include "io/reports/settling_evidence.hpp"
@@ -13,6 +14,9 @@
 #include "io/results/checkpoint.hpp"
 #include "io/results/output_observers.hpp"
 #include "io/results/run_manifest.hpp"
+#include "io/results/run_record.hpp"
+#include "io/scene/scene_keys.hpp"
+#include "io/scene/state_keys.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/base/threads.hpp"
 
@@ -72,13 +76,14 @@ private:
 struct Session {
     const Scene& scene;
     StagedRun& run;
-    const std::string& hash;
+    const SceneHashes& hashes;
     ResultsFolder folder;
     bool resume = false;
     bool resumes_shaking = false; // some of its results are there
     Journal& journal;
     ManifestKeeper& manifest;
-    std::string flow; // of the ground water at the start, "" where it is still
+    std::string flow;                      // of the ground water at the start, "" where it is still
+    std::vector<std::string> changes = {}; // of a scene that goes on, since it began
 };
 
 std::string say_where_good(const ResultsFolder& folder)
@@ -101,7 +106,7 @@ std::string say_where_good(const ResultsFolder& folder)
 void keep_state(const Session& session)
 {
     std::filesystem::create_directories(session.folder.checkpoint().parent_path());
-    write_checkpoint(session.folder.checkpoint(), session.run.state(), session.hash);
+    write_checkpoint(session.folder.checkpoint(), session.run.state(), session.hashes.state);
 }
 
 /// The soil that has not come to rest, for its user to look at; in lines for the log.
@@ -160,7 +165,8 @@ void shake(Session& session, bool begins)
 {
     StagedRun& run = session.run;
     if (begins) keep_state(session); // from here a stop or a failure need not settle the soil again
-    const OutputSettings settings{session.folder.directory, session.hash, !begins, &run.state()};
+    const OutputSettings settings{session.folder.directory, session.hashes.scene, session.hashes.state,
+                                  !begins, &run.state()};
     const auto writers = make_output_observers(session.scene, run.body(), run.state_of_body(), settings);
     ProgressLine progress(run.state().time, session.scene.end_time, run.state().particles.size(),
                           session.journal);
@@ -209,6 +215,8 @@ void introduce(Session& session)
         session.resume ? "Going on with " : "", scene.title.empty() ? scene.file.string() : scene.title,
         grouped(static_cast<long long>(run.state().particles.size())), grid.cells_x, grid.cells_y,
         short_number(grid.cell_size), threads_text(thread_count()), session.folder.directory.string()));
+    for (const std::string& change : session.changes)
+        session.journal.say("  changed since the run began: " + change);
     if (!session.flow.empty()) session.journal.say(session.flow);
     if (run.column()) session.journal.say(describe_column(*run.column()));
 }
@@ -263,12 +271,61 @@ bool is_complete(const ResultsFolder& folder, const StagedRun& run, double end_t
     return run.state().time > end_time || read_run_status(folder.manifest()) == RunStatus::finished;
 }
 
+/// The keys of the scene that the folder's run began with; none where the folder does not tell them.
+std::vector<ResolvedKey> keys_at_beginning(const ResultsFolder& folder)
+{
+    if (!std::filesystem::exists(folder.manifest()) || !std::filesystem::exists(folder.scene_copy()))
+        return {};
+    return read_scene_keys(folder.scene_copy(), read_run_record(folder.manifest()).overrides);
+}
+
+[[noreturn]] void refuse(const ResultsFolder& folder, const std::vector<std::string>& changes)
+{
+    std::string lines;
+    for (const std::string& change : changes) lines += "\n  " + change;
+    throw InputError(
+        folder.directory.string() +
+        " cannot be resumed, for its state hangs on what has changed since the run began:" + lines +
+        "\nexpected: the same scene and --set values; only title, figures, relaxation.tolerance, "
+        "relaxation.max_steps, run.end_time, durations and intervals of output may be others"
+        "\nhint: begin anew with --overwrite, or in another folder with -o");
+}
+
+/// The state that a run goes on from, and what its user changed of when it ends and what it reports.
+struct Resumption {
+    State kept;
+    std::vector<std::string> changes; // "relaxation.tolerance: 1e-6 -> 1e-5"
+};
+
+/// Read the checkpoint in the folder, whose copy of the scene then becomes the present one. Throws InputError
+/// where the state hangs on a key or an input file that has changed since the run began, and FileError.
+Resumption resume_run(const ResultsFolder& folder, const SceneSetup& setup,
+                      const std::vector<InputFile>& inputs)
+{
+    const std::vector<ResolvedKey> before = keys_at_beginning(folder);
+    const bool is_told = !before.empty();
+    const std::vector<std::string> changes = state_changes(before, setup.keys);
+    if (is_told && !changes.empty()) refuse(folder, changes);
+    Resumption resumption{read_checkpoint(folder.checkpoint(), setup.hashes.state), {}};
+    require_same_inputs(folder.manifest(), inputs);
+    if (is_told) resumption.changes = report_changes(before, setup.keys);
+    if (const std::string& text = setup.assembled.scene.text;
+        !std::filesystem::exists(folder.scene_copy()) || read_text(folder.scene_copy()) != text)
+        write_atomically(folder.scene_copy(), text);
+    return resumption;
+}
+
 SessionEnd run_guarded(Session& session)
 {
     try {
         return run_stages(session);
     } catch (const NumericalError& error) {
         session.manifest.end_quietly(error.what());
+        const auto& relaxation = session.scene.relaxation;
+        const State& state = session.run.state();
+        const bool took_all_steps =
+            !session.run.is_shaking() && relaxation && state.step >= relaxation->max_steps;
+        if (took_all_steps) keep_state(session); // it may go on to a looser tolerance
         const std::string unsettled = session.run.is_shaking() ? "" : show_unsettled(session);
         session.journal.complain(error.what() + unsettled + say_where_good(session.folder));
         return SessionEnd::failed;
@@ -292,10 +349,12 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
     SessionOutcome outcome;
     outcome.folder = prepare_results_folder(directory, scene, use);
     std::optional<State> kept;
+    std::vector<std::string> changes;
     const std::vector<InputFile> inputs = input_files(scene, setup.keys);
     if (choice.resume) {
-        kept = read_checkpoint(outcome.folder.checkpoint(), setup.hash);
-        require_same_inputs(outcome.folder.manifest(), inputs);
+        Resumption resumption = resume_run(outcome.folder, setup, inputs);
+        kept = std::move(resumption.kept);
+        changes = std::move(resumption.changes);
     }
     StagedRun run(setup.assembled.problem, std::move(setup.assembled.state), run_controls(scene),
                   std::move(kept));
@@ -305,6 +364,7 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
     RunManifest manifest =
         begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
     manifest.inputs = inputs;
+    manifest.state_hash = setup.hashes.state;
     const bool resumes_shaking = choice.resume && run.is_shaking();
     if (resumes_shaking) manifest.resumed_at = state.time;
     if (is_complete(outcome.folder, run, scene.end_time)) {
@@ -314,9 +374,16 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
         return outcome;
     }
     ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
-    Session session{scene,          run,           setup.hash,
-                    outcome.folder, choice.resume, resumes_shaking,
-                    journal,        keeper,        summarise_initial_flow(setup.assembled)};
+    Session session{scene,
+                    run,
+                    setup.hashes,
+                    outcome.folder,
+                    choice.resume,
+                    resumes_shaking,
+                    journal,
+                    keeper,
+                    summarise_initial_flow(setup.assembled),
+                    std::move(changes)};
     outcome.end = run_guarded(session);
     return outcome;
 }

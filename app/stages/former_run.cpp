@@ -4,12 +4,12 @@
 
 namespace quicksand {
 
-FormerRun former_run(const ResultsFolder& folder, const std::string& hash)
+FormerRun former_run(const ResultsFolder& folder, const SceneHashes& hashes)
 {
     if (!std::filesystem::exists(folder.manifest())) return FormerRun::none;
     const RunRecord record = read_run_record(folder.manifest());
-    if (record.scene_hash != hash) return FormerRun::none;
-    if (record.status == "finished") return FormerRun::finished;
+    if (record.state_hash != hashes.state) return FormerRun::none;
+    if (record.status == "finished" && record.scene_hash == hashes.scene) return FormerRun::finished;
     return std::filesystem::exists(folder.checkpoint()) ? FormerRun::with_checkpoint
                                                         : FormerRun::without_checkpoint;
 }

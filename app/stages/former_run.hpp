@@ -2,17 +2,17 @@
 #pragma once
 
 #include "app/run/choices.hpp"
+#include "app/run/scene_setup.hpp"
 #include "io/results/results_folder.hpp"
-
-#include <string>
 
 namespace quicksand {
 
 /// Another run's results are left as they are, and refused later.
 enum class FormerRun { none, finished, with_checkpoint, without_checkpoint };
 
-/// Of the run whose scene has this hash. Throws InputError, FileError.
-FormerRun former_run(const ResultsFolder& folder, const std::string& hash);
+/// Of the run whose state hangs on keys of this hash; finished where its scene has not changed otherwise.
+/// Throws InputError, FileError.
+FormerRun former_run(const ResultsFolder& folder, const SceneHashes& hashes);
 
 /// Let the run go on from the checkpoint of an unfinished former one, or replace one without a checkpoint.
 void take_up(FormerRun former, RunChoice& choice);

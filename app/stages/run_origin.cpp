@@ -70,7 +70,7 @@ Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
     origin.start = start_of(assembled.scene);
     require_common(folder, before, now, origin.start.settles);
     origin.start.changed_soils = changed_soils(before, now, assembled.problem.region_names);
-    origin.reached = read_checkpoint(results.checkpoint(), record.scene_hash);
+    origin.reached = read_checkpoint(results.checkpoint(), record.state_hash);
     return origin;
 }
 

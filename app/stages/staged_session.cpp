@@ -4,7 +4,6 @@
 #include "app/stages/former_run.hpp"
 #include "app/stages/run_origin.hpp"
 #include "app/stages/stability_search.hpp"
-#include "io/results/run_manifest.hpp"
 #include "io/results/run_record.hpp"
 #include "io/results/stage_table.hpp"
 #include "io/tables/stage_keys.hpp"
@@ -80,8 +79,7 @@ private:
     {
         if (!choice_.resume && !choice_.go_on) return false;
         if (stage().kind == StageKind::stability) return read_factor_of_safety({folder}).has_value();
-        const std::string& text = stages_[next_].scene.text;
-        const FormerRun former = former_run({folder}, scene_hash(text, choice_.scene.overrides));
+        const FormerRun former = former_run({folder}, hashes_of(choice_.scene, stages_[next_]));
         take_up(former, chosen);
         return former == FormerRun::finished;
     }
@@ -136,7 +134,7 @@ SessionOutcome run_whole(const RunChoice& choice, SceneReading reading, Journal&
     RunChoice chosen = choice;
     if (chosen.directory.empty()) chosen.directory = default_results(setup.assembled.scene.file);
     if (choice.go_on) {
-        const FormerRun former = former_run({chosen.directory}, setup.hash);
+        const FormerRun former = former_run({chosen.directory}, setup.hashes);
         take_up(former, chosen);
         if (former == FormerRun::finished) {
             journal.say("Nothing to do: the run in " + chosen.directory.string() + " is finished.");

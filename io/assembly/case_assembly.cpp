@@ -1,12 +1,14 @@
 #include "io/assembly/case_assembly.hpp"
 
 #include "geometry/drawing/gmsh_file.hpp"
+#include "geometry/section/present_section.hpp"
 #include "geometry/section/section_check.hpp"
 #include "geometry/section/section_rim.hpp"
 #include "io/assembly/face_water.hpp"
 #include "io/assembly/ground_water.hpp"
 #include "io/assembly/initial_flow.hpp"
 #include "io/assembly/interface_layers.hpp"
+#include "io/assembly/present_soil.hpp"
 #include "io/assembly/probe_places.hpp"
 #include "io/scene/cell_size.hpp"
 #include "io/scene/scene_grid.hpp"
@@ -85,7 +87,9 @@ Sampling sample(const Scene& scene, const Section& section, const BackgroundGrid
     return sample_mesh(section, grid);
 }
 
+/// `numbers` are the lasting ones of the domains.
 Particles make_particles(const Problem& problem, const Sampling& sampling,
+                         const std::vector<std::int32_t>& numbers,
                          const std::vector<std::int32_t>& material_of_domain)
 {
     Particles particles;
@@ -94,7 +98,7 @@ Particles make_particles(const Problem& problem, const Sampling& sampling,
         const ParticleDomain& domain = sampling.domains[p];
         const std::int32_t m = material_of_domain[p];
         const Material& material = problem.materials[static_cast<std::size_t>(m)];
-        particles.identifier[p] = static_cast<std::int32_t>(p);
+        particles.identifier[p] = numbers[p];
         particles.material[p] = m;
         particles.region[p] = static_cast<std::int32_t>(domain.region);
         particles.position.set(p, domain.centre);
@@ -137,19 +141,20 @@ Problem make_problem(const Scene& scene, const Section& section)
     return problem;
 }
 
-/// Everything that can be wrong between scene and section before a particle exists.
-void check_case(AssembledCase& assembled)
+/// Everything that can be wrong between scene and section before a particle exists. Names and grid are those
+/// of all that is drawn, boundaries those of the soil that is there.
+void check_case(const Section& drawn, AssembledCase& assembled)
 {
     const Scene& scene = assembled.scene;
     const Section& section = assembled.section;
     Problem& problem = assembled.problem;
     Diagnostics& findings = assembled.warnings;
-    check_names(scene, section, findings);
+    check_names(scene, drawn, findings);
     check_phreatic_line(scene, findings);
-    if (auto choice = choose_grid(scene, section, findings)) {
+    if (auto choice = choose_grid(scene, drawn, findings)) {
         const BackgroundGrid& grid = problem.grid = choice->grid;
         assembled.grid_reasons = std::move(choice->reasons);
-        for (std::string& what : check_section(section, grid)) {
+        for (std::string& what : check_section(drawn, grid)) {
             findings.add(error_at(scene.geometry_place, "section", std::move(what)));
         }
         problem.boundaries = find_boundaries(scene, section, findings);
@@ -250,13 +255,18 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     AssembledCase assembled;
     assembled.scene = std::move(reading.scene);
     assembled.warnings = std::move(reading.warnings);
-    assembled.section = std::move(section);
+    const std::vector<bool> absent = absent_regions(reading.keys, section);
+    assembled.section = without_soil_of(absent, section);
     assembled.problem = make_problem(assembled.scene, assembled.section);
-    check_case(assembled);
-    place_probes(assembled.section, assembled.scene);
+    check_case(section, assembled);
+    place_probes(section, assembled.scene);
+    leave_out_probes(section, absent, assembled.scene);
 
-    assembled.sampling = sample(assembled.scene, assembled.section, assembled.problem.grid);
+    assembled.sampling = sample(assembled.scene, section, assembled.problem.grid);
     check_sampling(assembled.sampling, assembled);
+    assembled.problem.cut_domains = take_cut_domains(assembled.problem, assembled.sampling);
+    const std::vector<std::int32_t> numbers =
+        keep_present(absent, assembled.problem.grid, assembled.sampling);
     const auto of_region = materials_of_regions(assembled.scene, assembled.section);
     assembled.initial_flow = find_initial_flow(assembled.scene, assembled.section, of_region,
                                                assembled.problem, assembled.warnings);
@@ -270,8 +280,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     check_outer_water(assembled.scene, assembled.problem, assembled.warnings);
     throw_errors(assembled.warnings, assembled.scene);
     Particles& particles = assembled.state.particles;
-    particles = make_particles(assembled.problem, assembled.sampling, of_domain);
-    assembled.problem.cut_domains = take_cut_domains(assembled.problem, assembled.sampling);
+    particles = make_particles(assembled.problem, assembled.sampling, numbers, of_domain);
     if (assembled.problem.interpolation != Interpolation::cpdi2 && particles.size() > 0)
         assembled.problem.cut_domains.slivers =
             find_slivers(assembled.problem.cut_domains, particles,

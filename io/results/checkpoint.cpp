@@ -1,5 +1,5 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
-// and attributes of the root group: format_version, scene_hash, program_version, stage, time, step,
+// and attributes of the root group: format_version, state_hash, program_version, stage, time, step,
 // memory_columns, last_step, whole_step, step_scale, step_halvings, times_halved, explicit_end, particles,
 // reactions; for every column of a free field the same in a group free_field_K, and their number free_fields.
 // The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not look at: the file
@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 10;
+constexpr std::int64_t format_version = 11;
 constexpr hsize_t chunk_entries = 8192;
 
 /// An HDF5 call failed; the caller knows the file and makes a FileError of it.
@@ -249,7 +249,7 @@ void write_into(const State& state, hid_t place)
     }
 }
 
-void write_state(const State& state, const std::string& scene_hash, FileImage& image)
+void write_state(const State& state, const std::string& state_hash, FileImage& image)
 {
     const Handle settings(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "settings");
     set_up_memory_file(settings, image);
@@ -259,7 +259,7 @@ void write_state(const State& state, const std::string& scene_hash, FileImage& i
                       "creating the file");
     write_number(file, "format_version", format_version);
     write_text(file, "program_version", program_version());
-    write_text(file, "scene_hash", scene_hash);
+    write_text(file, "state_hash", state_hash);
     write_into(state, file);
     require(H5Fflush(file, H5F_SCOPE_GLOBAL), "flushing the file");
 }
@@ -322,22 +322,22 @@ void require_intact(const fs::path& path)
     if (text_hash(content) != bytes.substr(content.size())) throw Hdf5Failure{"its checksum"};
 }
 
-void require_same_scene(const fs::path& path, hid_t file, const std::string& scene_hash)
+void require_same_scene(const fs::path& path, hid_t file, const std::string& state_hash)
 {
     const std::int64_t version = read_number<std::int64_t>(file, "format_version");
     if (version != format_version)
         throw InputError(path.string() + ": the checkpoint has format " + std::to_string(version) +
                          ", this program reads format " + std::to_string(format_version));
-    const std::string found = read_text_attribute(file, "scene_hash");
-    if (found != scene_hash)
+    const std::string found = read_text_attribute(file, "state_hash");
+    if (found != state_hash)
         throw InputError(path.string() + ": the checkpoint is of another scene (hash " + found +
-                         ", this one has " + scene_hash +
+                         ", this one has " + state_hash +
                          "). Resume with the unchanged scene file and the same --set values");
 }
 
 } // namespace
 
-void write_checkpoint(const fs::path& path, const State& state, const std::string& scene_hash)
+void write_checkpoint(const fs::path& path, const State& state, const std::string& state_hash)
 {
     const QuietHdf5 quiet;
     const fs::path folder = fs::absolute(path).parent_path();
@@ -346,7 +346,7 @@ void write_checkpoint(const fs::path& path, const State& state, const std::strin
     if (error) throw FileError(folder, "cannot create the folder", error.message(), "");
     try {
         FileImage image;
-        write_state(state, scene_hash, image);
+        write_state(state, state_hash, image);
         write_durably(path, image.bytes + text_hash(image.bytes));
     } catch (const Hdf5Failure& failure) {
         throw FileError(path, "cannot write the checkpoint", "HDF5 failed at: " + failure.what,
@@ -354,14 +354,14 @@ void write_checkpoint(const fs::path& path, const State& state, const std::strin
     }
 }
 
-State read_checkpoint(const fs::path& path, const std::string& scene_hash)
+State read_checkpoint(const fs::path& path, const std::string& state_hash)
 {
     const QuietHdf5 quiet;
     if (!fs::exists(path)) throw InputError(path.string() + ": there is no checkpoint to resume from");
     try {
         require_intact(path);
         const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose, "opening the file");
-        require_same_scene(path, file, scene_hash);
+        require_same_scene(path, file, state_hash);
         State state = read_state(file);
         require_complete(state);
         return state;
@@ -371,9 +371,9 @@ State read_checkpoint(const fs::path& path, const std::string& scene_hash)
     }
 }
 
-CheckpointWriter::CheckpointWriter(fs::path path, double interval, const State& state, std::string scene_hash,
+CheckpointWriter::CheckpointWriter(fs::path path, double interval, const State& state, std::string state_hash,
                                    std::shared_ptr<BackgroundWriter> background)
-    : path_(std::move(path)), interval_(interval), state_(state), scene_hash_(std::move(scene_hash)),
+    : path_(std::move(path)), interval_(interval), state_(state), state_hash_(std::move(state_hash)),
       background_(std::move(background)), last_(Clock::now())
 {
 }
@@ -382,7 +382,7 @@ void CheckpointWriter::after_step(const StepReport& report)
 {
     background_->report_failure();
     if (!report.is_restart_point || Clock::now() - last_ < interval_) return;
-    background_->write(state_, [path = path_, hash = scene_hash_](const State& copy) {
+    background_->write(state_, [path = path_, hash = state_hash_](const State& copy) {
         write_checkpoint(path, copy, hash);
     });
     last_ = Clock::now();

@@ -15,18 +15,18 @@ namespace quicksand {
 
 /// Write the state to `path` by way of a temporary file, on the disk before it gets its name: an earlier
 /// checkpoint stays whole until the new one is. Throws FileError.
-void write_checkpoint(const std::filesystem::path& path, const State& state, const std::string& scene_hash);
+void write_checkpoint(const std::filesystem::path& path, const State& state, const std::string& state_hash);
 
 /// Read a state written for the same scene. Throws InputError for a missing file or another scene's,
 /// FileError for a damaged one.
-State read_checkpoint(const std::filesystem::path& path, const std::string& scene_hash);
+State read_checkpoint(const std::filesystem::path& path, const std::string& state_hash);
 
 /// Writes a checkpoint at the first restart point after `interval` of wall time has passed, in the
 /// background. It shortens no time step, so that a run takes the same steps with and without it.
 class CheckpointWriter : public Observer {
 public:
     /// `interval` in seconds of wall time; `state` is the run's and outlives the writer.
-    CheckpointWriter(std::filesystem::path path, double interval, const State& state, std::string scene_hash,
+    CheckpointWriter(std::filesystem::path path, double interval, const State& state, std::string state_hash,
                      std::shared_ptr<BackgroundWriter> background);
 
     double next_time() const override { return std::numeric_limits<double>::infinity(); }
@@ -39,7 +39,7 @@ private:
     std::filesystem::path path_;
     std::chrono::duration<double> interval_;
     const State& state_;
-    std::string scene_hash_;
+    std::string state_hash_;
     std::shared_ptr<BackgroundWriter> background_;
     Clock::time_point last_;
 };

@@ -60,7 +60,7 @@ std::vector<std::unique_ptr<Observer>> make_output_observers(const Scene& scene,
     if (output.checkpoint_interval > 0.0)
         observers.push_back(std::make_unique<CheckpointWriter>(
             folder.checkpoint(), output.checkpoint_interval, settings.kept ? *settings.kept : state,
-            settings.scene_hash, background));
+            settings.state_hash, background));
     return observers;
 }
 

@@ -13,7 +13,8 @@ namespace quicksand {
 
 struct OutputSettings {
     std::filesystem::path directory; // prepared by prepare_results_folder()
-    std::string scene_hash;          // as in the checkpoint and the manifest
+    std::string scene_hash;          // as in the manifest
+    std::string state_hash;          // as in the checkpoint
     bool resume = false;             // continue the files at state.time instead of beginning them
     const State* kept = nullptr;     // what checkpoints hold; none: the state shown to the observers
 };

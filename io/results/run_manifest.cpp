@@ -131,6 +131,7 @@ const std::array fields = {
     Field{"exit_reason", "one line; empty while the run goes on", [](const RunManifest& m) { return Json(m.exit_reason); }},
     Field{"scene_file", "the scene that was run", [](const RunManifest& m) { return Json(m.scene_file.string()); }},
     Field{"scene_hash", "of its text and the overrides", [](const RunManifest& m) { return Json(m.scene_hash); }},
+    Field{"state_hash", "of the keys that the state hangs on: all but those that end a stage or report on it", [](const RunManifest& m) { return Json(m.state_hash); }},
     Field{"scene_hash_kind", "how it is computed", [](const RunManifest&) { return Json("FNV-1a 64 of the text and the overrides"); }},
     Field{"overrides", "keys replaced with --set", [](const RunManifest& m) { return Json(m.overrides); }},
     Field{"input_hashes", "of the files that keys of the scene name", hashes_of},

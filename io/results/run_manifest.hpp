@@ -54,6 +54,7 @@ struct RunManifest {
     std::string exit_reason; // one line; empty while running
     std::filesystem::path scene_file;
     std::string scene_hash;
+    std::string state_hash;             // text_hash() of state_text(), see io/scene/state_keys.hpp
     std::vector<std::string> overrides; // path=value, as given
     std::vector<InputFile> inputs;
     int threads = 1;

@@ -57,6 +57,7 @@ RunRecord read_run_record(const std::filesystem::path& manifest)
     record.verdict = text_of(json, "verdict");
     record.scene_file = text_of(json, "scene_file");
     record.scene_hash = text_of(json, "scene_hash");
+    record.state_hash = text_of(json, "state_hash");
     record.start_time = text_of(json, "start_time");
     record.end_time = text_of(json, "end_time");
     record.wall_time = number_of(json, "wall_time_s");

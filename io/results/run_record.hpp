@@ -14,7 +14,7 @@ namespace quicksand {
 struct RunRecord {
     std::string version, status, exit_reason, verdict;
     std::filesystem::path scene_file;
-    std::string scene_hash;
+    std::string scene_hash, state_hash;
     std::vector<std::string> overrides;           // path=value, as given
     std::string start_time, end_time;             // UTC
     double wall_time = 0.0;                       // of the last process [s]

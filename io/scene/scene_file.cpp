@@ -10,6 +10,7 @@
 #include "io/scene/scene_references.hpp"
 #include "io/scene/scene_stages.hpp"
 #include "io/scene/stage_changes.hpp"
+#include "io/scene/stage_placement.hpp"
 #include "io/tables/scene_boundaries.hpp"
 #include "io/tables/scene_figures.hpp"
 #include "io/tables/scene_interfaces.hpp"
@@ -325,11 +326,12 @@ std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
         reading.warnings = std::move(findings);
         return {std::move(reading)};
     }
+    check_placement(read.document, findings);
     std::vector<SceneReading> readings;
     for (const std::string& stage : stages) {
         const DocumentNode document = document_of_stage(read.document, stage);
         Diagnostics found;
-        readings.push_back(read_scene(file, document, document_text(document), found));
+        readings.push_back(read_scene(file, document, document_text(without_placement(document)), found));
         for (const Diagnostic& finding : found.findings()) findings.add_new(finding);
     }
     check_stages(readings, findings);

@@ -1,6 +1,7 @@
 #include "io/scene/scene_stages.hpp"
 
 #include "io/scene/scene_variant.hpp"
+#include "io/scene/stage_placement.hpp"
 #include "io/tables/stage_keys.hpp"
 
 #include <algorithm>
@@ -106,6 +107,7 @@ void change(const DocumentNode& stage, DocumentNode& document)
     if (seeps && !gives(stage, "water", "initial_flow"))
         set(table_in(changes, "water", stage.place), "initial_flow", text_value("seepage", stage.place));
     merge_variant(std::move(changes), document);
+    place_regions(stage, document);
 }
 
 /// What a kind of stage has no use for, and what it cannot do without.
@@ -185,6 +187,10 @@ std::vector<std::string> stage_names(const DocumentNode& document)
 DocumentNode document_of_stage(const DocumentNode& document, const std::string& name)
 {
     DocumentNode result = document;
+    empty_unplaced_regions(result);
+    if (places_soil(document) && !gives(result, "analysis", "columns")) // particles come and go
+        set(table_in(result, "analysis", document.find(stages_key)->place), "columns",
+            text_value("all", document.find(stages_key)->place));
     const DocumentNode stage = *document.find(stages_key)->find(name);
     const bool is_first = stage_names(document).front() == name;
     for (const DocumentNode& earlier : document.find(stages_key)->children) {

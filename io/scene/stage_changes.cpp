@@ -140,4 +140,13 @@ std::vector<bool> changed_soils(const Keys& before, const Keys& now, const std::
     return changed;
 }
 
+std::vector<bool> absent_soils(const Keys& keys, const std::vector<std::string>& regions)
+{
+    const Values values = values_of(keys);
+    std::vector<bool> absent;
+    for (const std::string& region : regions)
+        absent.push_back(value_of(values, join_path({"regions", region, "soil"})) == "absent");
+    return absent;
+}
+
 } // namespace quicksand

@@ -24,4 +24,7 @@ std::vector<std::string> changed_keys(const std::vector<ResolvedKey>& before,
 std::vector<bool> changed_soils(const std::vector<ResolvedKey>& before, const std::vector<ResolvedKey>& now,
                                 const std::vector<std::string>& regions);
 
+/// For each of the regions whether it has no soil.
+std::vector<bool> absent_soils(const std::vector<ResolvedKey>& keys, const std::vector<std::string>& regions);
+
 } // namespace quicksand

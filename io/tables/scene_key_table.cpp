@@ -201,6 +201,8 @@ std::vector<SceneKey> region_keys()
          .doc = "The materials of the physical surfaces."},
         {.pattern = "regions.*", .type = table, .doc = "One physical surface of the drawing, by its name."},
         {.pattern = "regions.*.material", .type = text, .required = true, .doc = "Name of a material."},
+        {.pattern = "regions.*.soil", .type = word, .default_value = "present", .words = {"present", "absent"},
+         .doc = "Whether the region has soil, or is as empty as if it were not drawn; place and remove of stages change it."},
     };
 }
 

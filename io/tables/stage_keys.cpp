@@ -32,6 +32,7 @@ std::vector<SceneKey> stage_keys()
     constexpr Interval positive{.lower = 0.0, .lower_open = true};
     const Condition in_time{"kind", {"shake", "consolidate"}};
     const Condition in_search{"kind", {"stability"}};
+    const Condition at_rest{"kind", {"settle", "seepage"}};
     // One row, one key: the formatter would make it ten lines.
     // clang-format off
     return {
@@ -43,6 +44,10 @@ std::vector<SceneKey> stage_keys()
          .doc = "Settle under gravity, drained, with still water or in the steady flow between heads; shake; let excess pore pressures go in long steps; find the factor of safety."},
         {.pattern = "stages.*.duration", .dimension = Dimension::time, .default_note = "run.end_time", .allowed = positive,
          .when = in_time, .doc = "Length of the stage, whose time counts from its start."},
+        {.pattern = "stages.*.place", .type = text_list, .default_note = "no soil is placed", .when = at_rest,
+         .doc = "Regions whose soil is placed at the start of the stage: free of stress, up to the height drawn, on the ground as it has settled. Before that they have no soil."},
+        {.pattern = "stages.*.remove", .type = text_list, .default_note = "no soil is removed", .when = at_rest,
+         .doc = "Regions whose soil is excavated at the start of the stage; a later stage can place new soil there."},
         {.pattern = "stages.*.displacements", .type = word, .default_value = "kept", .words = {"kept", "zero"}, .when = in_time,
          .doc = "Whether displacements and strains go on from the stage before; after settling they are zero."},
         {.pattern = "stages.*.excess_pressures", .type = word, .derived = {.sibling = "kind", .choices = pressures_by_kind},

@@ -68,16 +68,24 @@ std::string describe(const UnbalancedForces& unbalanced)
 
 SettlingWatch::SettlingWatch(const Problem& problem, const RelaxationControls& controls,
                              const Particles& particles)
-    : controls_(controls), largest_displacement_(largest_settling(problem, particles))
+    : controls_(controls), largest_displacement_(largest_settling(problem, particles)),
+      least_of_slides_(0.5 * elastic_displacement(problem, particles)), runaway_(least_of_slides_)
 {
 }
 
-void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced, double dt) const
+void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced, double dt)
 {
     const std::size_t farthest = farthest_particle(state.particles);
     const double moved = displacement(state.particles, farthest).norm();
     std::ostringstream what;
     what.precision(3);
+    runaway_.note(moved, unbalanced.of_weight);
+    if (runaway_.is_certain()) {
+        what << "the soil runs away instead of settling: it has moved " << moved
+             << " m and goes on, soil that stands moves less than " << least_of_slides_ << " m; "
+             << describe(unbalanced);
+        fail(state, farthest, what.str(), causes_of_running_away(unbalanced), dt);
+    }
     if (moved > largest_displacement_) {
         what << "the soil runs away instead of settling: it has moved " << moved
              << " m, soil that comes to rest moves less than " << largest_displacement_ << " m; "
@@ -90,7 +98,8 @@ void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced,
          << describe(unbalanced) << "; the particle below has moved farthest";
     fail(state, farthest, what.str(),
          "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
-         "small or max_steps too few",
+         "small or max_steps too few (go on with --resume and a larger relaxation.tolerance or more "
+         "relaxation.max_steps)",
          dt);
 }
 

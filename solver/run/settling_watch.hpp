@@ -1,6 +1,7 @@
 // Whether soil that settles comes to rest.
 #pragma once
 
+#include "solver/measure/runaway.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 #include "solver/run/simulation.hpp"
@@ -14,12 +15,15 @@ public:
     /// `problem` is that of the settling, `particles` are those at its beginning.
     SettlingWatch(const Problem& problem, const RelaxationControls& controls, const Particles& particles);
 
-    /// Throws NumericalError where the soil runs away, or has taken all its steps. `dt` is the step [s].
-    void look(const State& state, const UnbalancedForces& unbalanced, double dt) const;
+    /// Throws NumericalError where the soil runs away, or has taken all its steps; to be called every so many
+    /// steps, the same number each time. `dt` is the step [s].
+    void look(const State& state, const UnbalancedForces& unbalanced, double dt);
 
 private:
     RelaxationControls controls_;
     double largest_displacement_; // of soil that comes to rest [m]
+    double least_of_slides_;      // displacement from which on soil may be said to slide [m]
+    Runaway runaway_;
 };
 
 } // namespace quicksand

@@ -2,6 +2,7 @@
 
 #include "solver/base/failure.hpp"
 #include "solver/faces/boundary.hpp"
+#include "solver/motion/soil_placement.hpp"
 #include "solver/problem/material_runs.hpp"
 
 #include <algorithm>
@@ -13,26 +14,6 @@
 namespace quicksand {
 
 namespace {
-
-/// The drawn particles in the order of others of the same numbers. Throws InputError for other particles.
-Particles in_order_of(const Particles& particles, Particles drawn)
-{
-    std::vector<std::int32_t> place(drawn.size(), -1); // of each number among the drawn ones
-    for (std::size_t p = 0; p < drawn.size(); ++p) {
-        const auto number = static_cast<std::size_t>(drawn.identifier[p]);
-        ENSURE(number < place.size());
-        place[number] = static_cast<std::int32_t>(p);
-    }
-    std::vector<std::int32_t> order;
-    order.reserve(particles.size());
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const auto number = static_cast<std::size_t>(particles.identifier[p]);
-        ENSURE(number < place.size());
-        order.push_back(place[number]);
-    }
-    reorder(drawn, order);
-    return drawn;
-}
 
 /// Whether the drawing gives this array, however the soil has moved.
 bool is_drawn(std::string_view name, const StageStart& start)
@@ -48,11 +29,12 @@ bool has_changed(const StageStart& start, const Particles& particles, std::size_
     return region < start.changed_soils.size() && start.changed_soils[region];
 }
 
-/// Grains of other density or porosity fill the volume that their soil has now.
+/// Grains of other density or porosity fill the volume that their soil has now. `reached` may be fewer than
+/// those drawn, behind which others are placed.
 void set_grains(const Problem& problem, const StageStart& start, const Particles& drawn,
                 const Particles& reached, Particles& particles)
 {
-    for (std::size_t p = 0; p < particles.size(); ++p) {
+    for (std::size_t p = 0; p < reached.size(); ++p) {
         if (drawn.mass_solid[p] == reached.mass_solid[p] || !has_changed(start, particles, p)) continue;
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
         if (!particles.porosity.empty()) particles.porosity[p] = material.porosity;
@@ -118,7 +100,14 @@ std::size_t pieces_that_let_go(const Problem& problem)
 /// The same without columns of free fields.
 State begin_body(const Problem& problem, const State& initial, State reached, const StageStart& start)
 {
-    const Particles drawn = in_order_of(reached.particles, initial.particles);
+    MatchedSoil matched = match_soil(initial.particles, std::move(reached.particles));
+    if (!matched.is_same && !start.settles)
+        throw InputError(
+            "the stage begins with other soil than the stage before ended with"
+            "\nexpected: regions with soil = \"absent\" in both, or a stage of kind = \"settle\" "
+            "or \"seepage\", in which placed soil comes to rest");
+    const Particles& drawn = matched.drawn;
+    reached.particles = matched.reached;
     State state;
     state.particles = drawn;
     Particles& particles = state.particles;
@@ -130,13 +119,15 @@ State begin_body(const Problem& problem, const State& initial, State reached, co
     for_each_array(particles, [&](const char* name, Scalars& values) {
         if (std::string_view(name).starts_with("memory_")) return;
         const Scalars& before = *former[next++];
-        if (!is_drawn(name, start) && !values.empty() && !before.empty()) values = before;
+        if (!is_drawn(name, start) && !values.empty() && !before.empty())
+            std::copy(before.begin(), before.end(), values.begin()); // what is placed stays as drawn
     });
     if (!start.settles && !reached.particles.water_table.empty())
         particles.water_table = reached.particles.water_table;
     set_grains(problem, start, drawn, reached.particles, particles);
     set_water(reached.particles, particles);
     if (start.settles) {
+        place_soil(problem, matched, particles);
         set_at_rest(particles);
         return state;
     }

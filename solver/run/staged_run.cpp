@@ -27,11 +27,6 @@ StagedRun::StagedRun(const Problem& body, State initial, const RunControls& cont
 void StagedRun::go_on_from(State reached, const StageStart& start)
 {
     ENSURE(!is_shaking_);
-    if (reached.particles.size() != state().particles.size())
-        throw InputError(
-            "the stage before has " + std::to_string(reached.particles.size()) + " particles and this one " +
-            std::to_string(state().particles.size()) + "\nexpected: the same drawing, grid and sampling" +
-            "\nhint: where one of them computes one column for all, set analysis.columns = \"all\" in both");
     computed() = begin_stage(problem(), state(), std::move(reached), start);
     if (start.settles) return;
     enter_shaking();

@@ -1,6 +1,6 @@
 // A run gives the same bits whatever the number of threads, and however often it was stopped.
 #include "io/results/checkpoint.hpp"
-#include "io/results/run_manifest.hpp"
+#include "io/results/run_record.hpp"
 #include "tests/examples/program.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ const std::string column_run = "run " + example("column") + " --set " + end_time
 State final_state(const std::filesystem::path& results)
 {
     return read_checkpoint(results / "checkpoint/state.h5",
-                           scene_hash(read_file(results / "scene.toml"), {end_time}));
+                           read_run_record(results / "run_manifest.json").state_hash);
 }
 
 void expect_same_bits(const State& a, const State& b)

@@ -132,8 +132,12 @@ TEST(ResultsFolder, AnotherSceneCannotResume)
         run_program("run " + example("column") + " --set initial.k0=0.6 --resume --until 1e-5 -o " +
                     (folder / "a").string());
     EXPECT_EQ(outcome.code, 2);
-    expect_mention(outcome, "checkpoint/state.h5: the checkpoint is of another scene (hash ");
-    expect_mention(outcome, "Resume with the unchanged scene file and the same --set values");
+    expect_mention(outcome,
+                   "a cannot be resumed, for its state hangs on what has changed since the run began:\n"
+                   "  initial.k0: 0.5 -> 0.6\n");
+    expect_mention(outcome, "only title, figures, relaxation.tolerance, relaxation.max_steps, run.end_time, "
+                            "durations and intervals of output may be others");
+    expect_mention(outcome, "hint: begin anew with --overwrite, or in another folder with -o");
 }
 
 TEST(ResultsFolder, OfAFinishedRunHasNothingToResume)

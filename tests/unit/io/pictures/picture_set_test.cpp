@@ -20,7 +20,7 @@ void run_small_scene(bool saturated, const std::filesystem::path& results)
     const Problem problem = fixtures::small_problem(saturated);
     State state = fixtures::small_state(problem);
     const Scene scene = fixtures::small_scene();
-    const auto observers = make_output_observers(scene, problem, state, {results, "abc", false});
+    const auto observers = make_output_observers(scene, problem, state, {results, "abc", "abc", false});
     std::vector<Observer*> pointers;
     for (const auto& observer : observers) pointers.push_back(observer.get());
     run(problem, scene.end_time, pointers, state);

@@ -22,7 +22,7 @@ namespace {
 void run_to(double end_time, const Scene& scene, const Problem& problem, State& state,
             const std::filesystem::path& results, bool resume, const std::function<bool()>& stop = {})
 {
-    const auto observers = make_output_observers(scene, problem, state, {results, "abc", resume});
+    const auto observers = make_output_observers(scene, problem, state, {results, "abc", "abc", resume});
     std::vector<Observer*> pointers;
     for (const auto& observer : observers) pointers.push_back(observer.get());
     run(problem, end_time, pointers, state, stop);
@@ -143,7 +143,7 @@ TEST(OutputObservers, AnIntervalOfZeroLeavesTheWriterOut)
     const State state = fixtures::small_state(problem);
     Scene scene = fixtures::small_scene();
     scene.output = {};
-    EXPECT_TRUE(make_output_observers(scene, problem, state, {folder.path(), "abc", false}).empty());
+    EXPECT_TRUE(make_output_observers(scene, problem, state, {folder.path(), "abc", "abc", false}).empty());
     EXPECT_TRUE(output_names(scene).empty());
 }
 

@@ -73,7 +73,7 @@ TEST(Relaxation, EndsSoonWhereTheSoilRunsAway)
         FAIL() << "no error";
     } catch (const NumericalError& error) {
         const std::string text = error.what();
-        EXPECT_NE(text.find("the soil runs away instead of settling: it has moved 0.2"), std::string::npos)
+        EXPECT_NE(text.find("the soil runs away instead of settling: it has moved "), std::string::npos)
             << text;
         EXPECT_NE(text.find("likely causes: the slope cannot stand under its weight"), std::string::npos);
         EXPECT_LT(error.record.step, 2000);
