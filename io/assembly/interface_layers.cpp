@@ -92,6 +92,7 @@ public:
     std::optional<Layer> make(const SceneInterface& interface)
     {
         Layer layer;
+        if (!has_soil(interface.regions[0]) || !has_soil(interface.regions[1])) return std::nullopt;
         layer.edge = common_edge(interface);
         if (layer.edge.empty()) return std::nullopt;
         const auto sliding = sliding_region(interface);
@@ -121,6 +122,9 @@ private:
         while (section_.regions[r].name != name) ++r;
         return r;
     }
+
+    /// No: another stage places it.
+    bool has_soil(const std::string& name) const { return !section_.regions[index_of(name)].polygons.empty(); }
 
     std::vector<LayerEdge> common_edge(const SceneInterface& interface)
     {

@@ -67,6 +67,13 @@ TEST(SoundInterface, IsNotCommented)
     EXPECT_EQ(SceneFolder().assembly_message(scene, section()), "");
 }
 
+TEST(SoundInterface, WaitsForSoilThatAStagePlaces)
+{
+    const std::string waits =
+        fixtures::replaced(scene, "[regions.wall]\n", "[regions.wall]\nsoil = \"absent\"\n");
+    EXPECT_EQ(SceneFolder().assembly_message(waits, section()), "");
+}
+
 // clang-format off
 INSTANTIATE_TEST_SUITE_P(Mistakes, Interfaces, testing::Values(
 SceneMistake{"OfOneRegion", "[\"wall\", \"sand\"]", "[\"wall\"]",
