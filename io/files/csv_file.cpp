@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <sstream>
 #include <system_error>
@@ -129,6 +130,15 @@ double CsvFile::value(const CsvRow& row, const std::string& column) const
 void CsvFile::add_row(const CsvRow& row)
 {
     pending_ += fmt::format("{}\n", fmt::join(row, ","));
+}
+
+void CsvFile::add_numbers(const std::vector<double>& numbers)
+{
+    for (const double& number : numbers) {
+        if (&number != numbers.data()) pending_ += ',';
+        if (!std::isnan(number)) fmt::format_to(std::back_inserter(pending_), "{}", number);
+    }
+    pending_ += '\n';
 }
 
 void CsvFile::flush()

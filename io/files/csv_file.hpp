@@ -39,6 +39,8 @@ public:
 
     /// Keep a row until the next flush().
     void add_row(const CsvRow& row);
+    /// The same with the texts of csv_number().
+    void add_numbers(const std::vector<double>& numbers);
 
     /// Hand the rows to the system; afterwards a kill does not lose them. Throws FileError.
     void flush();

@@ -81,9 +81,7 @@ void HistoryWriter::observe(const Problem& problem, const State& state, const St
 
 void HistoryWriter::write(const std::vector<double>& values)
 {
-    CsvRow row;
-    for (const double value : values) row.push_back(csv_number(value));
-    file_.add_row(row);
+    file_.add_numbers(values);
 }
 
 } // namespace quicksand

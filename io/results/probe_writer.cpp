@@ -225,13 +225,15 @@ void ProbeWriter::write(Probe& probe, double time, std::vector<PointSample> samp
     probe.previous_velocities.clear();
     for (const PointSample& sample : samples) {
         probe.previous_velocities.push_back(sample.vector("velocity_solid"));
-        CsvRow row{csv_number(time)};
+        std::vector<double> row{time};
         if (probe.scene.kind == ProbeKind::profile)
-            row.push_back(csv_number((sample.vector("position") - *probe.scene.at).norm()));
-        for (const Quantity* quantity : quantities_)
-            for (std::size_t c = 0; c < component_count(quantity->form); ++c)
-                row.push_back(csv_number(sample[quantity->name][c]));
-        probe.file.add_row(row);
+            row.push_back((sample.vector("position") - *probe.scene.at).norm());
+        for (const Quantity* quantity : quantities_) {
+            const QuantityValues& values = sample[quantity->name];
+            row.insert(row.end(), values.begin(),
+                       values.begin() + static_cast<std::ptrdiff_t>(component_count(quantity->form)));
+        }
+        probe.file.add_numbers(row);
     }
     probe.file.flush();
 }

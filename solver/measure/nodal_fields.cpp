@@ -129,14 +129,65 @@ void take_values(const NodalFields& fields, const Problem& problem, const Partic
     }
 }
 
+/// Sums over the particles at the nodes that are asked for, the volume first: those of a node lie side by
+/// side, since a particle gives to all of them.
+class NodeSums {
+public:
+    NodeSums(const BackgroundGrid& grid, const NodeMask& wanted, std::size_t components)
+        : grid_(grid), width_(components + 1), first_(wanted.size(), none)
+    {
+        std::size_t count = 0;
+        for (std::size_t node = 0; node < wanted.size(); ++node)
+            if (wanted[node] != 0) first_[node] = width_ * count++;
+        sums_.assign(width_ * count, 0.0);
+    }
+
+    void add(const NodeStencil& stencil, double volume, const std::vector<double>& values)
+    {
+        const int first_i = std::max(0, stencil.column), first_j = std::max(0, stencil.row);
+        const int end_i = std::min(stencil.column + stencil.width, grid_.nodes_x()),
+                  end_j = std::min(stencil.row + stencil.height, grid_.nodes_y());
+        for (int j = first_j; j < end_j; ++j) {
+            const int row = (j - stencil.row) * stencil.width - stencil.column;
+            for (int i = first_i; i < end_i; ++i) {
+                const std::size_t first = first_[grid_.node_index(i, j)];
+                if (first == none) continue;
+                const double weight = stencil.weights[row + i].value * volume;
+                double* const sum = sums_.data() + first;
+                sum[0] += weight;
+                for (std::size_t f = 0; f < values.size(); ++f) sum[1 + f] += weight * values[f];
+            }
+        }
+    }
+
+    void find_means(NodalFields& fields) const
+    {
+        for (std::size_t node = 0; node < first_.size(); ++node) {
+            if (first_[node] == none || sums_[first_[node]] <= 0.0) continue;
+            const double* sum = sums_.data() + first_[node];
+            fields.volume[node] = *sum++;
+            for (NodalField& field : fields.fields)
+                for (Scalars& component : field.components) component[node] = *sum++ / fields.volume[node];
+        }
+    }
+
+private:
+    static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+
+    const BackgroundGrid& grid_;
+    std::size_t width_;              // of a node's sums
+    std::vector<std::size_t> first_; // of every node's sums
+    std::vector<double> sums_;
+};
+
 NodalFields average(const Problem& problem, const Particles& particles, const NodeMask& wanted)
 {
     const BackgroundGrid& grid = problem.grid;
     NodalFields fields = empty_fields(grid, particles);
-    std::vector<Scalars*> arrays;
-    for (NodalField& field : fields.fields)
-        for (Scalars& component : field.components) arrays.push_back(&component);
+    std::size_t components = 0;
+    for (const NodalField& field : fields.fields) components += field.components.size();
 
+    NodeSums sums(grid, wanted, components);
     NodeStencil stencil;
     std::vector<double> values;
     for (std::size_t p = 0; p < particles.size(); ++p) {
@@ -144,20 +195,9 @@ NodalFields average(const Problem& problem, const Particles& particles, const No
         if (!may_reach(grid, domain, wanted)) continue;
         evaluate_anywhere(grid, domain, stencil);
         take_values(fields, problem, particles, p, values);
-        for (int k = 0; k < stencil.width * stencil.height; ++k) {
-            const int i = stencil.column + k % stencil.width, j = stencil.row + k / stencil.width;
-            if (i < 0 || j < 0 || i >= grid.nodes_x() || j >= grid.nodes_y()) continue;
-            const std::size_t node = grid.node_index(i, j);
-            if (wanted[node] == 0) continue;
-            const double weight = stencil.weights[k].value * particles.volume[p];
-            fields.volume[node] += weight;
-            for (std::size_t f = 0; f < arrays.size(); ++f) (*arrays[f])[node] += weight * values[f];
-        }
+        sums.add(stencil, particles.volume[p], values);
     }
-    for (std::size_t i = 0; i < grid.node_count(); ++i) {
-        if (fields.volume[i] <= 0.0) continue;
-        for (Scalars* array : arrays) (*array)[i] /= fields.volume[i];
-    }
+    sums.find_means(fields);
     return fields;
 }
 

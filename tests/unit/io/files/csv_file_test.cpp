@@ -29,6 +29,16 @@ TEST(CsvFile, HasCommentsHeaderAndRows)
     EXPECT_EQ(text_of(folder / "probes/a.csv"), "# Quicksand\n# ru: ratio\ntime_s,ru\n0,\n0.5,0.25\n");
 }
 
+TEST(CsvFile, RowsOfNumbersHaveTheirShortestTexts)
+{
+    const TemporaryFolder folder;
+    CsvFile file = CsvFile::begin(folder / "a.csv", {}, {"time_s", "ru", "x_m"});
+    const std::vector<double> numbers{0.1, std::nan(""), -6.02214076e23};
+    file.add_numbers(numbers);
+    file.flush();
+    EXPECT_EQ(text_of(folder / "a.csv"), "time_s,ru,x_m\n0.1,," + csv_number(numbers.back()) + "\n");
+}
+
 TEST(CsvFile, ResumeDropsLaterAndTornRows)
 {
     const TemporaryFolder folder;
