@@ -124,7 +124,10 @@ private:
     }
 
     /// No: another stage places it.
-    bool has_soil(const std::string& name) const { return !section_.regions[index_of(name)].polygons.empty(); }
+    bool has_soil(const std::string& name) const
+    {
+        return !section_.regions[index_of(name)].polygons.empty();
+    }
 
     std::vector<LayerEdge> common_edge(const SceneInterface& interface)
     {

@@ -280,12 +280,17 @@ std::vector<NodeVelocities> VelocityRows::impulses(const Scalars& multipliers) c
 
 Scalars VelocityRows::correct(bool to_zero, std::vector<NodeVelocities>& velocities) const
 {
-    if (empty()) return {};
-    Scalars multipliers = solve(misses(to_zero, velocities));
-    for_each_entry([&](std::size_t r, std::size_t k) {
-        velocities[entries_[k].place] -= multipliers[r] * responses_[k];
-    });
-    return multipliers;
+    Scalars sum(size(), 0.0);
+    if (empty()) return sum;
+    const int times = repeat() ? 2 : 1; // the second takes out what the ridge has left
+    for (int time = 0; time < times; ++time) {
+        const Scalars multipliers = solve(misses(to_zero, velocities));
+        for (std::size_t r = 0; r < size(); ++r) sum[r] += multipliers[r];
+        for_each_entry([&](std::size_t r, std::size_t k) {
+            velocities[entries_[k].place] -= multipliers[r] * responses_[k];
+        });
+    }
+    return sum;
 }
 
 double VelocityRows::softness(std::size_t row) const

@@ -164,7 +164,7 @@ TEST(VelocityRows, RowsThatRepeatEachOtherAreAnsweredOnce)
     rows.factorise({NodeInverse::Identity()});
     std::vector<NodeVelocities> velocities = {{2.0, 3.0, 0.0, 0.0}};
     rows.hold(velocities);
-    EXPECT_NEAR(velocities[0][0], 0.5, 1e-10); // softness / 2
+    EXPECT_NEAR(velocities[0][0], 0.5, 1e-12);
     EXPECT_EQ(velocities[0][1], 3.0);
 }
 
