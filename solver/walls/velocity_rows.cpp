@@ -298,19 +298,14 @@ double VelocityRows::softness(std::size_t row) const
     return repeat() && scale_[row] > 0.0 ? ridge / (scale_[row] * scale_[row]) : 0.0;
 }
 
-Scalars VelocityRows::multipliers_to_zero(std::vector<NodeVelocities> velocities) const
-{
-    return correct(true, velocities);
-}
-
 void VelocityRows::hold(std::vector<NodeVelocities>& velocities) const
 {
     correct(false, velocities);
 }
 
-void VelocityRows::project(std::vector<NodeVelocities>& velocities) const
+Scalars VelocityRows::project(std::vector<NodeVelocities>& velocities) const
 {
-    correct(true, velocities);
+    return correct(true, velocities);
 }
 
 void VelocityRows::set_porosities(const Scalars& porosities)

@@ -101,16 +101,14 @@ public:
     /// The chosen rows and those of all followers, on the same nodes in the same order; not factorised.
     VelocityRows part(const std::vector<bool>& chosen) const;
 
-    /// Multipliers that take velocities at nodes() to rows of value zero [N s].
-    Scalars multipliers_to_zero(std::vector<NodeVelocities> velocities) const;
-
     /// Impulses on the nodes: - C^T multipliers [N s].
     std::vector<NodeVelocities> impulses(const Scalars& multipliers) const;
 
     /// Make the velocities meet the rows' values.
     void hold(std::vector<NodeVelocities>& velocities) const;
-    /// Project velocities (or accelerations) on those that meet the rows with values of zero.
-    void project(std::vector<NodeVelocities>& velocities) const;
+    /// Project velocities (or accelerations) on those that meet the rows with values of zero; returns the
+    /// multipliers of the rows that do it [N s].
+    Scalars project(std::vector<NodeVelocities>& velocities) const;
 
     /// Set up the response to forces of the pressure: a force f on node i is the impulse (1-n) f, n f;
     /// porosities by nodes().

@@ -257,7 +257,7 @@ Scalars force_multipliers(const Problem& problem, double acceleration, const Vel
                                    node.stress_force_y - node.weight * problem.gravity, 0.0, 0.0);
         gained.push_back(rows.inverse(k) * force);
     }
-    return rows.multipliers_to_zero(gained);
+    return rows.project(gained);
 }
 
 /// meet(velocities) makes those at rows.nodes() meet the rows.
