@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <span>
 #include <utility>
 
@@ -139,17 +140,18 @@ void for_each_group(std::vector<Touch> touches, std::size_t band, Visit&& visit)
     }
 }
 
-/// The first row that a row has a product with, for each of `rows`.
+/// For each of `rows` the first one, no farther than the band, that it may have a product with.
 std::vector<std::size_t> first_partners(std::size_t rows, std::size_t band, const NodeTouches& touches)
 {
     std::vector<std::size_t> first(rows);
-    for (std::size_t row = 0; row < rows; ++row) first[row] = row;
+    std::iota(first.begin(), first.end(), std::size_t{0});
     touches.for_each([&](std::size_t, const std::vector<Touch>& cells) {
-        for_each_group(cells, band, [&](std::span<const Touch> group) {
-            std::size_t least = rows;
-            for (const Touch& touch : group) least = std::min(least, touch.row);
-            for (const Touch& touch : group) first[touch.row] = std::min(first[touch.row], least);
-        });
+        std::size_t least = rows;
+        for (const Touch& touch : cells) least = std::min(least, touch.row);
+        for (const Touch& touch : cells) {
+            const std::size_t farthest = touch.row - std::min(touch.row, band);
+            first[touch.row] = std::min(first[touch.row], std::max(least, farthest));
+        }
     });
     return first;
 }
