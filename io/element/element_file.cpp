@@ -15,13 +15,6 @@ namespace quicksand {
 
 namespace {
 
-const std::vector<NamedTable>& tables_named(const SceneValues& values, const std::string& table)
-{
-    static const std::vector<NamedTable> none;
-    const auto found = values.named.find(table);
-    return found == values.named.end() ? none : found->second;
-}
-
 Drainage drainage_of(const SceneValues& values, const std::string& test)
 {
     return values.text(test + ".drainage") == "drained" ? Drainage::drained : Drainage::undrained;
@@ -86,7 +79,7 @@ void check_stresses(const SceneValues& values, const std::string& test,
 const NamedTable* find_material(const SceneValues& values, const std::string& test, const SourcePlace& place,
                                 Diagnostics& findings)
 {
-    const std::vector<NamedTable>& materials = tables_named(values, "materials");
+    const std::vector<NamedTable>& materials = values.tables_named("materials");
     const std::string name = values.text(test + ".material");
     if (name.empty() && materials.size() == 1) return &materials.front();
     std::vector<std::string> known;
@@ -257,11 +250,11 @@ ElementReading read_element_file(const std::filesystem::path& file, const std::v
     check_accepted(values, accepted, findings);
     ElementReading reading;
     reading.programme = {file, *text, values.text("title"), {}};
-    for (const NamedTable& material : tables_named(values, "materials")) {
+    for (const NamedTable& material : values.tables_named("materials")) {
         read_soil(values, material, findings);
     }
     if (findings.has_errors()) throw_findings(findings, *text);
-    for (const NamedTable& table : tables_named(values, "tests")) {
+    for (const NamedTable& table : values.tables_named("tests")) {
         Diagnostics about_test;
         reading.programme.tests.push_back(
             read_test(*document, values, table, file.parent_path(), about_test));

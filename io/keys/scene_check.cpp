@@ -302,6 +302,13 @@ SceneValues DocumentCheck::check()
 
 } // namespace
 
+const std::vector<NamedTable>& SceneValues::tables_named(const std::string& wanted) const
+{
+    static const std::vector<NamedTable> none;
+    const auto found = named.find(wanted);
+    return found == named.end() ? none : found->second;
+}
+
 void SceneValues::require_key(const std::string& path) const
 {
     ENSURE(table != nullptr);

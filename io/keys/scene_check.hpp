@@ -51,6 +51,8 @@ struct SceneValues {
         require_key(path);
         return has(path) && by_path.at(path).given;
     }
+    /// The tables [table.NAME], in the order of the file.
+    const std::vector<NamedTable>& tables_named(const std::string& table) const;
     SourcePlace place(const std::string& path) const
     {
         return has(path) ? by_path.at(path).place : SourcePlace();

@@ -64,13 +64,6 @@ constexpr std::array<std::pair<std::string_view, PermeabilityLaw>, 3> permeabili
     {"specific_volume_squared", PermeabilityLaw::specific_volume_squared},
 }};
 
-const std::vector<NamedTable>& tables_named(const SceneValues& values, const std::string& table)
-{
-    static const std::vector<NamedTable> none;
-    const auto found = values.named.find(table);
-    return found == values.named.end() ? none : found->second;
-}
-
 void fill_geometry(const SceneValues& values, const std::filesystem::path& folder, Scene& scene)
 {
     scene.geometry_file = folder / values.text("geometry.file");
@@ -154,13 +147,13 @@ void fill_ground(const SceneValues& values, Scene& scene)
         scene.starts_seeping = values.text("water.initial_flow") == "seepage";
         scene.flow_place = values.place("water.initial_flow");
     }
-    for (const NamedTable& table : tables_named(values, "materials")) {
+    for (const NamedTable& table : values.tables_named("materials")) {
         Material material = read_material(values, table, scene.water);
         const double saturation =
             material.has_pores ? values.number(table.path + ".saturation_above_water") : 1.0;
         scene.materials.push_back({std::move(material), saturation, table.place});
     }
-    for (const NamedTable& table : tables_named(values, "regions")) {
+    for (const NamedTable& table : values.tables_named("regions")) {
         scene.regions.push_back({table.name, values.text(table.path + ".material"), table.place});
     }
     scene.k0 = values.number("initial.k0");
@@ -174,7 +167,7 @@ void fill_ground(const SceneValues& values, Scene& scene)
 
 void fill_run(const SceneValues& values, Scene& scene)
 {
-    for (const NamedTable& table : tables_named(values, "probes")) {
+    for (const NamedTable& table : values.tables_named("probes")) {
         SceneProbe probe;
         probe.name = table.name;
         probe.kind = word_of(probe_words, values.text(table.path + ".kind"));

@@ -10,12 +10,6 @@ namespace quicksand {
 
 namespace {
 
-std::vector<NamedTable> tables_named(const SceneValues& values, const std::string& table)
-{
-    const auto found = values.named.find(table);
-    return found == values.named.end() ? std::vector<NamedTable>() : found->second;
-}
-
 std::vector<std::string> names(const std::vector<NamedTable>& tables)
 {
     std::vector<std::string> list;
@@ -36,11 +30,11 @@ bool contains(const std::vector<std::string>& list, const std::string& name)
 
 void check_materials(const SceneValues& values, Diagnostics& findings)
 {
-    const auto materials = tables_named(values, "materials");
+    const auto& materials = values.tables_named("materials");
     const auto known = names(materials);
     std::vector<std::string> used;
     bool all_known = true;
-    for (const NamedTable& region : tables_named(values, "regions")) {
+    for (const NamedTable& region : values.tables_named("regions")) {
         const std::string path = region.path + ".material", name = values.text(path);
         used.push_back(name);
         all_known = all_known && contains(known, name);
@@ -111,7 +105,7 @@ void check_scheme(const SceneValues& values, Diagnostics& findings)
 void check_permeability(const SceneValues& values, Diagnostics& findings)
 {
     if (values.text("analysis.strain") != "small") return;
-    for (const NamedTable& material : tables_named(values, "materials")) {
+    for (const NamedTable& material : values.tables_named("materials")) {
         const std::string path = material.path + ".permeability_law", law = values.text(path);
         if (law.empty() || law == "constant") continue;
         findings.add(warning_at(values.place(path), path, "unused",
@@ -123,7 +117,7 @@ void check_permeability(const SceneValues& values, Diagnostics& findings)
 /// Solids are elastic, up to a strength if they have one.
 void check_solids(const SceneValues& values, Diagnostics& findings)
 {
-    for (const NamedTable& material : tables_named(values, "materials")) {
+    for (const NamedTable& material : values.tables_named("materials")) {
         const std::string path = material.path + ".water", model = values.text(material.path + ".model");
         if (values.text(path) != "none" || model == "linear_elastic" || model == "mohr_coulomb") continue;
         findings.add(error_at(values.place(path), "combination",
@@ -136,7 +130,7 @@ void check_solids(const SceneValues& values, Diagnostics& findings)
 
 void check_boundaries(const SceneValues& values, Diagnostics& findings)
 {
-    const auto boundaries = tables_named(values, "boundaries");
+    const auto& boundaries = values.tables_named("boundaries");
     const auto known = names(boundaries);
     int tied = 0;
     for (const NamedTable& boundary : boundaries) {
@@ -163,7 +157,7 @@ void check_interpolation(const SceneValues& values, Diagnostics& findings)
 void check_probes(const SceneValues& values, Diagnostics& findings)
 {
     std::map<std::string, std::string> spellings; // by the lower-case name
-    for (const NamedTable& probe : tables_named(values, "probes")) {
+    for (const NamedTable& probe : values.tables_named("probes")) {
         const std::string& name = probe.name;
         const bool control = std::any_of(name.begin(), name.end(), [](unsigned char c) { return c < 0x20U; });
         if (name.empty() || name.starts_with('.') || name.size() > 100 || control ||

@@ -198,8 +198,7 @@ Sweep SweepReader::read(const fs::path& file)
     sweep.fixed = values_.find<std::vector<std::string>>("set").value_or(std::vector<std::string>());
     sweep.samples = values_.find<std::int64_t>("samples").value_or(1);
     sweep.seed = static_cast<std::uint64_t>(values_.find<std::int64_t>("seed").value_or(1));
-    if (const auto found = values_.named.find("vary"); found != values_.named.end())
-        for (const NamedTable& table : found->second) sweep.varied.push_back(read_varied(table));
+    for (const NamedTable& table : values_.tables_named("vary")) sweep.varied.push_back(read_varied(table));
     check_samples(sweep);
     check_fixed(sweep);
     sweep.fragility = read_fragility(sweep);

@@ -96,9 +96,7 @@ std::vector<SceneBoundary> read_boundaries(const SceneValues& values, const std:
                                            Diagnostics& findings)
 {
     std::vector<SceneBoundary> boundaries;
-    const auto tables = values.named.find("boundaries");
-    if (tables == values.named.end()) return boundaries;
-    for (const NamedTable& named : tables->second) {
+    for (const NamedTable& named : values.tables_named("boundaries")) {
         BoundaryTable table(values, named, findings);
         check_history(table);
         table.set_history(read_history(table, folder, findings));

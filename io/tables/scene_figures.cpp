@@ -16,20 +16,13 @@ constexpr WordList<FigureKind, 3> kind_words = {{
     {"field", FigureKind::field},
 }};
 
-const std::vector<NamedTable>& tables_named(const SceneValues& values, const std::string& table)
-{
-    static const std::vector<NamedTable> none;
-    const auto found = values.named.find(table);
-    return found == values.named.end() ? none : found->second;
-}
-
 void check_probes(const SceneValues& values, const NamedTable& table, const SceneFigure& figure,
                   Diagnostics& findings)
 {
     const SourcePlace place = values.place(table.path + ".probes");
     const bool of_profile = figure.kind == FigureKind::isochrones;
     std::vector<std::string> suitable;
-    for (const NamedTable& probe : tables_named(values, "probes")) {
+    for (const NamedTable& probe : values.tables_named("probes")) {
         if ((values.text(probe.path + ".kind") == "profile") == of_profile) suitable.push_back(probe.name);
     }
     for (const std::string& name : figure.probes) {
@@ -107,7 +100,7 @@ const FigureQuantity* find_figure_quantity(std::string_view name)
 std::vector<SceneFigure> read_figures(const SceneValues& values, Diagnostics& findings)
 {
     std::vector<SceneFigure> figures;
-    for (const NamedTable& table : tables_named(values, "figures")) {
+    for (const NamedTable& table : values.tables_named("figures")) {
         const auto key = [&](const char* name) { return table.path + "." + name; };
         SceneFigure figure;
         figure.name = table.name;

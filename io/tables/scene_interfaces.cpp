@@ -12,13 +12,6 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-const std::vector<NamedTable>& tables_named(const SceneValues& values, const std::string& table)
-{
-    static const std::vector<NamedTable> none;
-    const auto found = values.named.find(table);
-    return found == values.named.end() ? none : found->second;
-}
-
 /// Two different regions that the scene has.
 bool check_regions(const SceneValues& values, const std::string& path, const std::vector<std::string>& pair,
                    Diagnostics& findings)
@@ -33,7 +26,7 @@ bool check_regions(const SceneValues& values, const std::string& path, const std
                                             : std::to_string(pair.size()) + " of the two that touch"),
                       "two regions, as [\"caisson\", \"sand\"]", "");
     std::vector<std::string> known;
-    for (const NamedTable& region : tables_named(values, "regions")) known.push_back(region.name);
+    for (const NamedTable& region : values.tables_named("regions")) known.push_back(region.name);
     for (const std::string& name : pair) {
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
         const std::string nearest = nearest_name(name, known);
@@ -116,7 +109,7 @@ std::vector<SceneKey> interface_keys()
 std::vector<SceneInterface> read_interfaces(const SceneValues& values, Diagnostics& findings)
 {
     std::vector<SceneInterface> interfaces;
-    for (const NamedTable& table : tables_named(values, "interfaces")) {
+    for (const NamedTable& table : values.tables_named("interfaces")) {
         check_strength(values, table, findings);
         const std::string path = table.path + ".regions";
         const auto pair = values.find<std::vector<std::string>>(path);

@@ -66,9 +66,9 @@ std::vector<SceneKey> stage_keys()
 
 std::optional<SceneStage> read_stage(const SceneValues& values)
 {
-    const auto stages = values.named.find("stages");
-    if (stages == values.named.end() || stages->second.empty()) return std::nullopt;
-    const NamedTable& table = stages->second.front();
+    const std::vector<NamedTable>& stages = values.tables_named("stages");
+    if (stages.empty()) return std::nullopt;
+    const NamedTable& table = stages.front();
     SceneStage stage;
     stage.name = table.name;
     stage.place = table.place;
