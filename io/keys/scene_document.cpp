@@ -27,6 +27,7 @@ constexpr void require_of_toml(bool holds)
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace quicksand {
 
@@ -235,6 +236,32 @@ const DocumentNode* DocumentNode::find(std::string_view child) const
     return nullptr;
 }
 
+DocumentNode* DocumentNode::find(std::string_view child)
+{
+    return const_cast<DocumentNode*>(std::as_const(*this).find(child));
+}
+
+void DocumentNode::set(const std::string& child, DocumentNode value)
+{
+    value.name = child;
+    remove(child);
+    children.push_back(std::move(value));
+}
+
+void DocumentNode::remove(std::string_view child)
+{
+    std::erase_if(children, [&](const DocumentNode& node) { return node.name == child; });
+}
+
+DocumentNode text_value(std::string text, const SourcePlace& place)
+{
+    DocumentNode node;
+    node.kind = DocumentNode::Kind::text;
+    node.text = std::move(text);
+    node.name_place = node.place = place;
+    return node;
+}
+
 std::string toml_text(std::string_view text)
 {
     std::string result = "\"";
@@ -252,9 +279,8 @@ std::string toml_text(std::string_view text)
 void replace_keys(DocumentNode&& document, DocumentNode& target)
 {
     for (DocumentNode& child : document.children) {
-        const auto found = std::find_if(target.children.begin(), target.children.end(),
-                                        [&](const DocumentNode& node) { return node.name == child.name; });
-        if (found == target.children.end()) {
+        DocumentNode* const found = target.find(child.name);
+        if (found == nullptr) {
             target.children.push_back(std::move(child));
         } else if (found->kind == Kind::table && child.kind == Kind::table) {
             replace_keys(std::move(child), *found);

@@ -23,7 +23,14 @@ struct DocumentNode {
     std::vector<DocumentNode> children; // in the order of the file
 
     const DocumentNode* find(std::string_view child) const;
+    DocumentNode* find(std::string_view child);
+    /// Put the value under the name in place of that of the same name, at the end.
+    void set(const std::string& child, DocumentNode value);
+    void remove(std::string_view child);
 };
+
+/// A text that stands in a scene at this place.
+DocumentNode text_value(std::string text, const SourcePlace& place);
 
 /// Parse the text, then put every `path=value` of `overrides` in place. Syntax errors are added to
 /// `findings`; the result is empty when the text itself cannot be parsed.

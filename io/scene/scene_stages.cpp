@@ -42,43 +42,15 @@ void check_names(const DocumentNode& stages, Diagnostics& findings)
     }
 }
 
-void set(DocumentNode& table, const std::string& name, DocumentNode value)
-{
-    value.name = name;
-    std::erase_if(table.children, [&](const DocumentNode& node) { return node.name == name; });
-    table.children.push_back(std::move(value));
-}
-
-void remove(DocumentNode& table, std::string_view name)
-{
-    std::erase_if(table.children, [&](const DocumentNode& node) { return node.name == name; });
-}
-
-DocumentNode* find(DocumentNode& table, std::string_view name)
-{
-    for (DocumentNode& node : table.children)
-        if (node.name == name) return &node;
-    return nullptr;
-}
-
 /// The table of this name, made where there is none.
 DocumentNode& table_in(DocumentNode& document, const std::string& name, const SourcePlace& place)
 {
-    if (DocumentNode* node = find(document, name)) return *node;
+    if (DocumentNode* node = document.find(name)) return *node;
     DocumentNode table;
     table.name = name;
     table.name_place = table.place = place;
     document.children.push_back(std::move(table));
     return document.children.back();
-}
-
-DocumentNode text_value(std::string text, const SourcePlace& place)
-{
-    DocumentNode node;
-    node.kind = Kind::text;
-    node.text = std::move(text);
-    node.name_place = node.place = place;
-    return node;
 }
 
 bool gives(const DocumentNode& stage, std::string_view table, std::string_view key)
@@ -94,7 +66,7 @@ void give_instant(DocumentNode& run)
     DocumentNode instant;
     instant.kind = Kind::integer;
     instant.number = static_cast<double>(instant.integer = 1);
-    set(run, "end_time", instant);
+    run.set("end_time", instant);
 }
 
 /// Put what a stage changes into the document: it holds for the later stages as well.
@@ -105,7 +77,7 @@ void change(const DocumentNode& stage, DocumentNode& document)
         if (node.kind == Kind::table) changes.children.push_back(node);
     const bool seeps = text_of(stage, "kind") == word_of_kind(StageKind::seepage);
     if (seeps && !gives(stage, "water", "initial_flow"))
-        set(table_in(changes, "water", stage.place), "initial_flow", text_value("seepage", stage.place));
+        table_in(changes, "water", stage.place).set("initial_flow", text_value("seepage", stage.place));
     merge_variant(std::move(changes), document);
     place_regions(stage, document);
 }
@@ -118,24 +90,24 @@ void suit_kind(const DocumentNode& stage, bool is_first, DocumentNode& document)
         give_instant(table_in(document, "run", stage.place));
         return;
     }
-    if (*kind != StageKind::shake) remove(document, "motion");
+    if (*kind != StageKind::shake) document.remove("motion");
     if (settles(*kind)) {
         table_in(document, "relaxation", stage.place);
     } else if (*kind != StageKind::shake || !is_first) {
-        remove(document, "relaxation");
+        document.remove("relaxation");
     }
     if (*kind == StageKind::consolidate) {
         DocumentNode& analysis = table_in(document, "analysis", stage.place);
-        if (!gives(stage, "analysis", "scheme")) set(analysis, "scheme", text_value("implicit", stage.place));
-        if (DocumentNode* output = find(document, "output"); output != nullptr) {
+        if (!gives(stage, "analysis", "scheme")) analysis.set("scheme", text_value("implicit", stage.place));
+        if (DocumentNode* output = document.find("output"); output != nullptr) {
             for (const char* interval : {"frame_interval", "probe_interval", "history_interval"})
-                if (!gives(stage, "output", interval)) remove(*output, interval); // that of the shaking
+                if (!gives(stage, "output", interval)) output->remove(interval); // that of the shaking
         }
     }
     const bool takes_time = *kind == StageKind::shake || *kind == StageKind::consolidate;
     DocumentNode& run = table_in(document, "run", stage.place);
     if (const DocumentNode* duration = stage.find("duration"); takes_time && duration != nullptr) {
-        set(run, "end_time", *duration);
+        run.set("end_time", *duration);
     } else if (!takes_time) {
         give_instant(run);
     }
@@ -145,7 +117,7 @@ void suit_kind(const DocumentNode& stage, bool is_first, DocumentNode& document)
 
 void name_stages(DocumentNode& document, Diagnostics& findings)
 {
-    DocumentNode* stages = find(document, stages_key);
+    DocumentNode* stages = document.find(stages_key);
     if (stages == nullptr) return;
     if (stages->kind == Kind::table) check_names(*stages, findings);
     if (stages->kind != Kind::array) return;
@@ -163,7 +135,7 @@ void name_stages(DocumentNode& document, Diagnostics& findings)
         const DocumentNode* written = item.find("name");
         item.name = name.empty() ? text_of(item, "kind") : name;
         item.name_place = written != nullptr ? written->place : item.place;
-        remove(item, "name");
+        item.remove("name");
         if (named.find(item.name) != nullptr)
             findings.add(error_at(item.name_place, "stage", "there are two stages '" + item.name + "'",
                                   "a name for each stage",
@@ -189,8 +161,8 @@ DocumentNode document_of_stage(const DocumentNode& document, const std::string& 
     DocumentNode result = document;
     empty_unplaced_regions(result);
     if (places_soil(document) && !gives(result, "analysis", "columns")) // particles come and go
-        set(table_in(result, "analysis", document.find(stages_key)->place), "columns",
-            text_value("all", document.find(stages_key)->place));
+        table_in(result, "analysis", document.find(stages_key)->place)
+            .set("columns", text_value("all", document.find(stages_key)->place));
     const DocumentNode stage = *document.find(stages_key)->find(name);
     const bool is_first = stage_names(document).front() == name;
     for (const DocumentNode& earlier : document.find(stages_key)->children) {
@@ -200,7 +172,7 @@ DocumentNode document_of_stage(const DocumentNode& document, const std::string& 
     suit_kind(stage, is_first, result);
     DocumentNode own = stage;
     std::erase_if(own.children, [](const DocumentNode& node) { return node.kind == Kind::table; });
-    find(result, stages_key)->children = {own};
+    result.find(stages_key)->children = {own};
     return result;
 }
 

@@ -17,14 +17,7 @@ using Kind = DocumentNode::Kind;
 
 constexpr std::string_view present = "present", absent = "absent";
 
-DocumentNode* find(DocumentNode& table, std::string_view name)
-{
-    const auto found = std::find_if(table.children.begin(), table.children.end(),
-                                    [&](const DocumentNode& node) { return node.name == name; });
-    return found == table.children.end() ? nullptr : &*found;
-}
-
-/// Call visit(name of a region) for the texts of a list.
+/// Call visit(region) for the texts of a list.
 template <class Visit>
 void for_each_region(const DocumentNode& stage, std::string_view key, Visit&& visit)
 {
@@ -53,16 +46,10 @@ const DocumentNode* soil_of(const DocumentNode& document, const std::string& reg
 
 void set_soil(DocumentNode& document, const DocumentNode& region, std::string_view word)
 {
-    DocumentNode* regions = find(document, "regions");
-    DocumentNode* table = regions != nullptr ? find(*regions, region.text) : nullptr;
+    DocumentNode* regions = document.find("regions");
+    DocumentNode* table = regions != nullptr ? regions->find(region.text) : nullptr;
     if (table == nullptr || table->kind != Kind::table) return; // the check of names tells
-    DocumentNode soil;
-    soil.kind = Kind::text;
-    soil.name = "soil";
-    soil.text = word;
-    soil.name_place = soil.place = region.place;
-    std::erase_if(table->children, [](const DocumentNode& node) { return node.name == "soil"; });
-    table->children.push_back(std::move(soil));
+    table->set("soil", text_value(std::string(word), region.place));
 }
 
 /// What is known of the regions on the way through the stages.
@@ -184,11 +171,9 @@ void place_regions(const DocumentNode& stage, DocumentNode& document)
 
 DocumentNode without_placement(DocumentNode document)
 {
-    if (DocumentNode* stages = find(document, "stages"); stages != nullptr)
+    if (DocumentNode* stages = document.find("stages"); stages != nullptr)
         for (DocumentNode& stage : stages->children)
-            std::erase_if(stage.children, [](const DocumentNode& node) {
-                return node.name == "place" || node.name == "remove";
-            });
+            for (const char* key : {"place", "remove"}) stage.remove(key);
     return document;
 }
 
