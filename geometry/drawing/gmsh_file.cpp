@@ -248,11 +248,8 @@ std::vector<Polygon> assemble_polygons(const json& rings)
 /// Turn the segment so that the soil lies on its left, where it lies on one side only.
 Segment orient_segment(const RegionLocator& soil, Segment segment)
 {
-    const Vector2 along = segment.end - segment.start;
-    const Vector2 to_left = 1e-6 * Vector2(-along.y(), along.x());
-    const Vector2 middle = 0.5 * (segment.start + segment.end);
-    if (soil.locate(middle - to_left) && !soil.locate(middle + to_left))
-        std::swap(segment.start, segment.end);
+    const auto [left, right] = regions_beside(soil, segment);
+    if (right && !left) std::swap(segment.start, segment.end);
     return segment;
 }
 

@@ -39,10 +39,7 @@ void keep_beside_soil(const std::vector<Segment>& edges, const RegionLocator& so
     };
     for (std::size_t k = 0; k + 1 < fractions.size(); ++k) {
         Segment part{point(fractions[k]), point(fractions[k + 1])};
-        const Vector2 along = part.end - part.start, middle = 0.5 * (part.start + part.end);
-        const Vector2 to_left = 1e-6 * Vector2(-along.y(), along.x());
-        const bool left = soil.locate(middle + to_left).has_value();
-        const bool right = soil.locate(middle - to_left).has_value();
+        const auto [left, right] = regions_beside(soil, part);
         if (!left && !right) continue;
         if (!left) std::swap(part.start, part.end);
         kept.push_back(part);

@@ -61,4 +61,12 @@ std::optional<std::size_t> RegionLocator::locate(const Vector2& point) const
     return std::nullopt;
 }
 
+RegionsBeside regions_beside(const RegionLocator& locator, const Segment& segment)
+{
+    constexpr double aside = 1e-6; // of the segment's length [-]
+    const Vector2 along = segment.end - segment.start, middle = 0.5 * (segment.start + segment.end);
+    const Vector2 to_left = aside * Vector2(-along.y(), along.x());
+    return {locator.locate(middle + to_left), locator.locate(middle - to_left)};
+}
+
 } // namespace quicksand

@@ -28,4 +28,11 @@ private:
     std::vector<Place> places_;
 };
 
+/// The regions to the left and to the right of the middle of a segment; none outside the soil.
+struct RegionsBeside {
+    std::optional<std::size_t> left, right;
+};
+
+RegionsBeside regions_beside(const RegionLocator& locator, const Segment& segment);
+
 } // namespace quicksand
