@@ -21,9 +21,20 @@ namespace quicksand {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+void append_number(double value, std::string& text)
+{
+    if (!std::isnan(value)) fmt::format_to(std::back_inserter(text), "{}", value);
+}
+
+} // namespace
+
 std::string csv_number(double value)
 {
-    return std::isnan(value) ? std::string() : fmt::format("{}", value);
+    std::string text;
+    append_number(value, text);
+    return text;
 }
 
 std::string csv_text(const std::string& text)
@@ -136,7 +147,7 @@ void CsvFile::add_numbers(const std::vector<double>& numbers)
 {
     for (const double& number : numbers) {
         if (&number != numbers.data()) pending_ += ',';
-        if (!std::isnan(number)) fmt::format_to(std::back_inserter(pending_), "{}", number);
+        append_number(number, pending_);
     }
     pending_ += '\n';
 }

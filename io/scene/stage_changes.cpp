@@ -118,12 +118,14 @@ std::vector<std::string> uncommon_keys(const Keys& before, const Keys& now, bool
     return names;
 }
 
-std::vector<std::string> changed_keys(const Keys& before, const Keys& now)
+std::vector<std::string> changed_keys(const Keys& before, const Keys& now,
+                                      const std::function<bool(const std::string&)>& is_told)
 {
     const Values old = values_of(before), present = values_of(now);
     const auto shown = [](const std::string& value) { return value.empty() ? std::string("none") : value; };
     std::vector<std::string> lines;
     for (const std::string& path : differing_paths(before, now)) {
+        if (is_told && !is_told(path)) continue;
         const auto found = present.find(path);
         const bool has_unit = found != present.end() && !found->second->unit.empty();
         lines.push_back(path + ": " + shown(value_of(old, path)) + " -> " + shown(value_of(present, path)) +

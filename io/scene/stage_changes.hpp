@@ -3,6 +3,7 @@
 
 #include "io/scene/scene_reading.hpp"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,11 @@ void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings
 std::vector<std::string> uncommon_keys(const std::vector<ResolvedKey>& before,
                                        const std::vector<ResolvedKey>& now, bool settles);
 
-/// Keys whose values differ from those of another scene, as "water.level: 4 -> 6 m".
+/// Keys whose values differ from those of another scene, as "water.level: 4 -> 6 m"; with is_told(path) those
+/// alone for which it is true.
 std::vector<std::string> changed_keys(const std::vector<ResolvedKey>& before,
-                                      const std::vector<ResolvedKey>& now);
+                                      const std::vector<ResolvedKey>& now,
+                                      const std::function<bool(const std::string&)>& is_told = {});
 
 /// For each of the regions whether its soil is another one than in another scene, by name or by any key.
 std::vector<bool> changed_soils(const std::vector<ResolvedKey>& before, const std::vector<ResolvedKey>& now,

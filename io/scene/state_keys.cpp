@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-/// The lines of changed_keys() that are wanted. What laws derive from keys that are given follows from them.
+/// changed_keys() of those wanted. What laws derive from keys that are given follows from them.
 std::vector<std::string> changes(const std::vector<ResolvedKey>& before, const std::vector<ResolvedKey>& now,
                                  bool (*wanted)(std::string_view path))
 {
@@ -18,12 +18,8 @@ std::vector<std::string> changes(const std::vector<ResolvedKey>& before, const s
     for (const std::vector<ResolvedKey>* keys : {&before, &now})
         for (const ResolvedKey& key : *keys)
             if (key.given) given.insert(key.path);
-    std::vector<std::string> lines = changed_keys(before, now);
-    std::erase_if(lines, [&](const std::string& line) {
-        const std::string path = line.substr(0, line.find(": "));
-        return !given.contains(path) || !wanted(path);
-    });
-    return lines;
+    return changed_keys(before, now,
+                        [&](const std::string& path) { return given.contains(path) && wanted(path); });
 }
 
 } // namespace

@@ -25,13 +25,12 @@ public:
     /// the same number each time.
     void note(double displacement, double unbalanced);
 
-    /// Whether the body has gone farther than one that stands and moves faster and faster.
-    bool moves_faster() const;
-
-    /// Whether it does, or moves on while its unbalanced force does not fall.
+    /// Whether the body has gone farther than one that stands and moves faster and faster, or moves on while
+    /// its unbalanced force does not fall.
     bool is_certain() const { return moves_faster() || creeps(); }
 
 private:
+    bool moves_faster() const;
     bool creeps() const;
     bool is_beyond() const;
 

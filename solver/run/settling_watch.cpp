@@ -79,19 +79,16 @@ void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced,
     const double moved = displacement(state.particles, farthest).norm();
     std::ostringstream what;
     what.precision(3);
+    const auto fail_by_running_away = [&](const char* than_soil, double limit) {
+        what << "the soil runs away instead of settling: it has moved " << moved << than_soil << limit
+             << " m; " << describe(unbalanced);
+        fail(state, farthest, what.str(), causes_of_running_away(unbalanced), dt);
+    };
     runaway_.note(moved, unbalanced.of_weight);
-    if (runaway_.is_certain()) {
-        what << "the soil runs away instead of settling: it has moved " << moved
-             << " m and goes on, soil that stands moves less than " << least_of_slides_ << " m; "
-             << describe(unbalanced);
-        fail(state, farthest, what.str(), causes_of_running_away(unbalanced), dt);
-    }
-    if (moved > largest_displacement_) {
-        what << "the soil runs away instead of settling: it has moved " << moved
-             << " m, soil that comes to rest moves less than " << largest_displacement_ << " m; "
-             << describe(unbalanced);
-        fail(state, farthest, what.str(), causes_of_running_away(unbalanced), dt);
-    }
+    if (runaway_.is_certain())
+        fail_by_running_away(" m and goes on, soil that stands moves less than ", least_of_slides_);
+    if (moved > largest_displacement_)
+        fail_by_running_away(" m, soil that comes to rest moves less than ", largest_displacement_);
     if (state.step < controls_.max_steps) return;
     what << "the soil does not settle: after " << state.step << " steps the out-of-balance force is "
          << unbalanced.of_weight << " of the weight, the tolerance " << controls_.tolerance << "; "

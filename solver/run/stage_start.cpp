@@ -107,12 +107,12 @@ State begin_body(const Problem& problem, const State& initial, State reached, co
             "\nexpected: regions with soil = \"absent\" in both, or a stage of kind = \"settle\" "
             "or \"seepage\", in which placed soil comes to rest");
     const Particles& drawn = matched.drawn;
-    reached.particles = matched.reached;
+    Particles& goes_on = matched.reached;
     State state;
     state.particles = drawn;
     Particles& particles = state.particles;
     std::vector<const Scalars*> former;
-    for_each_array(reached.particles, [&](const char* name, const Scalars& values) {
+    for_each_array(goes_on, [&](const char* name, const Scalars& values) {
         if (!std::string_view(name).starts_with("memory_")) former.push_back(&values);
     });
     std::size_t next = 0;
@@ -122,10 +122,9 @@ State begin_body(const Problem& problem, const State& initial, State reached, co
         if (!is_drawn(name, start) && !values.empty() && !before.empty())
             std::copy(before.begin(), before.end(), values.begin()); // what is placed stays as drawn
     });
-    if (!start.settles && !reached.particles.water_table.empty())
-        particles.water_table = reached.particles.water_table;
-    set_grains(problem, start, drawn, reached.particles, particles);
-    set_water(reached.particles, particles);
+    if (!start.settles && !goes_on.water_table.empty()) particles.water_table = goes_on.water_table;
+    set_grains(problem, start, drawn, goes_on, particles);
+    set_water(goes_on, particles);
     if (start.settles) {
         place_soil(problem, matched, particles);
         set_at_rest(particles);
@@ -137,7 +136,7 @@ State begin_body(const Problem& problem, const State& initial, State reached, co
         state.reactions = std::move(reached.reactions);
     else
         state.last_step = state.whole_step = 0.0; // the reactions are found as at the start of a run
-    set_memory(problem, start, std::move(reached.particles.memory), particles);
+    set_memory(problem, start, std::move(goes_on.memory), particles);
     if (reached.time == 0.0) return state; // settled, and counted from there
     if (start.zero_pressures) count_pressures_from_here(problem, particles);
     if (start.zero_displacements && problem.strain == StrainForm::small) return_to_reference(particles);

@@ -18,8 +18,9 @@ struct StageStart {
 };
 
 /// `initial` is the state as drawn of the problem of the stage that begins, `reached` the end of a stage with
-/// the same particles. Stresses, shapes, velocities, pore pressures and memories go on; time and balances
-/// begin anew. Throws InputError where the particles are others.
+/// the same particles; a stage that settles may place and remove those of whole regions
+/// (motion/soil_placement.hpp). Stresses, shapes, velocities, pore pressures and memories go on; time and
+/// balances begin anew. Throws InputError where the particles differ otherwise.
 State begin_stage(const Problem& problem, const State& initial, State reached, const StageStart& start);
 
 } // namespace quicksand
