@@ -169,7 +169,8 @@ TEST(Layers, OfSandAreAtRestWhereTheyArePlaced)
                 drawing.rest = 0.05;
                 const Build built = build(drawing);
                 const Unrest unrest = unrest_of(drawing, built);
-                EXPECT_LT(error_of_sand(drawing, built), 0.03) << model << ' ' << shift.x();
+                EXPECT_LT(error_of_sand(drawing, built), shift.x() > 0.0 ? 0.05 : 0.03)
+                    << model << ' ' << shift.x();
                 EXPECT_LT(unrest.velocity, 1e-6) << model << ' ' << scheme << ' ' << shift.x();
                 EXPECT_LT(unrest.stress, 1e-4) << model << ' ' << scheme << ' ' << shift.x();
             }
