@@ -13,6 +13,9 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 namespace quicksand {
 
 namespace {
@@ -40,7 +43,7 @@ void say_stage(const SceneReading& stage, std::size_t number, std::size_t count,
                             stage.scene.stage->name, word_of_kind(stage.scene.stage->kind)));
 }
 
-/// Of a stage that is a run in time, or settles.
+/// Of a stage that is a run in time.
 void say_run(const SceneSetup& setup, const ResultsFolder& folder, Journal& journal)
 {
     const AssembledCase& assembled = setup.assembled;
@@ -52,6 +55,19 @@ void say_run(const SceneSetup& setup, const ResultsFolder& folder, Journal& jour
     journal.say(describe_left_out(assembled.scene, run));
 }
 
+/// Of a stage that settles, from where the trial of the one before has ended; `reached` becomes the end of
+/// its own.
+void say_settling(const SceneSetup& setup, std::optional<State>& reached, Journal& journal)
+{
+    const AssembledCase& assembled = setup.assembled;
+    StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
+    StageStart start;
+    start.settles = true;
+    if (reached) run.go_on_from(std::move(*reached), start);
+    journal.say(describe_settling_cost(forecast_settling(*assembled.scene.relaxation, run)));
+    reached = run.state();
+}
+
 /// What a stage changes of the one before.
 void say_changes(const SceneReading& before, const SceneReading& now, Journal& journal)
 {
@@ -60,10 +76,13 @@ void say_changes(const SceneReading& before, const SceneReading& now, Journal& j
     journal.say(text);
 }
 
-bool runs_in_time(const SceneReading& stage)
+/// What the stage will take; nothing of one that finds a factor of safety.
+void say_cost(const SceneReading& stage, const SceneSetup& setup, const ResultsFolder& folder,
+              std::optional<State>& reached, Journal& journal)
 {
-    return !stage.scene.stage || stage.scene.stage->kind == StageKind::shake ||
-           stage.scene.stage->kind == StageKind::consolidate;
+    const std::optional<SceneStage>& of_stage = stage.scene.stage;
+    if (of_stage && settles(of_stage->kind)) return say_settling(setup, reached, journal);
+    if (!of_stage || of_stage->kind != StageKind::stability) say_run(setup, folder, journal);
 }
 
 } // namespace
@@ -87,7 +106,8 @@ ExitCode check_scene(const CheckChoice& choice)
     if (const std::string laws = describe_laws(assembled); !laws.empty()) journal.say(laws);
     if (const std::string flow = describe_initial_flow(assembled); !flow.empty()) journal.say(flow);
     journal.say(describe_initial_state(assembled));
-    if (runs_in_time(stages.front())) say_run(setup, folder, journal);
+    std::optional<State> reached; // by the last trial of a settling
+    say_cost(stages.front(), setup, folder, reached, journal);
     for (std::size_t k = 1; k < stages.size(); ++k) {
         say_stage(stages[k], k + 1, stages.size(), journal);
         say_changes(stages[k - 1], stages[k], journal);
@@ -97,7 +117,7 @@ ExitCode check_scene(const CheckChoice& choice)
             journal.say(slip);
         if (const std::string flow = describe_initial_flow(of_stage.assembled); !flow.empty())
             journal.say(flow);
-        if (runs_in_time(stages[k])) say_run(of_stage, folder, journal);
+        say_cost(stages[k], of_stage, folder, reached, journal);
     }
     write_initial_frame(assembled, folder);
     journal.say("The initial state is in " + folder.particle_series().string() + " and " +

@@ -205,22 +205,33 @@ std::string describe_time_step(const AssembledCase& assembled, const TimeStep& s
     return text;
 }
 
+namespace {
+
+std::string settling_line(const RelaxationForecast& forecast)
+{
+    return fmt::format(
+        "  settling   about {} steps of {} ms{}\n", grouped(forecast.steps),
+        short_number(1e3 * forecast.step_seconds),
+        forecast.reliable ? "" : "; the soil did not settle in the trial, so this is the limit max_steps");
+}
+
+} // namespace
+
+std::string describe_settling_cost(const RelaxationForecast& forecast)
+{
+    return "Cost\n" + settling_line(forecast) +
+           fmt::format("  run time   about {}\n", duration_text(forecast.seconds()));
+}
+
 std::string describe_cost(const Forecast& forecast)
 {
     std::string text = "Cost\n";
     const RelaxationForecast& relaxation = forecast.relaxation;
-    if (relaxation.needed) {
-        text += fmt::format("  settling   about {} steps of {} ms{}\n", grouped(relaxation.steps),
-                            short_number(1e3 * relaxation.step_seconds),
-                            relaxation.reliable
-                                ? ""
-                                : "; the soil did not settle in the trial, so this is the limit max_steps");
-    }
+    if (relaxation.needed) text += settling_line(relaxation);
     text += fmt::format("  shaking    {} steps of {} ms, measured with {}\n", grouped(forecast.steps),
                         short_number(1e3 * forecast.step_seconds), threads_text(thread_count()));
     text += fmt::format("  run time   about {}: {}shaking {}, output {}\n", duration_text(forecast.seconds()),
-                        relaxation.needed ? "settling " + duration_text(forecast.relaxation_seconds()) + ", "
-                                          : "",
+                        relaxation.needed ? "settling " + duration_text(relaxation.seconds()) + ", " : "",
                         duration_text(forecast.shaking_seconds()), duration_text(forecast.output.seconds));
     if (forecast.output.background_seconds > 0.0)
         text += fmt::format(

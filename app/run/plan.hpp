@@ -39,6 +39,9 @@ std::string describe_motion(const AssembledCase& assembled);
 /// Wave speeds, the first time step of the shaking and what limits it.
 std::string describe_time_step(const AssembledCase& assembled, const TimeStep& step);
 
+/// Steps and time of a stage that settles.
+std::string describe_settling_cost(const RelaxationForecast& forecast);
+
 /// Steps, memory, disk and run time.
 std::string describe_cost(const Forecast& forecast);
 

@@ -106,28 +106,6 @@ struct Decay {
     }
 };
 
-RelaxationForecast forecast_relaxation(const RelaxationControls& controls, StagedRun run)
-{
-    Decay decay;
-    const StopWatch watch;
-    const auto note = [&](const SettlingProgress& settling) {
-        decay.steps.push_back(static_cast<double>(settling.steps));
-        decay.logarithms.push_back(std::log(settling.unbalanced.of_weight));
-    };
-    const auto enough = [&] { return watch.seconds() > relaxation_trial_seconds; };
-    const RelaxationReport report = run.settle(controls, note, enough);
-    RelaxationForecast forecast;
-    forecast.needed = true;
-    forecast.step_seconds = watch.seconds() / static_cast<double>(report.steps);
-    const auto taken = static_cast<double>(report.steps);
-    double steps = report.settled ? taken : decay.steps_until(controls.tolerance);
-    forecast.reliable = report.settled || steps < static_cast<double>(controls.max_steps);
-    if (!report.settled && memory_columns(run.problem()) > 0)
-        steps = std::max(taken, (1.0 + steps_at_strength) * steps);
-    forecast.steps = forecast.reliable ? static_cast<std::int64_t>(steps) : controls.max_steps;
-    return forecast;
-}
-
 /// A new folder with a name of its own, for none of the user's may be touched; removed at the end.
 class ScratchFolder {
 public:
@@ -233,14 +211,38 @@ std::int64_t count_steps(const Scene& scene, const Problem& problem, double dt)
     return count_steps(problem, dt, {times.begin(), times.end()});
 }
 
+RelaxationForecast forecast_settling(const RelaxationControls& controls, StagedRun& run)
+{
+    Decay decay;
+    const StopWatch watch;
+    const auto note = [&](const SettlingProgress& settling) {
+        decay.steps.push_back(static_cast<double>(settling.steps));
+        decay.logarithms.push_back(std::log(settling.unbalanced.of_weight));
+    };
+    const auto enough = [&] { return watch.seconds() > relaxation_trial_seconds; };
+    const RelaxationReport report = run.settle(controls, note, enough);
+    RelaxationForecast forecast;
+    forecast.needed = true;
+    forecast.step_seconds = watch.seconds() / static_cast<double>(report.steps);
+    const auto taken = static_cast<double>(report.steps);
+    double steps = report.settled ? taken : decay.steps_until(controls.tolerance);
+    forecast.reliable = report.settled || steps < static_cast<double>(controls.max_steps);
+    if (!report.settled && memory_columns(run.problem()) > 0)
+        steps = std::max(taken, (1.0 + steps_at_strength) * steps);
+    forecast.steps = forecast.reliable ? static_cast<std::int64_t>(steps) : controls.max_steps;
+    return forecast;
+}
+
 Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, double dt,
                       const fs::path& directory)
 {
     Forecast forecast;
     forecast.steps = count_steps(assembled.scene, assembled.problem, dt);
     forecast.step_seconds = measure_step(run);
-    if (assembled.scene.relaxation)
-        forecast.relaxation = forecast_relaxation(*assembled.scene.relaxation, run);
+    if (assembled.scene.relaxation) {
+        StagedRun trial = run;
+        forecast.relaxation = forecast_settling(*assembled.scene.relaxation, trial);
+    }
     forecast.output = forecast_output(assembled, directory);
     forecast.memory = peak_memory();
     return forecast;

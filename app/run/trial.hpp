@@ -16,6 +16,8 @@ struct RelaxationForecast {
     bool reliable = false;     // false: the trial was too short to see the end
     std::int64_t steps = 0;    // [-]
     double step_seconds = 0.0; // wall time of a step [s]
+
+    double seconds() const { return static_cast<double>(steps) * step_seconds; }
 };
 
 struct OutputForecast {
@@ -33,21 +35,20 @@ struct Forecast {
     OutputForecast output;
     double memory = 0.0; // most that this process has held so far [byte]
 
-    double relaxation_seconds() const
-    {
-        return static_cast<double>(relaxation.steps) * relaxation.step_seconds;
-    }
     double shaking_seconds() const { return static_cast<double>(steps) * step_seconds; }
     double seconds() const
     {
         const double shaking = shaking_seconds() + output.seconds;
-        return relaxation_seconds() + (output.has_own_core ? std::max(shaking, output.background_seconds)
+        return relaxation.seconds() + (output.has_own_core ? std::max(shaking, output.background_seconds)
                                                            : shaking + output.background_seconds);
     }
 };
 
 /// Steps that a run takes at a time step, which it shortens so that the output times are hit.
 std::int64_t count_steps(const Scene& scene, const Problem& problem, double dt);
+
+/// Let the run settle for a few seconds: it then stands where the trial ended.
+RelaxationForecast forecast_settling(const RelaxationControls& controls, StagedRun& run);
 
 /// Let copies of the run of the scene go on for a few seconds and write a few frames into a folder of their
 /// own in `directory`, which is removed again: so the disk of the results is measured. `dt` is the time step

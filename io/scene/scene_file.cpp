@@ -9,6 +9,7 @@
 #include "io/scene/scene_base.hpp"
 #include "io/scene/scene_references.hpp"
 #include "io/scene/scene_stages.hpp"
+#include "io/scene/scene_variant.hpp"
 #include "io/scene/stage_changes.hpp"
 #include "io/scene/stage_placement.hpp"
 #include "io/tables/scene_boundaries.hpp"
@@ -267,7 +268,9 @@ SceneDocument read_scene_document(const std::filesystem::path& file,
     auto document = read_document(file, *text, {}, findings);
     DocumentNode unread; // overrides of a text that is no TOML are checked all the same
     if (document) name_stages(*document, findings);
-    replace_by_overrides(overrides, document ? *document : unread, findings);
+    DocumentNode overriding;
+    replace_by_overrides(overrides, overriding, findings);
+    merge_variant(std::move(overriding), document ? *document : unread);
     if (!document || !check_version(*document, findings)) throw_findings(findings, *text);
     const bool stands_alone = document->find("base") == nullptr && document->find("stages") == nullptr;
     if (!stands_alone) findings.keep_text(file, *text);

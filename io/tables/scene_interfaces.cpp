@@ -31,7 +31,11 @@ bool check_regions(const SceneValues& values, const std::string& path, const std
         if (std::find(known.begin(), known.end(), name) != known.end()) continue;
         const std::string nearest = nearest_name(name, known);
         return refuse("there is no region \"" + name + "\"", one_of(known),
-                      nearest.empty() ? "" : "did you mean \"" + nearest + "\"?");
+                      nearest.empty()
+                          ? "an interface goes with its regions: remove it as well, in a variant by "
+                            "without = [\"" +
+                                path.substr(0, path.rfind('.')) + "\"]"
+                          : "did you mean \"" + nearest + "\"?");
     }
     return true;
 }

@@ -1,8 +1,10 @@
 #include "solver/measure/elastic_displacement.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <variant>
+#include <vector>
 
 namespace quicksand {
 
@@ -13,19 +15,50 @@ double drawn_height(const Particles& particles)
     return *highest - *lowest;
 }
 
-double elastic_displacement(const Problem& problem, const Particles& particles)
+namespace {
+
+/// Weight of the grains over their volume with pores [N/m3].
+double unit_weight(const Problem& problem, const Particles& particles)
 {
-    double mass = 0.0, volume = 0.0, softest = std::numeric_limits<double>::infinity();
+    double mass = 0.0, volume = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         mass += particles.mass_solid[p];
         volume += particles.volume[p];
     }
-    for (const Material& material : problem.materials) {
-        softest =
-            std::min(softest, std::visit([](const auto& law) { return shear_modulus(law); }, material.law));
-    }
+    return mass / volume * problem.gravity;
+}
+
+double shear_modulus_of(const Material& material)
+{
+    return std::visit([](const auto& law) { return shear_modulus(law); }, material.law);
+}
+
+} // namespace
+
+double elastic_displacement(const Problem& problem, const Particles& particles)
+{
+    double softest = std::numeric_limits<double>::infinity();
+    for (const Material& material : problem.materials)
+        softest = std::min(softest, shear_modulus_of(material));
     const double height = drawn_height(particles);
-    return mass / volume * problem.gravity * height * height / softest;
+    return unit_weight(problem, particles) * height * height / softest;
+}
+
+double elastic_displacement_of_layers(const Problem& problem, const Particles& particles)
+{
+    const Scalars& y = particles.reference_position.y;
+    const double lowest = *std::min_element(y.begin(), y.end()), height = drawn_height(particles);
+    const double rows = std::max(1.0, std::ceil(height / problem.grid.cell_size));
+    std::vector<double> softest(static_cast<std::size_t>(rows), std::numeric_limits<double>::infinity());
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double share = height > 0.0 ? (y[p] - lowest) / height : 0.0;
+        double& G = softest[static_cast<std::size_t>(std::min(share * rows, rows - 1.0))];
+        G = std::min(G, shear_modulus_of(problem.materials[static_cast<std::size_t>(particles.material[p])]));
+    }
+    double compliance = 0.0; // int (top - y)/G dy over the square of the height [1/Pa]
+    for (std::size_t row = 0; row < softest.size(); ++row)
+        compliance += (1.0 - (static_cast<double>(row) + 0.5) / rows) / rows / softest[row];
+    return 2.0 * unit_weight(problem, particles) * height * height * compliance;
 }
 
 } // namespace quicksand

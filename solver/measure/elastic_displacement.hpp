@@ -13,4 +13,8 @@ double drawn_height(const Particles& particles);
 /// [m].
 double elastic_displacement(const Problem& problem, const Particles& particles);
 
+/// 2 int gamma (top - y)/G dy, G that of the softest soil at each height: gamma H^2 / G of one soil, and less
+/// where a soft layer is thin [m].
+double elastic_displacement_of_layers(const Problem& problem, const Particles& particles);
+
 } // namespace quicksand

@@ -1,12 +1,15 @@
 #include "solver/measure/particle_quantities.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/problem/material_runs.hpp"
+#include "solver/run/settling_problem.hpp"
 #include "solver/run/settling_watch.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/step/single_phase_step.hpp"
 
 #include <cstdint>
+#include <limits>
 #include <string_view>
+#include <variant>
 
 namespace quicksand {
 
@@ -72,8 +75,7 @@ double out_of_balance(const Problem& problem, const State& state)
 
 namespace {
 
-/// The soil as it settles, in which sand bears at least the shear stress that the weight of so many cells
-/// allows.
+/// Sand bears at least the shear stress that the weight of so many cells allows.
 Problem settling_problem(const Problem& problem, double cells)
 {
     Problem settling = problem;
@@ -82,6 +84,8 @@ Problem settling_problem(const Problem& problem, double cells)
         const double cell_weight = (1.0 - material.porosity) * (material.grain_density - buoyancy) *
                                    problem.gravity * problem.grid.cell_size * cells;
         material.law = settling_form(material.law, cell_weight);
+        if (std::holds_alternative<SettlingSand>(material.law))
+            material.volumetric_strain = VolumetricStrain::cell;
     }
     return settling;
 }
@@ -105,30 +109,48 @@ bool rests(const State& state)
 }
 
 /// Settle on, from rest, with the strength of the shaking, which near the surface is less: then nothing moves
-/// when the shaking begins. Corners of soil that cannot stand without the allowance creep on; what is out of
-/// balance after the last step is told. False after a stop: the state is that at the beginning again.
+/// when the shaking begins. First with local damping, by which soil that cannot stand at this strength runs
+/// away, then to a small part of the tolerance. Corners that creep on are left; what is out of balance after
+/// the last step is told. False after a stop: the state is that at the beginning again.
 bool settle_at_strength(const Problem& shaken, const RelaxationControls& controls, State& state,
                         RelaxationReport& report, const StopRule& stop)
 {
-    constexpr std::int64_t most_steps = 4000;
+    constexpr std::int64_t most_steps = 4000;  // of either kind
     constexpr double share_of_tolerance = 0.1; // what moves is a small part of the body
     const State beginning = state;
-    const Problem problem = settling_problem(shaken, 0.0);
+    const Problem problem = problem_at_strength(shaken);
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
-    for (std::int64_t step = 1; step <= most_steps; ++step) {
-        const double dt = stable_relaxation_step(problem, state.particles).dt;
+    RelaxationControls endless = controls;
+    endless.max_steps = std::numeric_limits<std::int64_t>::max();
+    constexpr double share_of_corners = 0.05; // of the particles, which may creep on [-]
+    SettlingWatch watch(problem, endless, state.particles, share_of_corners);
+    bool stopped = false;
+    const auto settle = [&](double tolerance, auto&& advance, auto&& look) {
+        for (std::int64_t step = 1; step <= most_steps && !stopped; ++step) {
+            const double dt = stable_relaxation_step(problem, state.particles).dt;
+            advance(dt);
+            if (step % steps_between_checks != 0) continue;
+            check_particles(dt, state);
+            report.unbalanced = forces_of(problem, work);
+            report.steps = state.step;
+            if (report.unbalanced.of_weight <= tolerance) break;
+            look(dt);
+            stopped = stop && stop();
+        }
+        set_at_rest(state.particles);
+        state.last_step = 0.0;
+    };
+    settle(
+        controls.tolerance,
+        [&](double dt) { advance_single_phase_step(problem, dt, controls.damping, state, work); },
+        [&](double dt) { watch.look(state, report.unbalanced, dt); });
+    const auto advance_braked = [&](double dt) {
         advance_single_phase_step(problem, dt, 0.0, state, work);
         brake(state.particles);
-        if (step % steps_between_checks != 0) continue;
-        check_particles(dt, state);
-        report.unbalanced = forces_of(problem, work);
-        report.steps = state.step;
-        if (report.unbalanced.of_weight <= share_of_tolerance * controls.tolerance) return true;
-        if (!stop || !stop()) continue;
-        state = beginning;
-        return false;
-    }
-    return true;
+    };
+    settle(share_of_tolerance * controls.tolerance, advance_braked, [](double) {});
+    if (stopped) state = beginning;
+    return !stopped;
 }
 
 } // namespace
@@ -136,6 +158,11 @@ bool settle_at_strength(const Problem& shaken, const RelaxationControls& control
 Problem settling_problem(const Problem& problem)
 {
     return settling_problem(problem, 1.0);
+}
+
+Problem problem_at_strength(const Problem& shaken)
+{
+    return settling_problem(shaken, 0.0);
 }
 
 RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls, State& state,
@@ -150,7 +177,7 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
         state.whole_step = 0.0;
     }
     SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
-    SettlingWatch watch(problem, controls, state.particles);
+    SettlingWatch watch(problem, controls, state.particles, 0.0);
     RelaxationReport report;
     while (!rests(state)) {
         const double dt = stable_relaxation_step(problem, state.particles).dt;

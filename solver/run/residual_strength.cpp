@@ -21,6 +21,7 @@ Material liquefied(const Material& material, double strength)
     law.poisson_ratio = poisson_ratio;
     law.cohesion = strength;
     result.law = law;
+    result.volumetric_strain = VolumetricStrain::cell; // it flows at constant volume
     return result;
 }
 

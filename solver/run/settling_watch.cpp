@@ -6,6 +6,7 @@
 #include "solver/motion/particle_order.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <sstream>
 #include <string>
 
@@ -35,6 +36,16 @@ std::size_t farthest_particle(const Particles& particles)
         }
     }
     return farthest;
+}
+
+/// How far more than a share of the particles have moved [m].
+double displacement_of(const Particles& particles, double share)
+{
+    Scalars moved(particles.size());
+    for (std::size_t p = 0; p < particles.size(); ++p) moved[p] = displacement(particles, p).norm();
+    const auto place = static_cast<std::ptrdiff_t>((1.0 - share) * static_cast<double>(moved.size() - 1));
+    std::nth_element(moved.begin(), moved.begin() + place, moved.end());
+    return moved[static_cast<std::size_t>(place)];
 }
 
 /// Displacement that no soil reaches which comes to rest as drawn: a cell, a quarter of its height and twice
@@ -67,25 +78,28 @@ std::string describe(const UnbalancedForces& unbalanced)
 } // namespace
 
 SettlingWatch::SettlingWatch(const Problem& problem, const RelaxationControls& controls,
-                             const Particles& particles)
-    : controls_(controls), largest_displacement_(largest_settling(problem, particles)),
-      least_of_slides_(0.5 * elastic_displacement(problem, particles)), runaway_(least_of_slides_)
+                             const Particles& particles, double share)
+    : controls_(controls), share_(share), largest_displacement_(largest_settling(problem, particles)),
+      least_of_slides_(0.5 * elastic_displacement_of_layers(problem, particles))
 {
 }
 
 void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced, double dt)
 {
-    const std::size_t farthest = farthest_particle(state.particles);
-    const double moved = displacement(state.particles, farthest).norm();
+    const double moved = displacement_of(state.particles, share_);
     std::ostringstream what;
     what.precision(3);
     const auto fail_by_running_away = [&](const char* than_soil, double limit) {
         what << "the soil runs away instead of settling: it has moved " << moved << than_soil << limit
              << " m; " << describe(unbalanced);
-        fail(state, farthest, what.str(), causes_of_running_away(unbalanced), dt);
+        fail(state, farthest_particle(state.particles), what.str(), causes_of_running_away(unbalanced), dt);
     };
-    runaway_.note(moved, unbalanced.of_weight);
-    if (runaway_.is_certain())
+    if (!runaway_) {
+        least_of_slides_ *= std::max(1.0, unbalanced.of_weight); // loads move soil as well as its weight does
+        runaway_.emplace(least_of_slides_);
+    }
+    runaway_->note(moved, unbalanced.of_weight);
+    if (runaway_->is_certain())
         fail_by_running_away(" m and goes on, soil that stands moves less than ", least_of_slides_);
     if (moved > largest_displacement_)
         fail_by_running_away(" m, soil that comes to rest moves less than ", largest_displacement_);
@@ -93,7 +107,7 @@ void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced,
     what << "the soil does not settle: after " << state.step << " steps the out-of-balance force is "
          << unbalanced.of_weight << " of the weight, the tolerance " << controls_.tolerance << "; "
          << describe(unbalanced) << "; the particle below has moved farthest";
-    fail(state, farthest, what.str(),
+    fail(state, farthest_particle(state.particles), what.str(),
          "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
          "small or max_steps too few (go on with --resume and a larger relaxation.tolerance or more "
          "relaxation.max_steps)",

@@ -4,6 +4,7 @@
 #include "solver/measure/elastic_displacement.hpp"
 #include "solver/problem/solid_mixture.hpp"
 #include "solver/run/held_shape.hpp"
+#include "solver/run/settling_problem.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/step/time_step_control.hpp"
 
@@ -32,7 +33,8 @@ double shear_crossing_time(const Problem& problem)
 class StrengthReduction {
 public:
     StrengthReduction(const Problem& problem, const StrengthReductionControls& controls, State& state)
-        : problem_(problem), controls_(controls), state_(state), shape_(hold_shape(problem, state)),
+        : problem_(problem), controls_(controls), state_(state),
+          shape_(hold_shape(with_reduced_strength(problem, 1.0), state)),
           largest_displacement_(controls.largest_displacement *
                                 elastic_displacement(problem, state.particles)),
           crossing_time_(shear_crossing_time(problem))
@@ -107,7 +109,7 @@ bool has_strength(const Problem& problem)
 
 Problem with_reduced_strength(const Problem& problem, double factor)
 {
-    Problem weaker = settling_problem(problem);
+    Problem weaker = problem_at_strength(problem);
     for (Material& material : weaker.materials) material.law = reduced(material.law, factor);
     return weaker;
 }

@@ -135,6 +135,11 @@ TEST_F(LayerRun, IsCheckedStageByStage)
         << outcome.output;
     EXPECT_NE(outcome.output.find("crest           no soil beside it here"), std::string::npos)
         << outcome.output;
+    int forecasts = 0; // of the three stages that settle
+    for (std::size_t at = 0; (at = outcome.output.find("Cost\n  settling   about ", at)) != std::string::npos;
+         ++at)
+        ++forecasts;
+    EXPECT_EQ(forecasts, 3) << outcome.output;
 }
 
 TEST_F(LayerRun, ShakesWithTheSoilThatHasSettled)

@@ -2,6 +2,9 @@
 #include "tests/fixtures/drawn_section.hpp"
 #include "tests/fixtures/scene_mistake.hpp"
 
+#include <cmath>
+#include <numbers>
+
 namespace quicksand {
 namespace {
 
@@ -197,6 +200,131 @@ TEST(InterfaceOfSand, NeedsFriction)
       |                  ^
 expected: friction_angle above 0
 )");
+}
+
+/// A variant of the scene, and what it is read as.
+class InterfaceOfVariant : public testing::Test {
+protected:
+    InterfaceOfVariant() { folder.write("wall.toml", scene); }
+    static std::string variant(const std::string& keys)
+    {
+        return "scene_version = 1\nbase = \"wall.toml\"\n" + keys;
+    }
+    SceneInterface read(const std::string& text, const std::vector<std::string>& overrides = {}) const
+    {
+        return folder.read(text, overrides).scene.interfaces.at(0);
+    }
+    /// The interfaces of all stages that follow the scene.
+    std::vector<SceneInterface> read_stages(const std::string& stages,
+                                            const std::vector<std::string>& overrides = {}) const
+    {
+        folder.write("scene.toml", fixtures::replaced(scene, "[run]\nend_time = 1.0\n", "") + stages);
+        std::vector<SceneInterface> interfaces;
+        for (const SceneReading& reading : read_scene_stages(folder.file("scene.toml"), overrides))
+            interfaces.push_back(reading.scene.interfaces.at(0));
+        return interfaces;
+    }
+
+    const double tan_of_20 = std::tan(20.0 * std::numbers::pi / 180.0);
+    SceneFolder folder;
+};
+
+TEST_F(InterfaceOfVariant, MayHaveAnotherStrength)
+{
+    const SceneInterface rougher = read(variant("[interfaces.face]\ncohesion = 1000\n"));
+    EXPECT_DOUBLE_EQ(rougher.strength.friction, tan_of_20);
+    EXPECT_DOUBLE_EQ(rougher.strength.cohesion, 1000.0);
+    const SceneInterface share = read(variant("[interfaces.face]\nstrength_ratio = 0.5\n"));
+    EXPECT_DOUBLE_EQ(share.strength_ratio.value_or(0.0), 0.5);
+    folder.write("wall.toml", fixtures::replaced(scene, "friction_angle = 20", "strength_ratio = 0.5"));
+    const SceneInterface friction = read(variant("[interfaces.face]\nfriction_angle = 20\n"));
+    EXPECT_FALSE(friction.strength_ratio);
+    EXPECT_DOUBLE_EQ(friction.strength.friction, tan_of_20);
+}
+
+TEST_F(InterfaceOfVariant, MayBeLeftOut)
+{
+    EXPECT_TRUE(folder.read(variant("without = [\"interfaces.face\"]\n")).scene.interfaces.empty());
+    EXPECT_TRUE(folder.read(variant("without = [\"interfaces\"]\n")).scene.interfaces.empty());
+    EXPECT_EQ(folder.message(variant("without = [\"interfaces.fase\"]\n")),
+              R"_(scene.toml:3:12: error[without]: the base has no 'interfaces.fase'
+    3 | without = ["interfaces.fase"]
+      |            ^~~~~~~~~~~~~~~~~
+expected: a key or table of wall.toml, as "water" or "motion.cycles"
+)_");
+}
+
+TEST_F(InterfaceOfVariant, NeedsItsRegions)
+{
+    EXPECT_EQ(folder.message(variant("without = [\"regions.wall\"]\n")),
+              R"_(wall.toml:25:11: error[interface]: there is no region "wall"
+   25 | regions = ["wall", "sand"]
+      |           ^~~~~~~~~~~~~~~~
+expected: one of sand, slab
+hint: an interface goes with its regions: remove it as well, in a variant by without = ["interfaces.face"]
+)_");
+    EXPECT_EQ(folder.message(variant("without = [\"regions.wall\", \"interfaces.face\"]\n")), "");
+}
+
+TEST_F(InterfaceOfVariant, IsSetOnTheCommandLine)
+{
+    EXPECT_DOUBLE_EQ(read(scene, {"interfaces.face.friction_angle=\"10 deg\""}).strength.friction,
+                     std::tan(10.0 * std::numbers::pi / 180.0));
+    const SceneInterface share = read(scene, {"interfaces.face.strength_ratio=0.5"});
+    EXPECT_DOUBLE_EQ(share.strength_ratio.value_or(0.0), 0.5);
+}
+
+TEST_F(InterfaceOfVariant, IsNotSetByMistake)
+{
+    EXPECT_EQ(
+        folder.message(scene, {"interfaces.fase.strength_ratio=0.5"}),
+        "--set 'interfaces.fase.strength_ratio=0.5': error[missing-key]: [interfaces.fase] has no regions\n"
+        "expected: regions: The two regions. The soil of one slides: beside a solid that of the soil, of two "
+        "soils that of the first.\n");
+    EXPECT_EQ(
+        folder.message(scene, {"interfaces.face.friktion_angle=10"}),
+        R"_(--set 'interfaces.face.friktion_angle=10': error[unknown-key]: unknown key 'friktion_angle' in [interfaces.face]
+expected: one of regions, strength_ratio, friction_angle, cohesion, thickness
+hint: did you mean friction_angle?
+)_");
+    EXPECT_EQ(
+        folder.message(scene, {"interfaces.face.strength_ratio=1.5"}),
+        R"_(--set 'interfaces.face.strength_ratio=1.5': error[range]: interfaces.face.strength_ratio = 1.5 is out of range
+expected: more than 0 and at most 1
+)_");
+    EXPECT_EQ(
+        folder.message(scene, {"interfaces.face.strength_ratio=0.5", "interfaces.face.friction_angle=20"}),
+        R"_(--set 'interfaces.face.friction_angle=20': error[conflict]: interfaces.face.friction_angle is given, and strength_ratio reduces that of the soil
+expected: strength_ratio alone, or friction_angle with cohesion
+hint: remove one of the two
+)_");
+}
+
+TEST_F(InterfaceOfVariant, ChangesFromStageToStage)
+{
+    const std::string stages = "[[stages]]\nname = \"before\"\nkind = \"settle\"\n"
+                               "[[stages]]\nname = \"after\"\nkind = \"shake\"\nduration = 1\n"
+                               "[stages.interfaces.face]\nstrength_ratio = 0.5\n";
+    const std::vector<SceneInterface> change = read_stages(stages);
+    EXPECT_FALSE(change[0].strength_ratio);
+    EXPECT_DOUBLE_EQ(change[1].strength_ratio.value_or(0.0), 0.5);
+    const std::vector<SceneInterface> set =
+        read_stages(stages, {"stages.after.interfaces.face.friction_angle=10"});
+    EXPECT_DOUBLE_EQ(set[0].strength.friction, tan_of_20);
+    EXPECT_FALSE(set[1].strength_ratio);
+    EXPECT_DOUBLE_EQ(set[1].strength.friction, std::tan(10.0 * std::numbers::pi / 180.0));
+}
+
+TEST_F(InterfaceOfVariant, LeavesTheDensityOfSandToTheVariant)
+{
+    folder.write(
+        "column.toml",
+        fixtures::replaced(fixtures::column_scene,
+                           "model = \"linear_elastic\"\nshear_modulus = \"60 MPa\"\npoisson_ratio = 0.3\n",
+                           "model = \"ubcsand\"\nrelative_density = 0.5\n"));
+    const std::string loose = "scene_version = 1\nbase = \"column.toml\"\n[materials.sand]\nn1_60 = 8\n";
+    EXPECT_EQ(folder.message(loose), "");
+    EXPECT_EQ(folder.message(loose, {"materials.sand.relative_density=0.4"}), "");
 }
 
 } // namespace

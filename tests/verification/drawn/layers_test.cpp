@@ -1,123 +1,13 @@
 // Soil placed layer by layer settles as a column of elastic layers does: what lies above an interface when it
 // is there moves it, what was there before does not.
-#include "io/scene/scene_file.hpp"
-#include "solver/run/staged_run.hpp"
-#include "tests/fixtures/drawn_section.hpp"
+#include "tests/fixtures/layer_stack.hpp"
 
 #include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <utility>
 
 namespace quicksand {
 namespace {
 
-using namespace fixtures;
-
-constexpr int layers = 4;
-constexpr double height = 2.0, width = 3.0, cell = 0.5; // of a layer, of the column and of a cell [m]
-constexpr double shear_modulus = 100e6, poisson = 0.25; // [Pa], [-]
-constexpr double modulus = 2.0 * shear_modulus * (1.0 - poisson) / (1.0 - 2.0 * poisson); // M [Pa]
-constexpr double grain_density = 2650.0, porosity = 0.4;
-
-struct Drawing {
-    Vector2 shift = Vector2::Zero(); // of the section in the grid [m]
-    int particles = 2;               // across a cell [-]
-    bool mirrored = false;
-    std::string water = {}; // keys of [water] and its analysis
-    std::string strain = "large";
-    std::vector<std::vector<int>> steps = {{1}, {2}, {3}}; // layers that each stage places
-};
-
-std::string name_of(int layer)
-{
-    return "layer_" + std::to_string(layer);
-}
-
-Section stack(const Drawing& drawing)
-{
-    Section section;
-    std::vector<Segment> left, right;
-    const auto at = [&](double x, double y) -> Vector2 { return Vector2(x, y) + drawing.shift; };
-    for (int k = 0; k < layers; ++k) {
-        const double lower = k * height, upper = lower + height;
-        section.regions.push_back(
-            {name_of(k), {{{at(0.0, lower), at(width, lower), at(width, upper), at(0.0, upper)}, {}}}});
-        left.push_back({at(0.0, upper), at(0.0, lower)});
-        right.push_back({at(width, lower), at(width, upper)});
-    }
-    if (drawing.mirrored) std::reverse(section.regions.begin(), section.regions.end());
-    section.curves = {{"base", {{at(0.0, 0.0), at(width, 0.0)}}},
-                      {drawing.mirrored ? "right" : "left", left},
-                      {drawing.mirrored ? "left" : "right", right}};
-    bound_section(section);
-    return section;
-}
-
-std::string scene_of(const Drawing& drawing)
-{
-    std::string text =
-        "scene_version = 1\n[geometry]\nfile = \"drawing.geo\"\n[grid]\norigin = [-2.0, -2.0]\n"
-        "cell_size = 0.5\ncells = [16, 28]\n[analysis]\nstrain = \"" +
-        drawing.strain + "\"\n[sampling]\nparticles_per_cell = [" + std::to_string(drawing.particles) + ", " +
-        std::to_string(drawing.particles) + "]\n" + drawing.water + base_and_sides +
-        "[initial]\nk0 = 0.3333333333333333\n[relaxation]\ntolerance = 1e-9\n"
-        "[materials.soil]\nmodel = \"linear_elastic\"\nshear_modulus = 100e6\n"
-        "poisson_ratio = 0.25\ngrain_density = 2650\nporosity = 0.4\n";
-    if (!drawing.water.empty()) text += "hydraulic_conductivity = 1e-4\n";
-    for (int k = 0; k < layers; ++k) text += "[regions." + name_of(k) + "]\nmaterial = \"soil\"\n";
-    text += "[[stages]]\nname = \"ground\"\nkind = \"settle\"\n";
-    for (std::size_t s = 0; s < drawing.steps.size(); ++s) {
-        std::string names;
-        for (const int layer : drawing.steps[s])
-            names += (names.empty() ? "\"" : ", \"") + name_of(layer) + '"';
-        text += "[[stages]]\nname = \"step_" + std::to_string(s) + "\"\nkind = \"settle\"\nplace = [" +
-                names + "]\n";
-    }
-    return text;
-}
-
-/// What the stages come to.
-struct Build {
-    std::vector<std::map<std::int32_t, Vector2>> begins, ends; // places by lasting number, of each stage [m]
-    State state;                                               // at the end
-};
-
-std::map<std::int32_t, Vector2> places(const Particles& particles)
-{
-    std::map<std::int32_t, Vector2> places;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-        places[particles.identifier[p]] = particles.position[p];
-    return places;
-}
-
-Build build(const Drawing& drawing)
-{
-    const TemporaryFolder folder;
-    std::ofstream(folder / "drawing.geo") << "Point(1) = {0, 0, 0};\n";
-    std::ofstream(folder / "scene.toml") << scene_of(drawing);
-    Build result;
-    for (SceneReading& reading : read_scene_stages(folder / "scene.toml", {})) {
-        AssembledCase assembled = assemble_case(std::move(reading), stack(drawing));
-        StagedRun run(assembled.problem, std::move(assembled.state), {0.0, ColumnsComputed::all, false});
-        StageStart start;
-        start.settles = true;
-        if (!result.ends.empty()) run.go_on_from(std::move(result.state), start);
-        result.begins.push_back(places(run.state().particles));
-        run.settle(*assembled.scene.relaxation);
-        result.ends.push_back(places(run.state().particles));
-        result.state = run.state();
-    }
-    return result;
-}
-
-double unit_weight(const Drawing& drawing)
-{
-    const double buoyancy = drawing.water.empty() ? 0.0 : 1000.0;
-    return (1.0 - porosity) * (grain_density - buoyancy) * standard_gravity;
-}
+using namespace fixtures::layer_stack;
 
 /// Settlement in the stage that places soil of thickness `placed` on ground of height `ground`, at a height z
 /// [m].
@@ -133,8 +23,8 @@ double error_of_settlements(const Drawing& drawing, const Build& built)
 {
     const double weight = unit_weight(drawing);
     double error = 0.0, largest = 0.0, ground = height;
-    for (std::size_t s = 0; s < drawing.steps.size(); ++s) {
-        const double placed = height * static_cast<double>(drawing.steps[s].size());
+    for (std::size_t s = 0; s < drawing.changes.size(); ++s) {
+        const double placed = height * static_cast<double>(drawing.changes[s].place.size());
         for (const auto& [number, place] : built.begins[s + 1]) {
             const double moved = place.y() - built.ends[s + 1].at(number).y();
             const double expected = settlement(weight, ground, placed, place.y() - drawing.shift.y());
@@ -199,7 +89,7 @@ TEST(Layers, OfAnInterfaceCountWhatIsPlacedAfterIt)
 TEST(Layers, InOneStepMoveAsTheirNumberSays)
 {
     Drawing at_once;
-    at_once.steps = {{1, 2, 3}};
+    at_once.changes = {{{1, 2, 3}}};
     const Build built = build(at_once);
     EXPECT_LT(error_of_settlements(at_once, built), 0.01);
     EXPECT_LT(error_of_stresses(at_once, built), 0.03);
@@ -239,6 +129,51 @@ TEST(Layers, InSmallStrainLieWhereTheyAreDrawn)
     EXPECT_LT(error_of_stresses(drawing, built), 0.03);
     for (std::size_t s = 1; s < built.begins.size(); ++s)
         for (const auto& [number, place] : built.begins[s - 1]) EXPECT_EQ(place, built.begins[s].at(number));
+}
+
+/// Largest error of the mean stresses of the rows of cells at the end over the stress at the base: K0 = 1/2
+/// below level ground. Within a cell, whose strain is one, sand that is stiffer takes more.
+double error_of_sand(const Drawing& drawing, const Build& built)
+{
+    const double weight = unit_weight(drawing), top = layers * height;
+    const Particles& particles = built.settled.particles;
+    struct Row {
+        double volume = 0.0, vertical = 0.0, horizontal = 0.0; // [m3/m], errors times volume [N m/m]
+    };
+    std::map<int, Row> rows;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double y = particles.position.y[p], volume = particles.volume[p];
+        const double expected = -weight * (top - (y - drawing.shift.y()));
+        Row& row = rows[static_cast<int>(std::floor(y / cell))];
+        row.volume += volume;
+        row.vertical += volume * (particles.stress.yy[p] - expected);
+        row.horizontal += volume * (particles.stress.xx[p] - 0.5 * expected);
+    }
+    double error = 0.0;
+    for (const auto& [number, row] : rows)
+        error = std::max({error, std::abs(row.vertical / row.volume), std::abs(row.horizontal / row.volume)});
+    return error / (weight * top);
+}
+
+TEST(Layers, OfSandAreAtRestWhereTheyArePlaced)
+{
+    for (const std::string model : {"ubcsand", "pm4sand"})
+        for (const Vector2& shift : {Vector2(0.0, 0.0), Vector2(0.43 * cell, 0.37 * cell)})
+            for (const std::string scheme : {"explicit", "semi_implicit", "implicit"}) {
+                Drawing drawing;
+                drawing.law = "model = \"" + model + "\"\nrelative_density = 0.6\n";
+                drawing.k0 = "0.5";
+                drawing.shift = shift;
+                drawing.water = "[water]\nlevel = 10.0\n";
+                drawing.scheme = scheme;
+                drawing.rest = 0.05;
+                const Build built = build(drawing);
+                const Unrest unrest = unrest_of(drawing, built);
+                EXPECT_LT(error_of_sand(drawing, built), shift.x() > 0.0 ? 0.05 : 0.03)
+                    << model << ' ' << shift.x();
+                EXPECT_LT(unrest.velocity, 1e-6) << model << ' ' << scheme << ' ' << shift.x();
+                EXPECT_LT(unrest.stress, 1e-4) << model << ' ' << scheme << ' ' << shift.x();
+            }
 }
 
 } // namespace

@@ -46,12 +46,21 @@ TEST(Runaway, IsNoElasticBodyThatSwings)
     }
 }
 
-TEST(Runaway, IsNoBodyOnItsWayToRestFarBeyondTheElasticDisplacement)
+TEST(Runaway, IsNoBodyOnItsWayToRestBeyondTheElasticDisplacement)
 {
     EXPECT_EQ(first_certain([](double t) { return 3.0 * (0.5 - 0.5 * std::cos(10.0 * t)); }), 0);
-    EXPECT_EQ(first_certain([](double t) { return 30.0 * (1.0 - std::exp(-5.0 * t)); }), 0);
-    EXPECT_EQ(first_certain([](double t) { return 30.0 * t; }), 0) << "it creeps, and may stop";
-    EXPECT_EQ(first_certain([](double t) { return 30.0 * std::sqrt(t); }), 0);
+    EXPECT_EQ(first_certain([](double t) { return 1.9 * (1.0 - std::exp(-5.0 * t)); }), 0);
+    EXPECT_EQ(first_certain([](double t) { return 1.9 * t; }), 0) << "it creeps, and may stop";
+    EXPECT_EQ(first_certain([](double t) { return 1.9 * std::sqrt(t); }), 0);
+    EXPECT_EQ(first_certain([](double t) { return 30.0 * (1.0 - std::exp(-5.0 * t)); }, 100.0), 0);
+}
+
+// A slide flattens the slope and slows down soon, but its forces fall slowly.
+TEST(Runaway, IsABodyThatHasGoneFar)
+{
+    EXPECT_EQ(first_certain([](double t) { return 30.0 * (1.0 - std::exp(-5.0 * t)); }), 8);
+    EXPECT_EQ(first_certain([](double t) { return 30.0 * t; }), 27) << "twice as far as slides at least";
+    EXPECT_EQ(first_certain([](double t) { return 30.0 * std::sqrt(t); }), 8);
 }
 
 TEST(Runaway, IsABodyThatCreepsWhileItsForcesStay)
