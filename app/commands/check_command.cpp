@@ -8,8 +8,8 @@
 #include "io/results/results_folder.hpp"
 #include "io/scene/stage_changes.hpp"
 #include "io/tables/stage_keys.hpp"
+#include "solver/free_field/wave_steps.hpp"
 #include "solver/run/staged_run.hpp"
-#include "solver/vibration/step_bound.hpp"
 
 #include <fmt/format.h>
 
@@ -48,7 +48,7 @@ void say_run(const SceneSetup& setup, const ResultsFolder& folder, Journal& jour
 {
     const AssembledCase& assembled = setup.assembled;
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
-    const TimeStep step = measure_time_step(assembled.problem, assembled.state);
+    const TimeStep step = first_time_step(assembled.problem, assembled.state);
     journal.say(describe_time_step(assembled, step));
     const StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
     journal.say(describe_cost(forecast_run(assembled, run, step.dt, folder.directory)));

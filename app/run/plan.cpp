@@ -42,19 +42,6 @@ std::string_view law_without_stress(const Problem& problem)
     return "";
 }
 
-const char* name_of(TimeScheme scheme)
-{
-    switch (scheme) {
-    case TimeScheme::explicit_steps:
-        return "explicit";
-    case TimeScheme::semi_implicit:
-        return "semi-implicit";
-    case TimeScheme::implicit:
-        return "implicit";
-    }
-    return "";
-}
-
 } // namespace
 
 std::string describe_laws(const AssembledCase& assembled)
@@ -195,6 +182,11 @@ std::string describe_time_step(const AssembledCase& assembled, const TimeStep& s
     }
     text += fmt::format("Time step\n  {} s, limited by the {}{}\n", short_number(step.dt),
                         name_of(step.limiter), step.material.empty() ? "" : " in " + step.material);
+    if (step.replaced > 0.0)
+        text +=
+            fmt::format("  {} steps at first, which cost less than the implicit ones of {} s that accuracy "
+                        "allows\n",
+                        name_of(step.scheme), short_number(step.replaced));
     if (!assembled.scene.scheme)
         text += fmt::format("  {} steps, which take the least time here\n", name_of(problem.scheme));
     if (assembled.scene.relaxation) {

@@ -60,18 +60,19 @@ std::vector<double> HistoryWriter::measure(const Problem& problem, const State& 
 void HistoryWriter::before_step(const Problem& problem, const State& state, double)
 {
     start_time_ = state.time;
-    starts_ = measure(problem, state, 0);
+    starts_ = end_time_ == state.time ? ends_ : measure(problem, state, 0);
 }
 
 void HistoryWriter::observe(const Problem& problem, const State& state, const StepReport& report)
 {
     const std::vector<const BodyQuantity*> quantities = body_quantities(problem, state);
-    const std::vector<double> ends = measure(problem, state, report.limited_domains);
+    ends_ = measure(problem, state, report.limited_domains);
+    end_time_ = state.time;
     clock_.strike(start_time_, state.time, [&](double time, double weight) {
-        std::vector<double> values = ends;
+        std::vector<double> values = ends_;
         if (weight < 1.0) {
-            for (std::size_t k = 0; k < ends.size(); ++k)
-                if (!quantities[k]->is_counted) values[k] = std::lerp(starts_[k], ends[k], weight);
+            for (std::size_t k = 0; k < ends_.size(); ++k)
+                if (!quantities[k]->is_counted) values[k] = std::lerp(starts_[k], ends_[k], weight);
             values.front() = time;
         }
         write(values);

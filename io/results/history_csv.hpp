@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace quicksand {
@@ -26,6 +27,7 @@ public:
     bool looks_into_steps() const override { return true; }
     void before_step(const Problem& problem, const State& state, double end) override;
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
+    void went_back(const FailureRecord&, const State&) override { end_time_.reset(); }
 
 private:
     std::vector<double> measure(const Problem& problem, const State& state,
@@ -35,8 +37,9 @@ private:
     ObservationClock clock_;
     CsvFile file_;
     std::vector<std::int32_t> crest_;
-    double start_time_ = 0.0;    // of a step that passes the next time [s]
-    std::vector<double> starts_; // of all columns at that time
+    double start_time_ = 0.0;           // of a step that passes the next time [s]
+    std::optional<double> end_time_;    // of the last step that did, where the next one may start [s]
+    std::vector<double> starts_, ends_; // of all columns at these times
 };
 
 } // namespace quicksand

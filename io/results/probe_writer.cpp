@@ -164,15 +164,16 @@ ProbeWriter::Probe ProbeWriter::open_probe(const SceneProbe& scene_probe, const 
 void ProbeWriter::before_step(const Problem& problem, const State& state, double)
 {
     start_time_ = state.time;
-    starts_ = sample(problem, state);
+    starts_ = end_time_ == state.time ? ends_ : sample(problem, state);
 }
 
 void ProbeWriter::observe(const Problem& problem, const State& state, const StepReport&)
 {
-    const auto ends = sample(problem, state);
+    ends_ = sample(problem, state);
+    end_time_ = state.time;
     clock_.strike(start_time_, state.time, [&](double time, double weight) {
         for (std::size_t k = 0; k < probes_.size(); ++k)
-            write(probes_[k], time, weight < 1.0 ? interpolate(starts_[k], ends[k], weight) : ends[k]);
+            write(probes_[k], time, weight < 1.0 ? interpolate(starts_[k], ends_[k], weight) : ends_[k]);
     });
 }
 

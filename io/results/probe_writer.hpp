@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,7 @@ public:
     bool looks_into_steps() const override { return true; }
     void before_step(const Problem& problem, const State& state, double end) override;
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
+    void went_back(const FailureRecord&, const State&) override { end_time_.reset(); }
 
 private:
     struct Probe {
@@ -49,8 +51,9 @@ private:
     std::vector<Vector2> fixed_points_;       // of all fixed probes and profiles [m]
     ObservationClock clock_;
     std::vector<Probe> probes_;
-    double start_time_ = 0.0;                      // of a step that passes the next time [s]
-    std::vector<std::vector<PointSample>> starts_; // of all probes at that time
+    double start_time_ = 0.0;        // of a step that passes the next time [s]
+    std::optional<double> end_time_; // of the last step that did, where the next one may start [s]
+    std::vector<std::vector<PointSample>> starts_, ends_; // of all probes at these times
 };
 
 } // namespace quicksand

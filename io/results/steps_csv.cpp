@@ -21,6 +21,12 @@ constexpr std::array columns = {
     DocumentedName{"dt_s", "the last time step that was not shortened to hit an output time"},
     DocumentedName{"dt_limiter", "what limits it"},
     DocumentedName{"dt_material", "the material that does"},
+    DocumentedName{
+        "dt_scheme",
+        "the scheme by which it is taken; a run of implicit steps takes those that waves limit where "
+        "they cost less"},
+    DocumentedName{"dt_replaced_s",
+                   "the implicit step in whose place one that waves limit is taken; empty elsewhere"},
     DocumentedName{"wall_s", "time since the run began, over all its processes"},
     DocumentedName{"eta_s", "estimate of the time that is left"},
     DocumentedName{"mass_kg", "mass of both phases"},
@@ -110,6 +116,8 @@ void StepsWriter::observe(const Problem& problem, const State& state, const Step
     row.push_back(natural_step_ ? csv_number(natural_step_->dt) : "");
     row.emplace_back(natural_step_ ? name_of(natural_step_->limiter) : "");
     row.push_back(natural_step_ ? cell_of(natural_step_->material) : "");
+    row.emplace_back(natural_step_ ? name_of(natural_step_->scheme) : "");
+    row.push_back(natural_step_ && natural_step_->replaced > 0.0 ? csv_number(natural_step_->replaced) : "");
     for (const double value : {earlier_wall_time_ + wall_time(), time_left(state.time), mass,
                                (mass - *initial_mass_) / *initial_mass_, monitors.momentum_x,
                                monitors.momentum_y, monitors.kinetic_energy, monitors.max_velocity})

@@ -74,8 +74,9 @@ std::vector<SceneKey> analysis_keys()
         {.pattern = "analysis.scheme", .type = word, .default_value = "explicit",
          .words = {"explicit", "semi_implicit", "implicit", "auto"},
          .doc = "Steps limited by sound in water, by waves in the skeleton with the water's pressure implicit, or by "
-                "accuracy with the skeleton's inertia implicit as well; auto takes the fastest of the last two, and "
-                "explicit steps for water that moves with the grains."},
+                "accuracy with the skeleton's inertia implicit as well, which give way to those that waves limit while "
+                "these cost less; auto takes the fastest of the last two, and explicit steps for water that moves with "
+                "the grains."},
         {.pattern = "analysis.columns", .type = word, .default_value = "one", .words = {"one", "all"},
          .doc = "Whether only one column of cells is computed between tied sides where all columns are equal."},
         {.pattern = "analysis.step_share", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},

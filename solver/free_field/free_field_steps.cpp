@@ -25,8 +25,13 @@ TimeStep shortest_time_step(const Problem& problem, State& state)
         const TimeStep step = bounded_time_step(problem.free_fields[k].column, column);
         if (step.dt < shortest.dt) shortest = step;
     }
-    for (FreeFieldState& field : state.free_fields) field.column.whole_step = shortest.dt;
     return shortest;
+}
+
+void note_whole_step(double dt, State& state)
+{
+    state.whole_step = dt;
+    for (FreeFieldState& field : state.free_fields) field.column.whole_step = dt;
 }
 
 FreeFieldSteps::FreeFieldSteps(const Problem& problem)

@@ -17,6 +17,9 @@ void measure_bounds(const Problem& problem, State& state);
 /// The shortest of the steps of the body and of its columns, with the bounds that were last measured.
 TimeStep shortest_time_step(const Problem& problem, State& state);
 
+/// Set the length that was chosen for the next step, before it is shortened for output [s].
+void note_whole_step(double dt, State& state);
+
 /// The steppers of the columns. They have nothing that would have to survive a checkpoint.
 class FreeFieldSteps {
 public:

@@ -86,7 +86,7 @@ bool move_coupled(const Problem& problem, const NodeConditions& conditions, doub
     spread_tied_motion(conditions, motion);
     multiply_stiffness(-inertia.resistance * dt, inertia.change, inertia);
     for (const CoupledNode& node : nodes) {
-        const std::size_t place = inertia.rows.place(node.node);
+        const std::size_t place = inertia.places[node.node];
         sums[node.node].inertia_force_x = inertia.product.x[place];
         sums[node.node].inertia_force_y = inertia.product.y[place];
     }

@@ -11,6 +11,8 @@ InertiaSolve make_inertia_solve(const Problem& problem, const NodeConditions& co
     for (const Material& material : problem.materials)
         solve.resists.push_back(stage == Stage::shaking || !material.has_pores ? 1 : 0);
     solve.rows = make_node_rows(problem.grid);
+    for (std::size_t node = 0; node < solve.rows.nodes_x * solve.rows.nodes_y; ++node)
+        solve.places.push_back(solve.rows.place(node));
     for (const TiedNodes& tie : conditions.tied)
         solve.tied.push_back({solve.rows.place(tie.node), solve.rows.place(tie.master)});
     return solve;
@@ -18,7 +20,7 @@ InertiaSolve make_inertia_solve(const Problem& problem, const NodeConditions& co
 
 bool is_resisted(const InertiaSolve& solve, std::size_t node)
 {
-    const std::size_t place = solve.rows.place(node), stride = solve.rows.stride;
+    const std::size_t place = solve.places[node], stride = solve.rows.stride;
     const std::size_t cells[] = {place, place - 1, place - stride, place - stride - 1};
     return std::any_of(std::begin(cells), std::end(cells),
                        [&](std::size_t cell) { return solve.cells.constrained[cell] > 0.0; });

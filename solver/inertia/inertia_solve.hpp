@@ -48,6 +48,7 @@ struct TiedPlaces {
 struct InertiaSolve {
     std::vector<std::uint8_t> resists; // by material: whether its stiffness does
     NodeRows rows;
+    std::vector<std::size_t> places; // of the nodes in these rows
     CellModuli cells;
     NodeStiffness stiffness;
     std::vector<TiedPlaces> tied;
@@ -77,9 +78,9 @@ void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
     std::vector<NodeSpan> spans;
     find_spans(solve.rows, is_active, spans);
     const std::size_t stride = solve.rows.stride;
-    for (std::size_t node = 0; node < solve.rows.nodes_x * solve.rows.nodes_y; ++node) {
+    for (std::size_t node = 0; node < solve.places.size(); ++node) {
         if (is_active(node)) continue;
-        const std::size_t place = solve.rows.place(node);
+        const std::size_t place = solve.places[node];
         for (const std::size_t before : {std::size_t{0}, std::size_t{1}, stride, stride + 1}) {
             if (before > place) continue;
             solve.cells.constrained[place - before] = solve.cells.shear[place - before] = 0.0;

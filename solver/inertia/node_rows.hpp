@@ -32,6 +32,8 @@ inline NodeRows make_node_rows(const BackgroundGrid& grid)
 /// The places [first, last) of a row, multiples of four.
 struct NodeSpan {
     std::size_t first = 0, last = 0;
+
+    bool operator==(const NodeSpan&) const = default;
 };
 
 /// The spans of the rows from the first to the last node for which is_active(node); rows without one have

@@ -86,7 +86,6 @@ std::vector<std::size_t> nodes_in_order(const Extent& extent, const NodeConditio
 void StiffResponse::note_parts(const VelocityRows& rows)
 {
     parts_.clear();
-    multipliers_.assign(rows.size(), 0);
     rows.for_each_coefficient([&](std::size_t row, std::size_t node, const NodeVelocities& c) {
         parts_.push_back({node, row, c});
     });
@@ -103,8 +102,18 @@ void StiffResponse::note_parts(const VelocityRows& rows)
     if (!parts_.empty()) parts_.resize(last + 1);
 }
 
+StiffResponse::Pattern StiffResponse::present_pattern(std::size_t rows, const NodeStiffness& stiffness) const
+{
+    Pattern pattern{std::vector<std::uint8_t>(shares_.size()), {}, rows, stiffness.spans()};
+    for (std::size_t k = 0; k < shares_.size(); ++k) pattern.moves[k] = shares_[k].mass > 0.0 ? 1 : 0;
+    pattern.row_nodes.reserve(parts_.size());
+    for (const Part& part : parts_) pattern.row_nodes.emplace_back(part.row, part.node);
+    return pattern;
+}
+
 void StiffResponse::number_equations(const NodeConditions& conditions, const NodeRows& grid)
 {
+    multipliers_.assign(pattern_.rows, 0);
     const auto is_active = [&](std::size_t i) { return share(i, 0).mass > 0.0 || share(i, 1).mass > 0.0; };
     const std::vector<std::size_t> nodes = nodes_in_order(extent_of(grid, is_active), conditions, grid);
     // multipliers after the last node of their rows
@@ -123,7 +132,7 @@ void StiffResponse::number_equations(const NodeConditions& conditions, const Nod
         for (std::size_t axis = 0; axis < 2; ++axis) {
             if (!(share(nodes[k], axis).mass > 0.0)) continue;
             unknowns_[nodes[k]][axis] = static_cast<std::int32_t>(list_.size());
-            list_.push_back({nodes[k], axis, equations++, 0.0, 0.0});
+            list_.push_back({nodes[k], grid.place(nodes[k]), axis, equations++, 0.0, 0.0});
         }
         for (; next < ends.size() && ends[next].first <= k; ++next)
             multipliers_[ends[next].second] = equations++;
@@ -146,11 +155,12 @@ void StiffResponse::for_each_of_dashpots(double velocity_dt, const std::vector<D
     }
 }
 
-/// The same of the stiffness on and below the diagonal; nodes that are tied to one have several in one place.
-template <class Visit>
-void StiffResponse::for_each_of_stiffness(double factor, const NodeRows& grid, const NodeStiffness& stiffness,
-                                          Visit&& visit) const
+/// The entries of the stiffness on and below the diagonal; nodes that are tied to one have several in one
+/// place.
+void StiffResponse::list_stiffness(const NodeRows& grid, const NodeStiffness& stiffness)
 {
+    entries_.clear();
+    diagonal_entries_.clear();
     stiffness.for_each_node([&](std::size_t i, std::size_t place) {
         const std::array<std::int32_t, 2>& of = unknowns_[i];
         if (of[0] < 0 && of[1] < 0) return;
@@ -158,13 +168,19 @@ void StiffResponse::for_each_of_stiffness(double factor, const NodeRows& grid, c
         for (std::size_t k = 0; k < 9; ++k) {
             const std::array<std::int32_t, 2>& other = unknowns_[first + k / 3 * grid.nodes_x + k % 3];
             for (std::size_t row = 0; row < 2; ++row)
-                for (std::size_t column = 0; column < 2; ++column)
-                    if (other[column] >= 0 && of[row] >= other[column])
-                        visit(list_[static_cast<std::size_t>(of[row])].equation,
-                              list_[static_cast<std::size_t>(other[column])].equation,
-                              factor * stiffness.entry(place, k, row, column));
+                for (std::size_t column = 0; column < 2; ++column) {
+                    if (other[column] < 0 || of[row] < other[column]) continue;
+                    if (of[row] == other[column]) diagonal_entries_.push_back(entries_.size());
+                    entries_.push_back({list_[static_cast<std::size_t>(of[row])].equation,
+                                        list_[static_cast<std::size_t>(other[column])].equation,
+                                        NodeStiffness::index_of(place, k, row, column)});
+                }
         }
     });
+    first_columns_.resize(list_.size() + multipliers_.size());
+    std::iota(first_columns_.begin(), first_columns_.end(), std::size_t{0});
+    for (const StiffnessEntry& entry : entries_)
+        first_columns_[entry.row] = std::min(first_columns_[entry.row], entry.column);
 }
 
 /// The same of the rows at walls and of followers.
@@ -195,10 +211,13 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
                               const NodeRows& grid, const NodeStiffness& stiffness)
 {
     note_parts(walls);
-    number_equations(conditions, grid);
+    if (Pattern present = present_pattern(walls.size(), stiffness); present != pattern_) {
+        pattern_ = std::move(present);
+        number_equations(conditions, grid);
+        list_stiffness(grid, stiffness);
+    }
     const std::size_t equations = list_.size() + multipliers_.size();
-    std::vector<std::size_t> first_columns(equations);
-    std::iota(first_columns.begin(), first_columns.end(), std::size_t{0});
+    std::vector<std::size_t> first_columns = first_columns_;
     Scalars diagonal(equations, 0.0);
     for (const Unknown& u : list_) diagonal[u.equation] = share(u.node, u.axis).mass;
     const auto sum_diagonal = [&](std::size_t row, std::size_t column, double value) {
@@ -206,7 +225,8 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
         if (row == column) diagonal[row] += std::abs(value);
     };
     for_each_of_dashpots(velocity_dt, dashpots, sum_diagonal);
-    for_each_of_stiffness(factor, grid, stiffness, sum_diagonal);
+    for (const std::size_t k : diagonal_entries_)
+        diagonal[entries_[k].row] += std::abs(factor * stiffness.value(entries_[k].index));
     for_each_of_rows(sum_diagonal);
     // a row has the scale of what its nodes answer
     std::vector<std::uint8_t> is_multiplier(equations, 0);
@@ -241,7 +261,8 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
             };
             for (const Unknown& u : list_) fill(u.equation, u.equation, share(u.node, u.axis).mass);
             for_each_of_dashpots(velocity_dt, dashpots, fill);
-            for_each_of_stiffness(factor, grid, stiffness, fill);
+            for (const StiffnessEntry& entry : entries_)
+                fill(entry.row, entry.column, factor * stiffness.value(entry.index));
             for_each_of_rows(fill);
             for (std::size_t row = 0; row < multipliers_.size(); ++row) {
                 const std::size_t m = multipliers_[row];
@@ -261,7 +282,7 @@ void StiffResponse::answer_impulses(const NodeRows& grid, double velocity_dt,
     std::fill(vector_.begin(), vector_.end(), 0.0);
     for (const Unknown& u : list_) {
         const Scalars& part = u.axis == 0 ? impulse.x : impulse.y;
-        vector_[u.equation] = u.scale * part[grid.place(u.node)];
+        vector_[u.equation] = u.scale * part[u.place];
     }
     std::visit([&](const auto& factor) { solve_with(factor, vector_); }, factor_);
 
@@ -277,9 +298,8 @@ void StiffResponse::answer_impulses(const NodeRows& grid, double velocity_dt,
 
     for (Scalars* part : {&answer.x, &answer.y}) part->assign(grid.size(), 0.0);
     for (const Unknown& u : list_) {
-        const std::size_t place = grid.place(u.node);
-        (u.axis == 0 ? answer.x : answer.y)[place] = value_of(u.equation);
-        (u.axis == 0 ? moving.x : moving.y)[place] += product[u.equation];
+        (u.axis == 0 ? answer.x : answer.y)[u.place] = value_of(u.equation);
+        (u.axis == 0 ? moving.x : moving.y)[u.place] += product[u.equation];
     }
 }
 

@@ -21,6 +21,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -86,7 +87,7 @@ public:
 private:
     /// An unknown velocity of the grains.
     struct Unknown {
-        std::size_t node = 0, axis = 0;
+        std::size_t node = 0, place = 0, axis = 0;
         std::size_t equation = 0;
         double scale = 0.0; // 1 / sqrt(diagonal)
         double gain = 0.0;  // 1-n + n e: flux per velocity of the grains [-]
@@ -97,15 +98,29 @@ private:
         NodeVelocities coefficients;
     };
 
+    /// A number of K in the matrix.
+    struct StiffnessEntry {
+        std::size_t row = 0, column = 0; // equations
+        std::size_t index = 0;           // among the numbers of K
+    };
+    /// What the order of the equations and the places of K's numbers follow from.
+    struct Pattern {
+        std::vector<std::uint8_t> moves; // two of each node
+        std::vector<std::pair<std::size_t, std::size_t>> row_nodes;
+        std::size_t rows = 0;
+        std::vector<NodeSpan> spans;
+
+        bool operator==(const Pattern&) const = default;
+    };
+
     void note_parts(const VelocityRows& rows);
+    Pattern present_pattern(std::size_t rows, const NodeStiffness& stiffness) const;
+    void list_stiffness(const NodeRows& grid, const NodeStiffness& stiffness);
     void number_equations(const NodeConditions& conditions, const NodeRows& grid);
     template <class Visit>
     void for_each_of_rows(Visit&& visit) const;
     template <class Visit>
     void for_each_of_dashpots(double velocity_dt, const std::vector<Dashpot>& dashpots, Visit&& visit) const;
-    template <class Visit>
-    void for_each_of_stiffness(double factor, const NodeRows& grid, const NodeStiffness& stiffness,
-                               Visit&& visit) const;
     const AxisShare& share(std::size_t node, std::size_t axis) const { return shares_[2 * node + axis]; }
     const Unknown* unknown(std::size_t node, std::size_t axis) const
     {
@@ -118,9 +133,13 @@ private:
     std::vector<Unknown> list_;                         // in the order of the equations
     std::vector<Part> parts_;                           // node by node, each row once
     std::vector<std::size_t> multipliers_;              // equations of the rows
-    std::vector<double> scale_;                         // of the equations; 0: a row that acts on nothing
-    Scalars porosities_;                                // of the nodes [-]
-    Scalars own_x_, own_y_;                             // n^2 q: flux of the water alone per force [m/kg]
+    Pattern pattern_;                     // for which the following hold, and the numbers of the equations
+    std::vector<StiffnessEntry> entries_; // node by node
+    std::vector<std::size_t> diagonal_entries_; // those on the diagonal
+    std::vector<std::size_t> first_columns_;    // of the equations, by the stiffness
+    std::vector<double> scale_;                 // of the equations; 0: a row that acts on nothing
+    Scalars porosities_;                        // of the nodes [-]
+    Scalars own_x_, own_y_;                     // n^2 q: flux of the water alone per force [m/kg]
     /// Single precision, or double where rows nearly repeat each other and in long steps.
     std::variant<BandedFactor<float>, BandedFactor<double>> factor_;
     Scalars vector_; // impulses by equation, then the solution, both scaled

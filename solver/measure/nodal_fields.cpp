@@ -35,6 +35,23 @@ std::size_t node_of(const BackgroundGrid& grid, const PlaceInCell& cell, int k)
 /// Which nodes are asked for.
 using NodeMask = std::vector<std::uint8_t>;
 
+/// The columns and rows of nodes from the first to the last that is asked for; none: last < first.
+struct NodeRange {
+    int first_i = 0, last_i = -1, first_j = 0, last_j = -1;
+};
+
+NodeRange range_of(const BackgroundGrid& grid, const NodeMask& wanted)
+{
+    NodeRange range{grid.nodes_x(), -1, grid.nodes_y(), -1};
+    for (int j = 0; j < grid.nodes_y(); ++j) {
+        for (int i = 0; i < grid.nodes_x(); ++i) {
+            if (wanted[grid.node_index(i, j)] == 0) continue;
+            range = {std::min(range.first_i, i), std::max(range.last_i, i), std::min(range.first_j, j), j};
+        }
+    }
+    return range;
+}
+
 /// A particle's present domain within its reach.
 struct PresentDomain {
     ParallelogramDomain whole;
@@ -68,19 +85,20 @@ PresentDomain present_domain(const Problem& problem, const Particles& particles,
 }
 
 /// Whether a domain may give weight to a node that is asked for.
-bool may_reach(const BackgroundGrid& grid, const PresentDomain& domain, const NodeMask& wanted)
+bool may_reach(const BackgroundGrid& grid, const PresentDomain& domain, const NodeMask& wanted,
+               const NodeRange& range)
 {
     constexpr double rounding = 1e-6; // [cells]
     const Vector2 centre = grid.cells_from_rim(domain.whole.centre);
     const Vector2 lower = centre - domain.reach / grid.cell_size - Vector2::Constant(rounding),
                   upper = centre + domain.reach / grid.cell_size + Vector2::Constant(1.0 + rounding);
-    const bool meets_grid =
-        upper.x() >= 0.0 && upper.y() >= 0.0 && lower.x() < grid.nodes_x() && lower.y() < grid.nodes_y();
-    if (!meets_grid) return false;
-    const int last_i = std::min(static_cast<int>(upper.x()), grid.nodes_x() - 1),
-              last_j = std::min(static_cast<int>(upper.y()), grid.nodes_y() - 1);
-    for (int j = std::max(0, static_cast<int>(lower.y())); j <= last_j; ++j) {
-        for (int i = std::max(0, static_cast<int>(lower.x())); i <= last_i; ++i)
+    const bool meets_range = upper.x() >= range.first_i && upper.y() >= range.first_j &&
+                             lower.x() < range.last_i + 1 && lower.y() < range.last_j + 1;
+    if (!meets_range) return false;
+    const int last_i = std::min(static_cast<int>(upper.x()), range.last_i),
+              last_j = std::min(static_cast<int>(upper.y()), range.last_j);
+    for (int j = std::max(range.first_j, static_cast<int>(lower.y())); j <= last_j; ++j) {
+        for (int i = std::max(range.first_i, static_cast<int>(lower.x())); i <= last_i; ++i)
             if (wanted[grid.node_index(i, j)] != 0) return true;
     }
     return false;
@@ -119,13 +137,12 @@ NodalFields empty_fields(const BackgroundGrid& grid, const Particles& particles)
 void take_values(const NodalFields& fields, const Problem& problem, const Particles& particles, std::size_t p,
                  std::vector<double>& values)
 {
-    values.clear();
+    std::size_t k = 0;
     for (const NodalField& field : fields.fields) {
         const Quantity& quantity = *field.quantity;
         const ParticleValue value = quantity.averaged != nullptr ? quantity.averaged : quantity.value;
         const QuantityValues of_particle = value(problem, particles, p);
-        values.insert(values.end(), of_particle.begin(),
-                      of_particle.begin() + static_cast<std::ptrdiff_t>(field.components.size()));
+        for (std::size_t c = 0; c < field.components.size(); ++c) values[k++] = of_particle[c];
     }
 }
 
@@ -189,10 +206,11 @@ NodalFields average(const Problem& problem, const Particles& particles, const No
 
     NodeSums sums(grid, wanted, components);
     NodeStencil stencil;
-    std::vector<double> values;
+    std::vector<double> values(components);
+    const NodeRange range = range_of(grid, wanted);
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const PresentDomain domain = present_domain(problem, particles, p);
-        if (!may_reach(grid, domain, wanted)) continue;
+        if (!may_reach(grid, domain, wanted, range)) continue;
         evaluate_anywhere(grid, domain, stencil);
         take_values(fields, problem, particles, p, values);
         sums.add(stencil, particles.volume[p], values);

@@ -51,15 +51,21 @@ bool ColumnObserver::looks_into_steps() const
     return std::all_of(observers_.begin(), observers_.end(), looks_into);
 }
 
+void ColumnObserver::widen_once(const State& state)
+{
+    if (wide_.step == state.step && wide_.time == state.time && !wide_.particles.identifier.empty()) return;
+    widen(column_, state, wide_);
+}
+
 void ColumnObserver::before_step(const Problem&, const State& state, double end)
 {
-    widen(column_, state, wide_);
+    widen_once(state);
     show_start(body_, observers_, wide_, end);
 }
 
 void ColumnObserver::observe(const Problem&, const State& state, const StepReport& report)
 {
-    widen(column_, state, wide_);
+    widen_once(state);
     observe_due(body_, observers_, wide_, report_of_body(report));
 }
 
@@ -70,6 +76,7 @@ void ColumnObserver::after_step(const StepReport& report)
 
 void ColumnObserver::went_back(const FailureRecord& record, const State& state)
 {
+    wide_ = {}; // its step may be taken again, and end elsewhere
     for (Observer* observer : observers_) observer->went_back(record, state);
 }
 

@@ -26,6 +26,8 @@ public:
 
 private:
     StepReport report_of_body(const StepReport& report) const;
+    /// The state at the end of a step is that at the start of the next.
+    void widen_once(const State& state);
 
     const SoilColumn& column_;
     const Problem& body_;

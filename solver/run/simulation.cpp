@@ -1,17 +1,20 @@
 #include "solver/run/simulation.hpp"
 
 #include "solver/free_field/free_field_steps.hpp"
+#include "solver/free_field/wave_steps.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/wrapping.hpp"
 #include "solver/run/held_reactions.hpp"
 #include "solver/run/soil_column.hpp"
 #include "solver/run/watchdog.hpp"
+#include "solver/step/scheme_choice.hpp"
 #include "solver/step/stepper.hpp"
 #include "solver/vibration/step_bound.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace quicksand {
 
@@ -39,28 +42,37 @@ bool marks_restart(const std::vector<Observer*>& observers, const State& state)
 /// The step to the next time that an observer waits for, or to the end.
 TimeStep choose_step(const Problem& problem, double event, State& state)
 {
-    if (state.step % steps_between_bounds == 0 || state.step == state.explicit_end)
-        measure_bounds(problem, state);
-    const TimeStep step = shortest_time_step(problem, state);
-    state.whole_step = step.dt;
+    TimeStep step = shortest_time_step(problem, state);
+    step.scheme = problem.scheme;
+    note_whole_step(step.dt, state);
     return divide_evenly(step, event - state.time);
 }
 
-/// The steps of a problem and of its form with explicit steps, which the watchdog may ask for.
+/// The same in a run of implicit steps, where waves limit it in place of `replaced`.
+TimeStep choose_wave_step(const Problem& wave_form, double replaced, double event, State& state)
+{
+    TimeStep step = choose_step(wave_form, event, state);
+    step.dt = std::min(step.dt, step_after(state.last_step, state.whole_step));
+    step.replaced = replaced;
+    return step;
+}
+
+/// The steps of a problem and of its other forms: with steps that waves limit, which may cost less than
+/// implicit ones, and with explicit steps, which the watchdog may ask for.
 class Steps {
 public:
-    explicit Steps(const Problem& problem) : problem_(problem), explicit_form_(problem)
+    explicit Steps(const Problem& problem)
+        : problem_(problem), wave_form_(with_scheme(problem, scheme_of_waves(problem))),
+          explicit_form_(with_scheme(problem, TimeScheme::explicit_steps)), form_(&problem)
     {
-        explicit_form_.scheme = TimeScheme::explicit_steps;
-        for (FreeField& field : explicit_form_.free_fields) field.column.scheme = TimeScheme::explicit_steps;
-        begin_anew();
+        make_steppers();
     }
 
     /// From nothing, as a run that begins with the state would.
     void begin_anew()
     {
-        stepper_ = make_stepper(form());
-        free_fields_.emplace(form());
+        is_restart_ = true;
+        make_steppers();
     }
 
     /// Measure the bound of the explicit steps that are to follow.
@@ -69,30 +81,36 @@ public:
         if (state.step < state.explicit_end) measure_bounds(explicit_form_, state);
     }
 
-    /// Choose the step that is due, and its kind.
+    /// Choose the kind of the step that is due, of the cheapest if the watchdog asks for none: at restart
+    /// points alone, so that a run that goes on from there chooses alike.
+    void choose_kind(State& state)
+    {
+        const bool is_explicit = state.step < state.explicit_end;
+        if (state.step % steps_between_bounds == 0 || state.step == state.explicit_end)
+            measure_bounds(is_explicit ? explicit_form_ : problem_, state);
+        if (is_explicit || !(std::exchange(is_restart_, false) || form_ == &explicit_form_)) return;
+        replaced_ = step_replaced_by_waves(problem_, wave_form_, state);
+        change_over(replaced_ ? wave_form_ : problem_);
+    }
+
+    /// The problem with the scheme of the steps that are taken.
+    const Problem& form() const { return *form_; }
+
+    /// The step of that kind, or the explicit one that the watchdog asks for.
     TimeStep choose(double event, State& state)
     {
-        if (state.step >= state.explicit_end) {
-            change_over(false);
-            return choose_step(problem_, event, state);
-        }
-        TimeStep step = choose_step(explicit_form_, event, state);
-        if (step.limiter == TimeStepLimiter::wave) step.limiter = TimeStepLimiter::sound;
-        // forces act from the middle of the last step on: over a long interval pressures have to be implicit
-        constexpr double most_shrinking = 0.5;
-        const double least = most_shrinking * state.last_step;
-        change_over(step.dt >= least);
-        if (step.dt < least) step.dt = std::min(least, event - state.time);
-        return step;
+        if (state.step < state.explicit_end) return choose_explicit(event, state);
+        return replaced_ ? choose_wave_step(wave_form_, replaced_->dt, event, state)
+                         : choose_step(problem_, event, state);
     }
 
     /// One step, to the event at most.
     void take(double dt, double event, State& state)
     {
         const bool arrives = dt >= event - state.time;
-        free_fields_->advance(form(), dt, state);
-        stepper_->advance(form(), dt, state);
-        wrap_particles(form(), state.particles);
+        free_fields_->advance(*form_, dt, state);
+        stepper_->advance(*form_, dt, state);
+        wrap_particles(*form_, state.particles);
         if (arrives) state.time = event; // hit exactly, without the sum's rounding
         for (FreeFieldState& field : state.free_fields) field.column.time = state.time;
         check_particles(dt, state);
@@ -100,6 +118,7 @@ public:
 
     void restart()
     {
+        is_restart_ = true;
         stepper_->restart();
         free_fields_->restart();
     }
@@ -107,18 +126,37 @@ public:
     std::int64_t limited_domains() const { return stepper_->limited_domains(); }
 
 private:
-    const Problem& form() const { return are_explicit_ ? explicit_form_ : problem_; }
-
-    void change_over(bool to_explicit)
+    TimeStep choose_explicit(double event, State& state)
     {
-        if (are_explicit_ == to_explicit) return;
-        are_explicit_ = to_explicit;
-        begin_anew();
+        TimeStep step = choose_step(explicit_form_, event, state);
+        if (step.limiter == TimeStepLimiter::wave) step.limiter = TimeStepLimiter::sound;
+        // forces act from the middle of the last step on: over a long interval pressures have to be implicit
+        constexpr double most_shrinking = 0.5;
+        const double least = most_shrinking * state.last_step;
+        change_over(step.dt >= least ? explicit_form_ : problem_);
+        step.scheme = form_->scheme;
+        if (step.dt < least) step.dt = std::min(least, event - state.time);
+        return step;
+    }
+
+    void change_over(const Problem& form)
+    {
+        if (form_ == &form) return;
+        form_ = &form;
+        make_steppers();
+    }
+
+    void make_steppers()
+    {
+        stepper_ = make_stepper(*form_);
+        free_fields_.emplace(*form_);
     }
 
     const Problem& problem_;
-    Problem explicit_form_;
-    bool are_explicit_ = false;
+    Problem wave_form_, explicit_form_;
+    const Problem* form_;              // of the steps that are taken
+    bool is_restart_ = true;           // whether the kind of the steps is to be chosen
+    std::optional<TimeStep> replaced_; // the implicit step in the place of which waves limit the steps
     std::unique_ptr<Stepper> stepper_;
     std::optional<FreeFieldSteps> free_fields_;
 };
@@ -136,9 +174,10 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
     Watchdog watchdog(problem, state);
     while (state.time < end_time) {
         try {
-            const double event = next_event(problem, observers, end_time);
+            steps.choose_kind(state);
+            const double event = next_event(steps.form(), observers, end_time);
             report.time_step = steps.choose(event, state);
-            show_start(problem, observers, state, std::min(event, state.time + report.time_step.dt));
+            show_start(steps.form(), observers, state, std::min(event, state.time + report.time_step.dt));
             steps.take(report.time_step.dt, event, state);
             report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
                                       state.step % steps_between_restarts == 0;

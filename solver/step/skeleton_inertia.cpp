@@ -62,7 +62,7 @@ void set_up(const Problem& problem, double dt, double velocity_dt, Workspace& wo
     inertia.before.x.assign(inertia.rows.size(), 0.0);
     inertia.before.y.assign(inertia.rows.size(), 0.0);
     for_each_index(before.size(), [&](std::size_t i) {
-        inertia.before.set(inertia.rows.place(i), inertia.kept * solid_velocity(before[i]));
+        inertia.before.set(inertia.places[i], inertia.kept * solid_velocity(before[i]));
     });
 }
 
@@ -91,7 +91,7 @@ void resist(double dt, double velocity_dt, Workspace& work)
     InertiaSolve& inertia = *work.inertia;
     const auto for_each_node_with_sums = [&](auto&& visit) {
         for_each_index(work.sums.size(), [&](std::size_t i) {
-            if (work.conditions.master[i] == i && work.sums[i].active()) visit(i, inertia.rows.place(i));
+            if (work.conditions.master[i] == i && work.sums[i].active()) visit(i, inertia.places[i]);
         });
     };
     for_each_node_with_sums([&](std::size_t i, std::size_t place) {

@@ -1,6 +1,7 @@
 #include "solver/step/step_forecast.hpp"
 
 #include "solver/step/accuracy_control.hpp"
+#include "solver/step/scheme_choice.hpp"
 #include "solver/step/time_step_control.hpp"
 
 #include <algorithm>
@@ -8,14 +9,6 @@
 #include <limits>
 
 namespace quicksand {
-
-namespace {
-
-// Processor time of an implicit step over that of a step that waves limit: 2.1 in columns of 400 particles,
-// 2.3 in the sea dike of 14,000.
-constexpr double implicit_cost = 2.3;
-
-} // namespace
 
 std::int64_t count_steps(const Problem& problem, double dt, const std::vector<double>& events)
 {
@@ -46,8 +39,7 @@ TimeScheme fastest_scheme(const Problem& problem, const Particles& particles, do
         trial.scheme = scheme;
         return static_cast<double>(count_steps(trial, stable_time_step(trial, particles).dt, {end_time}));
     };
-    const TimeScheme by_waves =
-        water_flow(problem) == WaterFlow::coupled ? TimeScheme::semi_implicit : TimeScheme::explicit_steps;
+    const TimeScheme by_waves = scheme_of_waves(problem);
     return implicit_cost * steps_by(TimeScheme::implicit) < steps_by(by_waves) ? TimeScheme::implicit
                                                                                : by_waves;
 }

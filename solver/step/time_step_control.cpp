@@ -207,4 +207,17 @@ const char* name_of(TimeStepLimiter limiter)
     ENSURE(false);
 }
 
+const char* name_of(TimeScheme scheme)
+{
+    switch (scheme) {
+    case TimeScheme::explicit_steps:
+        return "explicit";
+    case TimeScheme::semi_implicit:
+        return "semi-implicit";
+    case TimeScheme::implicit:
+        return "implicit";
+    }
+    ENSURE(false);
+}
+
 } // namespace quicksand

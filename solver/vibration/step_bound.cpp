@@ -35,7 +35,7 @@ double limit_of(const Problem& problem, const State& state, double largest)
 
 double measure_scale(const Problem& problem, const State& state)
 {
-    if (problem.scheme == TimeScheme::implicit) return 1.0; // their inertia bears any step
+    if (problem.scheme == TimeScheme::implicit) return not_measured; // their inertia bears any step
     // Random motion of bodies at any angle, with all interpolations and both schemes, grows from 0.98 to 1.07
     // of the limit on.
     constexpr double margin = 0.9;
@@ -45,6 +45,12 @@ double measure_scale(const Problem& problem, const State& state)
     const double closed = stable_time_step(whole, state.particles).dt;
     const double scale = margin * limit_of(problem, state, closed / margin) / closed;
     return std::clamp(scale, least_step_scale, 1.0);
+}
+
+/// Of the step of the closed forms, or of accuracy.
+double part_left(const Problem& problem, double scale)
+{
+    return problem.scheme == TimeScheme::implicit ? 1.0 : scale;
 }
 
 } // namespace
@@ -57,12 +63,12 @@ void measure_bound(const Problem& problem, State& state)
 TimeStep bounded_time_step(const Problem& problem, const State& state)
 {
     const double halved = std::ldexp(1.0, -static_cast<int>(state.step_halvings));
-    return stable_time_step(problem, state, halved * state.step_scale);
+    return stable_time_step(problem, state, halved * part_left(problem, state.step_scale));
 }
 
 TimeStep measure_time_step(const Problem& problem, const State& state)
 {
-    return stable_time_step(problem, state, measure_scale(problem, state));
+    return stable_time_step(problem, state, part_left(problem, measure_scale(problem, state)));
 }
 
 } // namespace quicksand

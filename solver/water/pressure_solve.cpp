@@ -234,10 +234,14 @@ double begin_residual(const CellLists& lists, PressureSolve& solve, Lacking&& la
     });
 }
 
-/// What the present increments leave.
+/// What the present increments leave; all of it where they are zero, as without cavities.
 double residual_of_increments(const BackgroundGrid& grid, const CellLists& lists,
                               const NodeConditions& conditions, double dt, PressureSolve& solve)
 {
+    const bool are_zero = std::all_of(solve.increment.begin(), solve.increment.end(),
+                                      [](double increment) { return increment == 0.0; });
+    if (are_zero)
+        return begin_residual(lists, solve, [&](std::size_t c) { return solve.right_hand_side[c]; });
     multiply(grid, lists, conditions, dt, solve.increment, solve);
     return begin_residual(lists, solve,
                           [&](std::size_t c) { return solve.right_hand_side[c] - solve.product[c]; });

@@ -1,0 +1,36 @@
+#include "solver/free_field/wave_steps.hpp"
+
+#include "solver/free_field/free_field_steps.hpp"
+#include "solver/step/accuracy_control.hpp"
+#include "solver/step/scheme_choice.hpp"
+#include "solver/step/time_step_control.hpp"
+#include "solver/vibration/step_bound.hpp"
+
+namespace quicksand {
+
+std::optional<TimeStep> step_replaced_by_waves(const Problem& problem, const Problem& wave_form, State& state)
+{
+    if (problem.scheme != TimeScheme::implicit || state.step_halvings > 0) return std::nullopt;
+    if (state.time >= end_of_motion(problem)) return std::nullopt;
+    const TimeStep accurate = shortest_time_step(problem, state);
+    // the bound costs as much as twenty steps: first whether it matters
+    if (!are_waves_cheaper(stable_time_step(wave_form, state), accurate)) return std::nullopt;
+    if (state.step_scale == not_measured) measure_bounds(wave_form, state);
+    const TimeStep by_waves = shortest_time_step(wave_form, state);
+    if (!are_waves_cheaper(by_waves, accurate)) return std::nullopt;
+    return accurate;
+}
+
+TimeStep first_time_step(const Problem& problem, State state)
+{
+    const Problem wave_form = with_scheme(problem, scheme_of_waves(problem));
+    measure_bounds(problem, state);
+    const std::optional<TimeStep> replaced = step_replaced_by_waves(problem, wave_form, state);
+    const Problem& form = replaced ? wave_form : problem;
+    TimeStep step = shortest_time_step(form, state);
+    step.scheme = form.scheme;
+    if (replaced) step.replaced = replaced->dt;
+    return step;
+}
+
+} // namespace quicksand
