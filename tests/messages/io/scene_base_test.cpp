@@ -110,7 +110,8 @@ hint: the path is relative to the file that names it
 
 TEST_F(Variant, CanBeOfAVariant)
 {
-    folder.write("second.toml", std::string(head) + "without = [\"probes\"]\n[motion]\namplitude = \"9 g\"\n" +
+    folder.write("second.toml", std::string(head) +
+                                    "without = [\"probes\"]\n[motion]\namplitude = \"9 g\"\n" +
                                     "[materials.sand]\nporosity = 0.41\n");
     const SceneReading reading =
         folder.read("scene_version = 1\nbase = \"second.toml\"\n[materials.sand]\nporosity = 0.42\n");
