@@ -8,7 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace quicksand {
 
@@ -75,10 +77,19 @@ void take_out_keys(const DocumentNode& document, const std::string& base_name, D
     }
 }
 
-} // namespace
+void remove_names_of_bases(DocumentNode& document)
+{
+    std::erase_if(document.children,
+                  [](const DocumentNode& node) { return node.name == base_key || node.name == without_key; });
+}
 
-std::optional<DocumentNode> merge_with_base(const std::filesystem::path& file, DocumentNode&& document,
-                                            Diagnostics& findings)
+/// The base that a scene names, itself merged with its own base. `seen` are the files from the scene that is
+/// read to this one.
+std::optional<DocumentNode> read_base(const DocumentNode& name, std::vector<std::filesystem::path> seen,
+                                      Diagnostics& findings);
+
+std::optional<DocumentNode> merge_with_bases(std::vector<std::filesystem::path> seen, DocumentNode&& document,
+                                             Diagnostics& findings)
 {
     const DocumentNode* name = document.find(base_key);
     if (name == nullptr || name->kind != Kind::text) {
@@ -90,37 +101,57 @@ std::optional<DocumentNode> merge_with_base(const std::filesystem::path& file, D
         }
         return std::move(document);
     }
-    const auto refuse = [&](std::string what, std::string expected) {
-        findings.add(error_at(name->place, "base", std::move(what), std::move(expected)));
-        return std::nullopt;
-    };
-    const std::filesystem::path base = file.parent_path() / name->text;
-    if (name->text.empty() || std::filesystem::path(name->text).has_parent_path())
-        return refuse("the base is not in the folder of this scene",
-                      "the name of a scene in the same folder");
-    if (base.lexically_normal() == file.lexically_normal())
-        return refuse("the scene names itself as its base", "the name of another scene in the same folder");
-    const auto text = read_text_file(base, name->place, findings);
-    if (!text) return std::nullopt;
-    findings.keep_text(base, *text);
-    check_characters(base, *text, findings);
-    if (findings.has_errors()) return std::nullopt;
-    auto merged = read_document(base, *text, {}, findings);
+    auto merged = read_base(*name, std::move(seen), findings);
     if (!merged) return std::nullopt;
-    if (merged->find(base_key) != nullptr)
-        return refuse("the base has a base itself", "a scene that stands by itself");
-    name_stages(*merged, findings);
     take_out_keys(document, name->text, *merged, findings);
     if (findings.has_errors()) return std::nullopt;
     merge_variant(std::move(document), *merged);
     return merged;
 }
 
+std::optional<DocumentNode> read_base(const DocumentNode& name, std::vector<std::filesystem::path> seen,
+                                      Diagnostics& findings)
+{
+    const auto refuse = [&](std::string what, std::string expected) {
+        findings.add(error_at(name.place, base_key, std::move(what), std::move(expected)));
+        return std::nullopt;
+    };
+    if (name.text.empty() || std::filesystem::path(name.text).has_parent_path())
+        return refuse("the base is not in the folder of this scene",
+                      "the name of a scene in the same folder");
+    const std::filesystem::path base = (seen.back().parent_path() / name.text).lexically_normal();
+    if (base == seen.back())
+        return refuse("the scene names itself as its base", "the name of another scene in the same folder");
+    if (std::find(seen.begin(), seen.end(), base) != seen.end())
+        return refuse("'" + name.text + "' has this scene among its bases",
+                      "a scene that does not lead back to this one");
+    const auto text = read_text_file(base, name.place, findings);
+    if (!text) return std::nullopt;
+    findings.keep_text(base, *text);
+    check_characters(base, *text, findings);
+    if (findings.has_errors()) return std::nullopt;
+    auto document = read_document(base, *text, {}, findings);
+    if (!document) return std::nullopt;
+    name_stages(*document, findings);
+    if (findings.has_errors()) return std::nullopt;
+    seen.push_back(base);
+    auto standing = merge_with_bases(std::move(seen), std::move(*document), findings);
+    if (standing) remove_names_of_bases(*standing);
+    return standing;
+}
+
+} // namespace
+
+std::optional<DocumentNode> merge_with_base(const std::filesystem::path& file, DocumentNode&& document,
+                                            Diagnostics& findings)
+{
+    return merge_with_bases({file.lexically_normal()}, std::move(document), findings);
+}
+
 std::string document_text(const DocumentNode& document)
 {
     DocumentNode standing = document;
-    std::erase_if(standing.children,
-                  [](const DocumentNode& node) { return node.name == base_key || node.name == without_key; });
+    remove_names_of_bases(standing);
     std::string text;
     append_table(standing, {}, text);
     return text;

@@ -9,9 +9,9 @@
 
 namespace quicksand {
 
-/// Put the keys of a scene into the scene beside it that it names as its base, if any; the result has the
-/// keys of both but those of the base that the scene goes without. What is wrong with the base is added to
-/// `findings`; then the result is empty.
+/// Put the keys of a scene into the scene beside it that it names as its base, if any, which may have a base
+/// itself; the result has the keys of all but those that the scene goes without. What is wrong with a base is
+/// added to `findings`; then the result is empty.
 std::optional<DocumentNode> merge_with_base(const std::filesystem::path& file, DocumentNode&& document,
                                             Diagnostics& findings);
 

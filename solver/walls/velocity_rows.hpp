@@ -151,8 +151,8 @@ private:
     {
         for (std::size_t row = first_follower_; row < size(); ++row) {
             const Entry& own = entries_[first_[row]];
-            int direction = 0;
-            while (direction < 3 && own.coefficients[direction] == 0.0) ++direction;
+            int direction = 3; // the row of the water may have its velocity against the grains
+            while (direction > 0 && own.coefficients[direction] == 0.0) --direction;
             visit(row, own.place, direction);
         }
     }

@@ -122,7 +122,9 @@ double water_of_node(const SinglePhaseSums&)
 }
 
 /// The rows v_k - sum w_m v_m = 0 of a node for the directions that no wall holds at the node itself: those
-/// of the grains are 0 and 1, those of the water 2 and 3, unless it moves with the grains.
+/// of the grains are 0 and 1, those of the water 2 and 3, unless it moves with the grains. Where both follow
+/// the same nodes, the water's have its velocity against the grains: drag over a long step makes an impulse
+/// on either phase move both, so that a row of the water alone would nearly repeat that of the grains.
 void add_follower(const NodeConditions& conditions, std::size_t k, const std::vector<FollowedNode>& followed,
                   int first_direction, int end_direction, VelocityRows& rows)
 {
@@ -130,11 +132,13 @@ void add_follower(const NodeConditions& conditions, std::size_t k, const std::ve
         const int axis = direction % 2;
         if (direction >= 2 && is_sealed(conditions.of_node[k])) continue;
         if (conditions.of_node[k] & (direction < 2 ? solid_fixed[axis] : fluid_fixed[axis])) continue;
-        const NodeVelocities unit = NodeVelocities::Unit(direction);
+        NodeVelocities part = NodeVelocities::Unit(direction);
+        const bool grains_follow = first_direction == 0 && !(conditions.of_node[k] & solid_fixed[axis]);
+        if (direction >= 2 && grains_follow) part[axis] = -1.0;
         rows.begin_row(0.0);
-        rows.add(k, unit);
+        rows.add(k, part);
         for (const FollowedNode& other : followed)
-            rows.add(conditions.master[other.node], -other.weight * unit);
+            rows.add(conditions.master[other.node], -other.weight * part);
     }
 }
 

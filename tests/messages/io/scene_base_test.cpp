@@ -106,11 +106,30 @@ expected: the name of another scene in the same folder
       |        ^~~~~~~~~~~~~~
 hint: the path is relative to the file that names it
 )_");
-    folder.write("second.toml", head);
-    EXPECT_EQ(message("second.toml"), R"_(scene.toml:2:8: error[base]: the base has a base itself
+}
+
+TEST_F(Variant, CanBeOfAVariant)
+{
+    folder.write("second.toml", std::string(head) +
+                                    "without = [\"probes\"]\n[motion]\namplitude = \"9 g\"\n" +
+                                    "[materials.sand]\nporosity = 0.41\n");
+    const SceneReading reading =
+        folder.read("scene_version = 1\nbase = \"second.toml\"\n[materials.sand]\nporosity = 0.42\n");
+    EXPECT_DOUBLE_EQ(reading.scene.motion.amplitude, 9.0 * standard_gravity);
+    EXPECT_DOUBLE_EQ(reading.scene.materials.front().porosity, 0.42);
+    EXPECT_TRUE(reading.scene.probes.empty());
+    EXPECT_EQ(reading.scene.text.find("base = "), std::string::npos);
+}
+
+TEST_F(Variant, DoesNotLeadBackToItself)
+{
+    folder.write("second.toml", "scene_version = 1\nbase = \"third.toml\"\n");
+    folder.write("third.toml", "scene_version = 1\nbase = \"second.toml\"\n");
+    EXPECT_EQ(folder.message("scene_version = 1\nbase = \"second.toml\"\n"),
+              R"_(third.toml:2:8: error[base]: 'second.toml' has this scene among its bases
     2 | base = "second.toml"
       |        ^~~~~~~~~~~~~
-expected: a scene that stands by itself
+expected: a scene that does not lead back to this one
 )_");
 }
 
