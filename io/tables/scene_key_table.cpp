@@ -306,7 +306,8 @@ std::vector<SceneKey> all_keys()
         {.pattern = "base",
          .type = path,
          .default_note = "the scene stands by itself",
-         .doc = "Scene in the same folder that holds the keys which are not given here."},
+         .doc = "Scene in the same folder that holds the keys which are not given here; it may have a base "
+                "itself."},
         {.pattern = "without",
          .type = text_list,
          .default_note = "all keys of the base hold",

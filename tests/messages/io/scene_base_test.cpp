@@ -115,8 +115,8 @@ TEST_F(Variant, CanBeOfAVariant)
                                     "[materials.sand]\nporosity = 0.41\n");
     const SceneReading reading =
         folder.read("scene_version = 1\nbase = \"second.toml\"\n[materials.sand]\nporosity = 0.42\n");
-    EXPECT_DOUBLE_EQ(reading.scene.motion.amplitude, 9.0 * standard_gravity);
-    EXPECT_DOUBLE_EQ(reading.scene.materials.front().porosity, 0.42);
+    EXPECT_DOUBLE_EQ(std::get<SineMotion>(reading.scene.base_motion).amplitude, 9.0 * standard_gravity);
+    EXPECT_DOUBLE_EQ(reading.scene.materials.front().material.porosity, 0.42);
     EXPECT_TRUE(reading.scene.probes.empty());
     EXPECT_EQ(reading.scene.text.find("base = "), std::string::npos);
 }
