@@ -62,7 +62,7 @@ TEST(InitialFlow, StaysSteadyInARun)
 }
 
 /// A slope of 1:2, 3 m high on 3 m of ground, behind which water stands on a head.
-AssembledCase slope_behind_water(double head, const Vector2& origin, const std::string& soil)
+AssembledCase slope_behind_water(double head, const std::string& soil)
 {
     const Section section = polygon_section({{{0.0, 0.0}, "base"},
                                              {{24.0, 0.0}, "land_side"},
@@ -86,19 +86,18 @@ soil = "roller"
 water = "head"
 head = )" + std::to_string(head) +
                                "\n" + soil;
-    return assemble(scene_with(1.0, origin, 26, 9, tables), section);
+    return assemble(scene_with(1.0, {0.0, 0.0}, 24, 7, tables), section);
 }
 
 /// Largest change of the vertical effective stress in days of steady flow [Pa].
-double change_of_stress(const Vector2& origin, double conductivity)
+double change_of_stress(double conductivity)
 {
-    AssembledCase slope =
-        slope_behind_water(5.9, origin,
-                           "[analysis]\nscheme = \"implicit\"\n"
-                           "[materials.soil]\nmodel = \"linear_elastic\"\n"
-                           "shear_modulus = 1e7\npoisson_ratio = 0.3\nporosity = 0.4\n"
-                           "hydraulic_conductivity = " +
-                               fmt::format("{}", conductivity) + "\n[regions.soil]\nmaterial = \"soil\"\n");
+    AssembledCase slope = slope_behind_water(5.9, "[analysis]\nscheme = \"implicit\"\n"
+                                                  "[materials.soil]\nmodel = \"linear_elastic\"\n"
+                                                  "shear_modulus = 1e7\npoisson_ratio = 0.3\nporosity = 0.4\n"
+                                                  "hydraulic_conductivity = " +
+                                                      fmt::format("{}", conductivity) +
+                                                      "\n[regions.soil]\nmaterial = \"soil\"\n");
     RelaxationControls controls;
     controls.tolerance = 1e-6;
     relax(slope.problem, controls, slope.state, {}, {});
@@ -114,9 +113,8 @@ double change_of_stress(const Vector2& origin, double conductivity)
 
 double factor_of_slope(double head)
 {
-    AssembledCase slope = slope_behind_water(head, {0.0, 0.0},
-                                             "[materials.soil]\nhydraulic_conductivity = 1e-4" +
-                                                 mohr_coulomb.substr(mohr_coulomb.find("]") + 1));
+    AssembledCase slope = slope_behind_water(head, "[materials.soil]\nhydraulic_conductivity = 1e-4" +
+                                                       mohr_coulomb.substr(mohr_coulomb.find("]") + 1));
     begin_shaking(slope.problem, slope.state);
     StrengthReductionControls controls;
     controls.tolerance = 0.01;
@@ -125,9 +123,8 @@ double factor_of_slope(double head)
 
 TEST(InitialFlow, LeavesStressesAsTheyAreForDays)
 {
-    // of some 50 kPa at the base; measured: LIMIT
-    EXPECT_LT(change_of_stress({0.0, 0.0}, 1e-5), 100.0);
-    EXPECT_LT(change_of_stress({-0.37, 0.0}, 1e-7), 100.0);
+    // of some 50 kPa at the base; a stress that grows by 1e-4 Pa/s fails
+    EXPECT_LT(change_of_stress(1e-5), 100.0);
 }
 
 TEST(InitialFlow, TakesSafetyFromASlopeAsTheRiverRises)
