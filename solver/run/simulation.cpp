@@ -62,9 +62,10 @@ TimeStep choose_wave_step(const Problem& wave_form, double replaced, double even
 class Steps {
 public:
     explicit Steps(const Problem& problem)
-        : problem_(problem), wave_form_(with_scheme(problem, scheme_of_waves(problem))),
-          explicit_form_(with_scheme(problem, TimeScheme::explicit_steps)), form_(&problem)
+        : problem_(problem), explicit_form_(with_scheme(problem, TimeScheme::explicit_steps)), form_(&problem)
     {
+        if (problem.scheme == TimeScheme::implicit)
+            wave_form_ = with_scheme(problem, scheme_of_waves(problem));
         make_steppers();
     }
 
@@ -89,8 +90,8 @@ public:
         if (state.step % steps_between_bounds == 0 || state.step == state.explicit_end)
             measure_bounds(is_explicit ? explicit_form_ : problem_, state);
         if (is_explicit || !(std::exchange(is_restart_, false) || form_ == &explicit_form_)) return;
-        replaced_ = step_replaced_by_waves(problem_, wave_form_, state);
-        change_over(replaced_ ? wave_form_ : problem_);
+        if (wave_form_) replaced_ = step_replaced_by_waves(problem_, *wave_form_, state);
+        change_over(replaced_ ? *wave_form_ : problem_);
     }
 
     /// The problem with the scheme of the steps that are taken.
@@ -100,7 +101,7 @@ public:
     TimeStep choose(double event, State& state)
     {
         if (state.step < state.explicit_end) return choose_explicit(event, state);
-        return replaced_ ? choose_wave_step(wave_form_, replaced_->dt, event, state)
+        return replaced_ ? choose_wave_step(*wave_form_, replaced_->dt, event, state)
                          : choose_step(problem_, event, state);
     }
 
@@ -153,7 +154,8 @@ private:
     }
 
     const Problem& problem_;
-    Problem wave_form_, explicit_form_;
+    Problem explicit_form_;
+    std::optional<Problem> wave_form_; // in a run of implicit steps
     const Problem* form_;              // of the steps that are taken
     bool is_restart_ = true;           // whether the kind of the steps is to be chosen
     std::optional<TimeStep> replaced_; // the implicit step in the place of which waves limit the steps
