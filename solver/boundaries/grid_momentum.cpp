@@ -34,32 +34,6 @@ PhaseVelocities solve_direction(const Balance& balance, bool solid_fixed, bool f
                       balance.impulse_fluid);
 }
 
-struct NodeImpulses {
-    Vector2 solid, fluid; // [N s/m]
-};
-
-NodeImpulses two_phase_impulses(const Problem& problem, double dt, double acceleration,
-                                const TwoPhaseSums& node)
-{
-    // the porosity of the node stands outside the sum of F^p: a constant pressure across a porosity jump
-    // then gives no force between the phases
-    const double fluid_density = problem.water->density;
-    const double porosity = node_porosity(problem, node);
-    const double buoyant_mass = node.mass_solid + node.mass_fluid - fluid_density * node.volume;
-    const Vector2 pressure_force(node.pressure_force_x, node.pressure_force_y);
-    const Vector2 stress_force(node.stress_force_x, node.stress_force_y);
-    const Vector2 base(acceleration, 0.0);
-
-    const Vector2 drag(node.drag_force_x, node.drag_force_y);
-    const Vector2 inertia(node.inertia_force_x, node.inertia_force_y);
-
-    const Vector2 force_fluid = porosity * pressure_force - node.mass_fluid * base - drag;
-    const Vector2 force_solid = stress_force + (1.0 - porosity) * pressure_force - node.mass_solid * base -
-                                Vector2(0.0, buoyant_mass * problem.gravity) + drag + inertia;
-    return {Vector2(node.momentum_solid_x, node.momentum_solid_y) + dt * force_solid,
-            Vector2(node.momentum_fluid_x, node.momentum_fluid_y) + dt * force_fluid};
-}
-
 Balance balance_along(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
                       const Vector2& direction)
 {
@@ -123,6 +97,38 @@ void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& 
     const Vector2 flux = flux_of(node_porosity(problem, node), motion);
     motion.flux_x = flux.x();
     motion.flux_y = flux.y();
+}
+
+void set_velocities(const Problem& problem, const TwoPhaseSums& node, const Vector2& solid,
+                    const Vector2& fluid, TwoPhaseMotion& motion)
+{
+    motion.solid_x = solid.x();
+    motion.solid_y = solid.y();
+    motion.fluid_x = fluid.x();
+    motion.fluid_y = fluid.y();
+    set_flux_and_change(problem, node, motion);
+}
+
+NodeImpulses two_phase_impulses(const Problem& problem, double dt, double acceleration,
+                                const TwoPhaseSums& node)
+{
+    // the porosity of the node stands outside the sum of F^p: a constant pressure across a porosity jump
+    // then gives no force between the phases
+    const double fluid_density = problem.water->density;
+    const double porosity = node_porosity(problem, node);
+    const double buoyant_mass = node.mass_solid + node.mass_fluid - fluid_density * node.volume;
+    const Vector2 pressure_force(node.pressure_force_x, node.pressure_force_y);
+    const Vector2 stress_force(node.stress_force_x, node.stress_force_y);
+    const Vector2 base(acceleration, 0.0);
+
+    const Vector2 drag(node.drag_force_x, node.drag_force_y);
+    const Vector2 inertia(node.inertia_force_x, node.inertia_force_y);
+
+    const Vector2 force_fluid = porosity * pressure_force - node.mass_fluid * base - drag;
+    const Vector2 force_solid = stress_force + (1.0 - porosity) * pressure_force - node.mass_solid * base -
+                                Vector2(0.0, buoyant_mass * problem.gravity) + drag + inertia;
+    return {Vector2(node.momentum_solid_x, node.momentum_solid_y) + dt * force_solid,
+            Vector2(node.momentum_fluid_x, node.momentum_fluid_y) + dt * force_fluid};
 }
 
 void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums)

@@ -43,6 +43,19 @@ double node_porosity(const Problem& problem, const TwoPhaseSums& node);
 /// The flux of grains and water that follows from a node's velocities.
 void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion);
 
+/// Set a node's velocities, with their flux and change.
+void set_velocities(const Problem& problem, const TwoPhaseSums& node, const Vector2& solid,
+                    const Vector2& fluid, TwoPhaseMotion& motion);
+
+/// Momentum and impulses of the known forces on a node's grains and water.
+struct NodeImpulses {
+    Vector2 solid, fluid; // [N s/m]
+};
+
+/// Over dt, with all forces of the sums; `acceleration` as in solve_two_phase_momentum.
+NodeImpulses two_phase_impulses(const Problem& problem, double dt, double acceleration,
+                                const TwoPhaseSums& node);
+
 /// Add the sums of tied nodes to their masters.
 void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums);
 void gather_tied_sums(const NodeConditions& conditions, std::vector<SinglePhaseSums>& sums);

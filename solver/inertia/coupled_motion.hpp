@@ -16,11 +16,11 @@ namespace quicksand {
 bool is_long_step(const Problem& problem, double dt, const std::vector<TwoPhaseSums>& sums,
                   const InertiaSolve& inertia);
 
-/// Set `motion`, which holds the velocities that the known forces give, to those at the end of the step, the
-/// pressure's increments, and the sums' inertia forces. The pressure's equations are set up. Returns whether
-/// a solution was found.
+/// Set `motion` to the velocities at the end of the step, the pressure's increments, and the sums' inertia
+/// forces; `acceleration` is that of the base. The pressure's equations are set up. Returns whether a
+/// solution was found.
 bool move_coupled(const Problem& problem, const NodeConditions& conditions, double dt, double velocity_dt,
-                  const std::vector<Dashpot>& dashpots, const WallRows& walls,
+                  double acceleration, const std::vector<Dashpot>& dashpots, const VelocityRows& rows,
                   std::vector<TwoPhaseSums>& sums, std::vector<TwoPhaseMotion>& motion, InertiaSolve& inertia,
                   PressureSolve& pressure, CoupledSolve& solve);
 

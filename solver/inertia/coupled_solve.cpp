@@ -7,8 +7,8 @@ namespace quicksand {
 
 namespace {
 
-/// Taken from the diagonal of ones of the rows, so that the matrix is quasi-definite.
-constexpr double ridge = 1e-9;
+/// s where the rows are scaled to what their nodes answer [-].
+constexpr double softness = 1e-9;
 /// Of the right-hand side, after which iterating ends [-].
 constexpr double tolerance = 1e-10;
 constexpr int most_corrections = 10;
@@ -138,24 +138,28 @@ void add_cells(double dt, double velocity_dt, const std::vector<std::size_t>& nu
     });
 }
 
-void add_rows(const VelocityRows& rows, CoupledSolve& solve)
+/// The rows, and what they miss before the step.
+void add_rows(const std::vector<std::size_t>& number_of_node, const std::vector<CoupledNode>& nodes,
+              const VelocityRows& rows, CoupledSolve& solve)
 {
+    for (std::size_t row = 0; row < rows.size(); ++row)
+        solve.right_hand_side[solve.first_row + static_cast<std::int32_t>(row)] = rows.value(row);
     rows.for_each_coefficient([&](std::size_t row, std::size_t node, const NodeVelocities& c) {
+        const std::int32_t equation = solve.first_row + static_cast<std::int32_t>(row);
         for (std::size_t d = 0; d < 4; ++d)
             if (c[static_cast<int>(d)] != 0.0)
-                add(solve.first_row + static_cast<std::int32_t>(row), solve.unknowns[node][d],
-                    c[static_cast<int>(d)], solve);
+                add(equation, solve.unknowns[node][d], c[static_cast<int>(d)], solve);
+        if (number_of_node[node] < nodes.size())
+            solve.right_hand_side[equation] -= c.dot(nodes[number_of_node[node]].before);
     });
 }
 
-/// Impulses A w_0 on the velocities' unknowns.
 void add_impulses(const std::vector<CoupledNode>& nodes, CoupledSolve& solve)
 {
     for (const CoupledNode& node : nodes) {
-        const NodeVelocities impulse = node.mass * node.wanted;
         for (std::size_t d = 0; d < 4; ++d) {
             const std::int32_t unknown = solve.unknowns[node.node][d];
-            if (unknown >= 0) solve.right_hand_side[unknown] += impulse[static_cast<int>(d)];
+            if (unknown >= 0) solve.right_hand_side[unknown] += node.impulse[static_cast<int>(d)];
         }
     }
 }
@@ -176,7 +180,7 @@ void scale_matrix(CoupledSolve& solve)
     for (int column = 0; column < solve.count; ++column)
         for (CoupledSolve::Matrix::InnerIterator entry(solve.matrix, column); entry; ++entry)
             entry.valueRef() *= solve.scale[entry.row()] * solve.scale[column];
-    for (int k = first; k < solve.count; ++k) solve.matrix.coeffRef(k, k) = -ridge;
+    for (int k = first; k < solve.count; ++k) solve.matrix.coeffRef(k, k) = -softness;
 }
 
 bool factorise(CoupledSolve& solve)
@@ -194,19 +198,16 @@ bool factorise(CoupledSolve& solve)
     return solve.factor->info() == Eigen::Success;
 }
 
-/// The solution of the equations without the ridge.
 bool iterate(CoupledSolve& solve)
 {
     const Eigen::VectorXd given = solve.scale.cwiseProduct(solve.right_hand_side);
     const double target = tolerance * given.norm();
-    const int rows = solve.count - solve.first_row;
     Eigen::VectorXd& x = solve.solution;
     x = Eigen::VectorXd::Zero(solve.count);
     Eigen::VectorXd left = given;
     for (int k = 0; k < most_corrections && left.norm() > target; ++k) {
         x += solve.factor->solve(left);
         left = given - solve.matrix.selfadjointView<Eigen::Lower>() * x;
-        left.tail(rows) -= ridge * x.tail(rows);
     }
     const bool found = left.norm() <= std::sqrt(tolerance) * given.norm();
     x = solve.scale.cwiseProduct(x);
@@ -247,7 +248,7 @@ bool solve_coupled(const NodeConditions& conditions, double dt, double velocity_
     add_masses(nodes, solve);
     add_stiffness(stiffness_factor, inertia, solve);
     add_cells(dt, velocity_dt, number_of_node, nodes, inertia, pressure, solve);
-    add_rows(rows, solve);
+    add_rows(number_of_node, nodes, rows, solve);
     for (std::int32_t k = solve.first_row; k < solve.count; ++k) add(k, k, 0.0, solve);
     add_impulses(nodes, solve);
     solve.matrix.resize(solve.count, solve.count);

@@ -3,13 +3,16 @@
 // Where waves of the skeleton pass through the whole body within a step, its stiffness and the water must
 // answer together. With w the change of the velocities u = (v_s, v_w) from u_0 before the step, dp the
 // increments of the cells' pressures and m the multipliers of the rows at walls,
-//   (A + b K) w        - dt_v B^T dp   + C^T m = A w_0
+//   (A + b K) w        - dt_v B^T dp   + C^T m = i - A u_0
 //   - dt_v B w         - (dt_v/dt) S dp        = dt_v B u_0
-//     C w                                      = 0
+//     C w                                - s m = V - C u_0
 // A: masses, drag and dashpots of the nodes; K: stiffness of the grains, b = beta dt dt_v; B: divergence of
-// the flux (1-n) v_s + n v_w in the cells; S = n V / K_w; w_0: change by the known forces alone. The matrix
-// is symmetric and quasi-definite once a little is taken from the diagonal of the rows (Vanderbei 1995), so
-// that it has the factors L D L^T in any order; what was taken is put right by iterating.
+// the flux (1-n) v_s + n v_w in the cells; S = n V / K_w; i: momenta and impulses of the known forces; V:
+// what the rows ask for. A row yields by s m, a billionth of what its nodes would move by without it: so rows
+// that nearly repeat each other, as at tips and corners, need not be told apart, and the symmetric matrix is
+// quasi-definite (Vanderbei 1995), with factors L D L^T in any order. Velocities are far smaller than the i
+// of each node over its mass where forces and reactions balance, and are nowhere found as a difference from
+// it.
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
@@ -45,11 +48,11 @@ struct CoupledSolve {
 /// A node's part in the equations.
 struct CoupledNode {
     std::size_t node = 0;
-    NodeInverse mass = NodeInverse::Zero();         // A [kg/m]
-    NodeVelocities before = NodeVelocities::Zero(); // u_0, of the grains what is kept of it [m/s]
-    NodeVelocities wanted = NodeVelocities::Zero(); // w_0 [m/s]
-    std::uint8_t held = 0;                          // NodeCondition bits
-    double porosity = 0.0;                          // [-]
+    NodeInverse mass = NodeInverse::Zero();          // A [kg/m]
+    NodeVelocities before = NodeVelocities::Zero();  // u_0, of the grains what is kept of it [m/s]
+    NodeVelocities impulse = NodeVelocities::Zero(); // i - A u_0 [N s/m]
+    std::uint8_t held = 0;                           // NodeCondition bits
+    double porosity = 0.0;                           // [-]
 };
 
 /// Solve over `dt` with velocities that change over `velocity_dt`: sets inertia.change, pressure.increment

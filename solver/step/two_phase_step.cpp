@@ -206,8 +206,9 @@ void answer_together(const Problem& problem, double dt, double velocity_dt, Stat
     timed(work.timers, Phase::pore_pressure,
           [&] { set_up_pressure(problem, dt, velocity_dt, state.particles, work); });
     timed(work.timers, Phase::inertia, [&] {
-        if (!move_coupled(problem, work.conditions, dt, velocity_dt, work.dashpots, work.walls, work.sums,
-                          work.motion, *work.inertia, pressure, work.coupled))
+        const double acceleration = base_acceleration(problem.base_motion, state.time);
+        if (!move_coupled(problem, work.conditions, dt, velocity_dt, acceleration, work.dashpots,
+                          work.walls.rows, work.sums, work.motion, *work.inertia, pressure, work.coupled))
             fail_to_resist(dt, state);
         if (!pressure.cavity.cavities.empty()) pressure.cavity.water_increment = pressure.increment;
         set_changes(work.lists, pressure);
