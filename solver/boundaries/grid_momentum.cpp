@@ -109,6 +109,13 @@ void set_velocities(const Problem& problem, const TwoPhaseSums& node, const Vect
     set_flux_and_change(problem, node, motion);
 }
 
+void set_velocity(const SinglePhaseSums& node, const Vector2& velocity, SinglePhaseMotion& motion)
+{
+    motion.x = velocity.x();
+    motion.y = velocity.y();
+    set_change(node, motion);
+}
+
 NodeImpulses two_phase_impulses(const Problem& problem, double dt, double acceleration,
                                 const TwoPhaseSums& node)
 {
@@ -129,6 +136,18 @@ NodeImpulses two_phase_impulses(const Problem& problem, double dt, double accele
                                 Vector2(0.0, buoyant_mass * problem.gravity) + drag + inertia;
     return {Vector2(node.momentum_solid_x, node.momentum_solid_y) + dt * force_solid,
             Vector2(node.momentum_fluid_x, node.momentum_fluid_y) + dt * force_fluid};
+}
+
+Vector2 single_phase_impulse(const Problem& problem, double dt, double acceleration, double damping,
+                             const SinglePhaseSums& node)
+{
+    const auto damped = [&](double force, double momentum) {
+        return momentum == 0.0 ? force : force - std::copysign(damping * std::abs(force), momentum);
+    };
+    const double force_x = damped(node.stress_force_x - node.mass * acceleration, node.momentum_x);
+    const double force_y = damped(node.stress_force_y - node.weight * problem.gravity, node.momentum_y);
+    return {node.momentum_x + dt * (force_x + node.inertia_force_x),
+            node.momentum_y + dt * (force_y + node.inertia_force_y)};
 }
 
 void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums)
@@ -236,22 +255,16 @@ void solve_single_phase_momentum(const Problem& problem, const NodeConditions& c
                                  const std::vector<SinglePhaseSums>& sums,
                                  std::vector<SinglePhaseMotion>& motion)
 {
-    const auto damped = [&](double force, double momentum) {
-        return momentum == 0.0 ? force : force - std::copysign(damping * std::abs(force), momentum);
-    };
     for_each_index(sums.size(), [&](std::size_t i) {
         const SinglePhaseSums& node = sums[i];
         if (!node.active()) {
             motion[i] = {};
             return;
         }
-        const double force_x = damped(node.stress_force_x - node.mass * acceleration, node.momentum_x);
-        const double force_y = damped(node.stress_force_y - node.weight * problem.gravity, node.momentum_y);
         const std::uint8_t held = conditions.of_node[i];
-        const double impulse_x = node.momentum_x + dt * (force_x + node.inertia_force_x),
-                     impulse_y = node.momentum_y + dt * (force_y + node.inertia_force_y);
-        motion[i].x = held & solid_x_fixed ? 0.0 : impulse_x / node.mass;
-        motion[i].y = held & solid_y_fixed ? 0.0 : impulse_y / node.mass;
+        const Vector2 impulse = single_phase_impulse(problem, dt, acceleration, damping, node);
+        motion[i].x = held & solid_x_fixed ? 0.0 : impulse.x() / node.mass;
+        motion[i].y = held & solid_y_fixed ? 0.0 : impulse.y() / node.mass;
         set_change(node, motion[i]);
     });
 }

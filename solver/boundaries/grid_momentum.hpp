@@ -46,6 +46,7 @@ void set_flux(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& 
 /// Set a node's velocities, with their flux and change.
 void set_velocities(const Problem& problem, const TwoPhaseSums& node, const Vector2& solid,
                     const Vector2& fluid, TwoPhaseMotion& motion);
+void set_velocity(const SinglePhaseSums& node, const Vector2& velocity, SinglePhaseMotion& motion);
 
 /// Momentum and impulses of the known forces on a node's grains and water.
 struct NodeImpulses {
@@ -55,6 +56,10 @@ struct NodeImpulses {
 /// Over dt, with all forces of the sums; `acceleration` as in solve_two_phase_momentum.
 NodeImpulses two_phase_impulses(const Problem& problem, double dt, double acceleration,
                                 const TwoPhaseSums& node);
+
+/// The same of a body that moves as one phase; `damping` as in solve_single_phase_momentum [N s/m].
+Vector2 single_phase_impulse(const Problem& problem, double dt, double acceleration, double damping,
+                             const SinglePhaseSums& node);
 
 /// Add the sums of tied nodes to their masters.
 void gather_tied_sums(const NodeConditions& conditions, std::vector<TwoPhaseSums>& sums);

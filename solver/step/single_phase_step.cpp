@@ -3,6 +3,7 @@
 #include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/surface_loads.hpp"
+#include "solver/inertia/coupled_motion.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/null_space_damping.hpp"
@@ -56,6 +57,12 @@ void solve_resisted(const Problem& problem, double dt, double velocity_dt, doubl
     solve();
     sum_moduli(problem, dt, state.particles, work);
     choose_resistance(problem, state, *work.inertia);
+    if (damping == 0.0 && is_long_step(problem, dt, work.sums, *work.inertia)) {
+        if (!move_coupled(problem, work.conditions, dt, velocity_dt, acceleration, work.dashpots,
+                          work.walls.rows, work.sums, work.motion, *work.inertia, work.coupled))
+            fail_to_resist(dt, state);
+        return;
+    }
     set_up_inertia(problem, dt, velocity_dt, work);
     resist_acceleration(dt, velocity_dt, work);
     solve();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/boundaries/nodes.hpp"
+#include "solver/inertia/coupled_solve.hpp"
 #include "solver/step/step_workspace.hpp"
 #include "solver/water/pore_pressure.hpp"
 
@@ -17,6 +18,7 @@ struct SinglePhaseWorkspace : StepWorkspace {
     Scalars null_space_damping; // theta of null_space_damping.hpp [-]
     CellMeans cell_means;       // of the pore pressure, undrained only
     Scalars pressure_increment; // of the cells, undrained only [Pa]
+    CoupledSolve coupled;       // of long implicit steps
 };
 
 SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage stage = Stage::shaking);
