@@ -101,16 +101,19 @@ std::vector<CoupledNode> coupled_nodes(const Problem& problem, const NodeConditi
         });
 }
 
-/// Solve, call set(node, velocities) for all nodes, and set the sums' inertia forces.
-template <class Sums, class Set>
+/// Solve, call set(node, velocities) for all nodes, the motion of others being zero, and set the sums'
+/// inertia forces.
+template <class Sums, class Motion, class Set>
 bool move_nodes(const NodeConditions& conditions, double dt, double velocity_dt,
                 const std::vector<CoupledNode>& nodes, const VelocityRows& rows, std::vector<Sums>& sums,
-                InertiaSolve& inertia, PressureSolve& pressure, CoupledSolve& solve, Set&& set)
+                std::vector<Motion>& motion, InertiaSolve& inertia, PressureSolve& pressure,
+                CoupledSolve& solve, Set&& set)
 {
     std::vector<NodeVelocities> changes;
     if (!solve_coupled(conditions, dt, velocity_dt, inertia.resistance * dt * velocity_dt, nodes, rows,
                        inertia, pressure, solve, changes))
         return false;
+    motion.assign(motion.size(), {});
     for (std::size_t k = 0; k < nodes.size(); ++k) set(nodes[k].node, nodes[k].before + changes[k]);
     multiply_stiffness(-inertia.resistance * dt, inertia.change, inertia);
     for (const CoupledNode& node : nodes) {
@@ -156,7 +159,7 @@ bool move_coupled(const Problem& problem, const NodeConditions& conditions, doub
     const auto set = [&](std::size_t i, const NodeVelocities& velocities) {
         set_velocities(problem, sums[i], velocities.head<2>(), velocities.tail<2>(), motion[i]);
     };
-    if (!move_nodes(conditions, dt, velocity_dt, nodes, rows, sums, inertia, pressure, solve, set))
+    if (!move_nodes(conditions, dt, velocity_dt, nodes, rows, sums, motion, inertia, pressure, solve, set))
         return false;
     spread_tied_motion(conditions, motion);
     return true;
@@ -174,7 +177,7 @@ bool move_coupled(const Problem& problem, const NodeConditions& conditions, doub
         set_velocity(sums[i], velocities.head<2>(), motion[i]);
     };
     PressureSolve none;
-    return move_nodes(conditions, dt, velocity_dt, nodes, rows, sums, inertia, none, solve, set);
+    return move_nodes(conditions, dt, velocity_dt, nodes, rows, sums, motion, inertia, none, solve, set);
 }
 
 } // namespace quicksand

@@ -54,7 +54,6 @@ void solve_resisted(const Problem& problem, double dt, double velocity_dt, doubl
                     double damping, const State& state, SinglePhaseWorkspace& work)
 {
     const auto solve = [&] { solve_velocities(problem, velocity_dt, acceleration, 0.0, work); };
-    solve();
     sum_moduli(problem, dt, state.particles, work);
     choose_resistance(problem, state, *work.inertia);
     if (damping == 0.0 && is_long_step(problem, dt, work.sums, *work.inertia)) {
@@ -63,6 +62,7 @@ void solve_resisted(const Problem& problem, double dt, double velocity_dt, doubl
             fail_to_resist(dt, state);
         return;
     }
+    solve();
     set_up_inertia(problem, dt, velocity_dt, work);
     resist_acceleration(dt, velocity_dt, work);
     solve();

@@ -350,7 +350,6 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     timed(work.timers, Phase::momentum, [&] {
         centre_drag(velocity_dt, semi_implicit_strong_drag, work.sums);
         assemble_walls(problem, velocity_dt, work.sums, work);
-        solve_velocities(problem, velocity_dt, state, work);
     });
     bool together = false;
     if (work.inertia)
@@ -362,10 +361,12 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     timed(work.timers, Phase::pore_pressure, [&] { expect_growth_of_turns(problem, dt, particles, work); });
     if (together) {
         answer_together(problem, dt, velocity_dt, state, work);
-    } else if (work.inertia) {
-        answer_with_inertia(problem, dt, velocity_dt, state, work);
     } else {
-        answer(problem, dt, velocity_dt, state, work);
+        timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
+        if (work.inertia)
+            answer_with_inertia(problem, dt, velocity_dt, state, work);
+        else
+            answer(problem, dt, velocity_dt, state, work);
     }
     timed(work.timers, Phase::momentum, [&] { enter_works(problem, velocity_dt, work, state); });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });

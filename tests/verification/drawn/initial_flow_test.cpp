@@ -4,6 +4,7 @@
 #include "solver/run/simulation.hpp"
 #include "solver/run/strength_reduction.hpp"
 #include "tests/fixtures/dam_example.hpp"
+#include "tests/fixtures/wedge_example.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -103,52 +104,15 @@ double change_of_stress(double conductivity)
     relax(slope.problem, controls, slope.state, {}, {});
     begin_shaking(slope.problem, slope.state);
     run(slope.problem, 1e5, {}, slope.state);
-    const Scalars before = slope.state.particles.stress.yy;
-    run(slope.problem, 1e6, {}, slope.state);
-    double most = 0.0;
-    for (std::size_t p = 0; p < before.size(); ++p)
-        most = std::max(most, std::abs(slope.state.particles.stress.yy[p] - before[p]));
-    return most;
+    return change_of_vertical_stress(1e6, slope);
 }
 
 /// The same in a drained wedge with a sharp tip, whose base and side lie off the lines of the grid.
 double change_in_wedge(const Vector2& origin, double conductivity)
 {
-    const Section section = polygon_section(
-        {{{0.0, 0.0}, "base"}, {{6.0, 0.0}, "side"}, {{6.0, 2.0}, "face"}, {{4.0, 2.0}, "face"}});
-    const std::string tables = R"([water]
-level = 2.0
-[analysis]
-scheme = "implicit"
-[sampling]
-particles_per_cell = [2, 2]
-[boundaries.base]
-soil = "fixed"
-[boundaries.side]
-soil = "roller"
-[boundaries.face]
-soil = "free"
-water = "head"
-head = 0.0
-[materials.soil]
-model = "linear_elastic"
-shear_modulus = 1e7
-poisson_ratio = 0.3
-porosity = 0.4
-hydraulic_conductivity = )" + fmt::format("{}", conductivity) +
-                               "\n[regions.soil]\nmaterial = \"soil\"\n";
-    AssembledCase wedge = assemble(scene_with(0.25, origin, 30, 13, tables), section);
-    RelaxationControls controls;
-    controls.tolerance = 1e-5;
-    relax(wedge.problem, controls, wedge.state, {}, {});
-    begin_shaking(wedge.problem, wedge.state);
+    AssembledCase wedge = settled_wedge(origin, 1e-5, conductivity);
     run(wedge.problem, 0.1 / conductivity, {}, wedge.state); // 1,500 times the time of Terzaghi's solution
-    const Scalars before = wedge.state.particles.stress.yy;
-    run(wedge.problem, 1.0 / conductivity, {}, wedge.state);
-    double most = 0.0;
-    for (std::size_t p = 0; p < before.size(); ++p)
-        most = std::max(most, std::abs(wedge.state.particles.stress.yy[p] - before[p]));
-    return most;
+    return change_of_vertical_stress(1.0 / conductivity, wedge);
 }
 
 double factor_of_slope(double head)
