@@ -56,11 +56,10 @@ struct Candidate {
     double last = -std::numeric_limits<double>::infinity();
 };
 
-/// How far a point is outside the candidate's domain; negative inside [m].
+/// How far a point is outside the candidate's domain; negative inside [m]. Local coordinates would not tell:
+/// those of a quadrilateral have two solutions, and Newton's method may find neither.
 double distance_outside(const Candidate& candidate, const Vector2& point)
 {
-    if (!candidate.is_cut)
-        return (local_coordinates(candidate.frame, point).cwiseAbs().maxCoeff() - 1.0) * candidate.size;
     const std::vector<Vector2>& x = candidate.corners;
     double farthest = -std::numeric_limits<double>::infinity();
     for (std::size_t c = 0; c < x.size(); ++c) {
