@@ -129,6 +129,8 @@ std::string use_of(BodyQuantityOf of)
     case BodyQuantityOf::any_body:
     case BodyQuantityOf::balanced_body:
         break;
+    case BodyQuantityOf::small_body:
+        return "; with `strain = \"small\"`";
     case BodyQuantityOf::wet_body:
     case BodyQuantityOf::balanced_wet_body:
         return "; with water";

@@ -1,5 +1,6 @@
 #include "solver/measure/body_quantities.hpp"
 
+#include "solver/measure/particle_quantities.hpp"
 #include "solver/measure/quantities.hpp"
 #include "solver/particles/background_grid.hpp"
 
@@ -42,6 +43,8 @@ constexpr std::array table = {
         [](const MeasuredBody& body) { return body.monitors.momentum_y; }},
     BodyQuantity{"kinetic_energy", "J", "kinetic energy of both phases, relative to the base", any_body,
         [](const MeasuredBody& body) { return body.monitors.kinetic_energy; }, "Kinetic energy of both phases", "J/m"},
+    BodyQuantity{"max_strain", "-", "largest strain of a particle since the reference, of shear or of volume; small strain holds up to about 0.1", small_body,
+        [](const MeasuredBody& body) { return largest_strain(body.problem, body.state.particles); }},
     BodyQuantity{"limited_domains", "-", "particle domains scaled down in the last step, as they reached farther than 2.5 cells from their centre", any_body,
         [](const MeasuredBody& body) { return static_cast<double>(body.limited_domains); }, {}, {}, true},
     BodyQuantity{"mean_stress_checkerboard", "-", "|sum (-1)^(i+j) p_c V_c| / sum |p_c| V_c over the cells, of the mean effective stress; above 0.05 neighbouring cells oscillate", any_body,
@@ -92,7 +95,8 @@ constexpr std::array table = {
 bool has(const Problem& problem, const State& state, BodyQuantityOf of)
 {
     const bool wet = problem.water.has_value(), balanced = state.balance_terms.has_value();
-    return of == any_body || (of == wet_body && wet) || (of == balanced_body && balanced) ||
+    return of == any_body || (of == small_body && problem.strain == StrainForm::small) ||
+           (of == wet_body && wet) || (of == balanced_body && balanced) ||
            (of == balanced_wet_body && wet && balanced) ||
            (of == balanced_stiff_body && problem.scheme == TimeScheme::implicit && balanced);
 }

@@ -31,6 +31,7 @@ MeasuredBody measure_body(const Problem& problem, const State& state, const std:
 /// Which runs have a quantity of the body.
 enum class BodyQuantityOf : std::uint8_t {
     any_body,
+    small_body,         // of a run in small strain
     wet_body,           // of a scene with water
     balanced_body,      // of a run with balances
     balanced_wet_body,  // of such a run with water

@@ -49,11 +49,43 @@ double deviatoric_stress(const SymmetricTensors& stress, std::size_t p)
     return std::sqrt(3.0 * j2);
 }
 
-double greatest_shear_strain(const Eigen::Matrix2d& gradient)
+namespace {
+
+/// s_1 - s_2 of a deformation gradient: gamma_max of the linear strain tensor of its displacements.
+double stretch_difference(const Eigen::Matrix2d& gradient)
 {
     // (s_1 - s_2)^2 = |F|^2 - 2 det F = (F_xx - F_yy)^2 + (F_xy + F_yx)^2, without cancellation
-    const double difference = std::hypot(gradient(0, 0) - gradient(1, 1), gradient(0, 1) + gradient(1, 0));
-    return difference / std::sqrt(std::max(gradient.determinant(), std::numeric_limits<double>::min()));
+    return std::hypot(gradient(0, 0) - gradient(1, 1), gradient(0, 1) + gradient(1, 0));
+}
+
+} // namespace
+
+double greatest_shear_strain(const Eigen::Matrix2d& gradient)
+{
+    return stretch_difference(gradient) /
+           std::sqrt(std::max(gradient.determinant(), std::numeric_limits<double>::min()));
+}
+
+double greatest_shear_strain(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    const Eigen::Matrix2d gradient = deformation_gradient(particles, p);
+    return problem.strain == StrainForm::small ? stretch_difference(gradient)
+                                               : greatest_shear_strain(gradient);
+}
+
+double volumetric_strain(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    const Eigen::Matrix2d gradient = deformation_gradient(particles, p);
+    return problem.strain == StrainForm::small ? gradient.trace() - 2.0 : gradient.determinant() - 1.0;
+}
+
+double largest_strain(const Problem& problem, const Particles& particles)
+{
+    double largest = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        largest = std::max({largest, greatest_shear_strain(problem, particles, p),
+                            std::abs(volumetric_strain(problem, particles, p))});
+    return largest;
 }
 
 } // namespace quicksand

@@ -30,4 +30,14 @@ double deviatoric_stress(const SymmetricTensors& stress, std::size_t p);
 /// values s; gamma in simple shear [-].
 double greatest_shear_strain(const Eigen::Matrix2d& gradient);
 
+/// Greatest engineering shear strain: as above in large strain; of the linear strain tensor in small strain,
+/// whose deformation gradient may have no determinant to speak of [-].
+double greatest_shear_strain(const Problem& problem, const Particles& particles, std::size_t p);
+
+/// det F - 1 in large strain, the trace of the linear strain tensor in small strain, expansion positive [-].
+double volumetric_strain(const Problem& problem, const Particles& particles, std::size_t p);
+
+/// The largest of both over all particles, by size [-].
+double largest_strain(const Problem& problem, const Particles& particles);
+
 } // namespace quicksand

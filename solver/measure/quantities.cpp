@@ -85,15 +85,15 @@ constexpr std::array table = {
         .meaning = "engineering shear strain du_x/dy + du_y/dx", .places = at_probes, .value = shear_strain_xy,
         .found_by = FoundBy::slope, .drawn = "%"},
     Quantity{.name = "shear_strain", .symbol = "gamma_max", .unit = "-", .label = "Greatest shear strain",
-        .meaning = "greatest engineering shear strain, (s_1 - s_2) / sqrt(s_1 s_2) with the singular values of F",
+        .meaning = "greatest engineering shear strain, (s_1 - s_2) / sqrt(s_1 s_2) with the singular values of F; of the linear strain tensor in small strain",
         .places = on_particles,
-        .value = [](const Problem&, const Particles& particles, std::size_t p) {
-            return QuantityValues{greatest_shear_strain(deformation_gradient(particles, p))}; },
+        .value = [](const Problem& problem, const Particles& particles, std::size_t p) {
+            return QuantityValues{greatest_shear_strain(problem, particles, p)}; },
         .range = QuantityRange::not_negative, .drawn = "%"},
     Quantity{.name = "volumetric_strain", .symbol = "eps_v", .unit = "-", .label = "Volumetric strain",
-        .meaning = "det F - 1, expansion positive", .places = on_particles,
-        .value = [](const Problem&, const Particles& particles, std::size_t p) {
-            return QuantityValues{deformation_gradient(particles, p).determinant() - 1.0}; },
+        .meaning = "det F - 1, expansion positive; in small strain the trace of the linear strain tensor", .places = on_particles,
+        .value = [](const Problem& problem, const Particles& particles, std::size_t p) {
+            return QuantityValues{volumetric_strain(problem, particles, p)}; },
         .drawn = "%"},
     Quantity{.name = "porosity", .symbol = "n", .unit = "-", .label = "Porosity",
         .meaning = "volume of the pores over that of the soil", .of = QuantityOf::wet_soil, .places = on_particles | on_nodes,

@@ -17,8 +17,8 @@ struct Criterion {
     double usable = 0.0;       // up to here usable, bad beyond; infinite: never bad [-]
 };
 
-/// The energy and water that the scheme has lost or made (`numerical_loss_J` over the energy put in), and
-/// pressures that change sign from cell to cell.
+/// The energy and water that the scheme has lost or made (`numerical_loss_J` over the energy put in), strains
+/// that small strain cannot tell, and pressures that change sign from cell to cell.
 std::span<const Criterion> verdict_criteria();
 
 /// The largest amount of a quantity over a run.

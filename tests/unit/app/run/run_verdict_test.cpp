@@ -46,6 +46,18 @@ TEST(RunVerdict, IsNotBadWhereABodyAtRestLosesWhatIsRounding)
     EXPECT_EQ(worst_grade(verdict_on(head + "0,0,0,1e5,49\n1,5e-5,-3e-8,1e5,49\n")), Grade::bad);
 }
 
+TEST(RunVerdict, SaysWhereSmallStrainIsLarge)
+{
+    EXPECT_EQ(worst_grade(verdict_on("time_s,max_strain\n0,0\n1,0.05\n")), Grade::good);
+    const std::vector<Finding> findings = verdict_on("time_s,max_strain\n0,0\n1,2.5\n");
+    EXPECT_EQ(worst_grade(findings), Grade::usable);
+    EXPECT_NE(describe_verdict(findings, 0)
+                  .find("max strain 2.5 at t = 1 s: strains are beyond what "
+                        "analysis.strain = \"small\" can tell"),
+              std::string::npos)
+        << describe_verdict(findings, 0);
+}
+
 TEST(RunVerdict, TellsHowOftenTheStepWasHalved)
 {
     const std::vector<Finding> findings = verdict_on("time_s,energy_error\n0,0\n1,1e-4\n");

@@ -30,6 +30,24 @@ TEST(ParticleQuantities, ShearStrainFollowsTheSingularValues)
     EXPECT_NEAR(greatest_shear_strain(gradient), 0.4 / std::sqrt(0.96), 1e-15);
 }
 
+TEST(ParticleQuantities, StrainsOfSmallStrainAreThoseOfTheLinearTensor)
+{
+    // 1.5 along x, -1.2 along y: the gradient turns the particle inside out
+    Particles particles;
+    resize(particles, 1, std::nullopt);
+    particles.reference_edge_1.set(0, {0.5, 0.0});
+    particles.reference_edge_2.set(0, {0.0, 0.25});
+    particles.half_edge_1.set(0, {1.25, 0.0});
+    particles.half_edge_2.set(0, {0.1, -0.05});
+    Problem problem;
+    problem.strain = StrainForm::small;
+    EXPECT_NEAR(greatest_shear_strain(problem, particles, 0), std::hypot(2.7, 0.4), 1e-15);
+    EXPECT_NEAR(volumetric_strain(problem, particles, 0), 0.3, 1e-15);
+    EXPECT_NEAR(largest_strain(problem, particles), std::hypot(2.7, 0.4), 1e-15);
+    problem.strain = StrainForm::large;
+    EXPECT_NEAR(volumetric_strain(problem, particles, 0), -0.5 - 1.0, 1e-15);
+}
+
 TEST(ParticleQuantities, StressMeasuresOfAKnownTensor)
 {
     const SymmetricTensors stress{{-100.0}, {-200.0}, {-120.0}, {30.0}};
