@@ -1,6 +1,7 @@
 // The example of the element laboratory: its curve and the page of its keys; its numbers: tests/regression.
 #include "io/pictures/picture_table.hpp"
 #include "tests/examples/program.hpp"
+#include "tests/fixtures/checkout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ TEST(ElementExample, TheReferencePageIsUpToDate)
 {
     const Outcome outcome = run_program("keys --element --markdown");
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_TRUE(outcome.output == read_file(QUICKSAND_SOURCE_DIR "/io/ELEMENT.md"))
+    EXPECT_TRUE(outcome.output == read_file(in_checkout("io/ELEMENT.md")))
         << "make it anew: quicksand keys --element --markdown > io/ELEMENT.md";
 }
 

@@ -2,6 +2,7 @@
 #include "io/element/element_keys.hpp"
 #include "io/keys/scene_schema.hpp"
 #include "tests/examples/program.hpp"
+#include "tests/fixtures/checkout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,8 @@ Words offered(const std::string& line)
 /// replaces.
 std::string offered_in_bash(const std::string& line, const std::string& word)
 {
-    const std::string script = "source " QUICKSAND_SOURCE_DIR "/app/completion/quicksand.bash\n"
+    const std::string script = "source " + in_checkout("app/completion/quicksand.bash") +
+                               "\n"
                                "compopt() { :; }\n"
                                "COMP_LINE='" +
                                line + "' COMP_POINT=" + std::to_string(line.size()) +
@@ -159,7 +161,7 @@ TEST(Completion, OffersTheNamesOfTheSceneAfterSet)
 
 TEST(Completion, WorksInBash)
 {
-    EXPECT_EQ(run_shell("bash -n " QUICKSAND_SOURCE_DIR "/app/completion/quicksand.bash").output, "");
+    EXPECT_EQ(run_shell("bash -n " + in_checkout("app/completion/quicksand.bash")).output, "");
     EXPECT_EQ(offered_in_bash("quicksand ru", "ru"), "run\n");
     EXPECT_EQ(offered_in_bash("quicksand run --o", "--o"), "--output\n--overwrite\n");
     EXPECT_EQ(offered_in_bash("quicksand run --set grid.c", "grid.c"), "grid.cell_size=\ngrid.cells=\n");

@@ -1,6 +1,8 @@
 // Runs the built program as a user does, in a folder of its own.
 #pragma once
 
+#include "tests/fixtures/checkout.hpp"
+
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,7 +24,7 @@ struct Outcome {
 /// A shell command's exit code and output; `$QUICKSAND` in it is the program.
 inline Outcome run_shell(const std::string& command)
 {
-    const std::string line = "QUICKSAND='" QUICKSAND_PROGRAM "'; { " + command + "\n} 2>&1";
+    const std::string line = "QUICKSAND='" + built_program() + "'; { " + command + "\n} 2>&1";
     std::FILE* pipe = popen(line.c_str(), "r");
     if (pipe == nullptr) throw std::runtime_error("cannot run " + line);
     Outcome outcome;
@@ -82,7 +84,7 @@ inline std::string header_of(const std::filesystem::path& file)
 
 inline std::string example(const std::string& name)
 {
-    return QUICKSAND_SOURCE_DIR "/examples/" + name;
+    return in_checkout("examples/" + name);
 }
 
 } // namespace quicksand::testing_program

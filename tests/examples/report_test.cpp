@@ -1,5 +1,6 @@
 // The report on a run: one page that needs nothing else and shows the user's words as text.
 #include "tests/examples/program.hpp"
+#include "tests/fixtures/checkout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ protected:
     /// What report_check.py finds wrong, and how many pictures there are.
     static Outcome check(const std::string& page, const std::string& texts = "")
     {
-        return run_shell("python3 " QUICKSAND_SOURCE_DIR "/tests/examples/report_check.py " + page + " " +
+        return run_shell("python3 " + in_checkout("tests/examples/report_check.py") + " " + page + " " +
                          texts);
     }
 

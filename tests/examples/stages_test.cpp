@@ -1,6 +1,7 @@
 // A scene in stages: each goes on from the one before, a run that was stopped goes on, others begin with an
 // end.
 #include "tests/examples/program.hpp"
+#include "tests/fixtures/checkout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ class Stages : public testing::Test {
 protected:
     Stages()
     {
-        std::filesystem::copy(QUICKSAND_SOURCE_DIR "/examples/column", folder / "column");
+        std::filesystem::copy(in_checkout("examples/column"), folder / "column");
         std::ofstream(folder / "column/staged.toml") << stages;
     }
     std::string scene() const { return (folder / "column/staged.toml").string(); }

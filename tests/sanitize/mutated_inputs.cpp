@@ -9,6 +9,7 @@
 #include "io/results/checkpoint.hpp"
 #include "io/scene/scene_file.hpp"
 #include "solver/base/failure.hpp"
+#include "tests/fixtures/checkout.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
 
 #include <chrono>
@@ -128,7 +129,7 @@ std::size_t try_kind(const Kind& kind, double seconds, std::uint64_t seed, const
 std::vector<std::string> texts_of(const std::vector<std::string>& files)
 {
     std::vector<std::string> texts;
-    for (const std::string& file : files) texts.push_back(text_of(fs::path(QUICKSAND_SOURCE_DIR) / file));
+    for (const std::string& file : files) texts.push_back(text_of(in_checkout(file)));
     return texts;
 }
 

@@ -47,9 +47,9 @@ Eigen::Vector4d measure_amplitudes(const Problem& problem, const ColumnMode& mod
 
 /// The four modes of a wave number; amplitudes in SI.
 struct AllModes {
-    Eigen::Vector4cd s;
-    Eigen::Matrix4cd shapes; // a column each
-    Eigen::Matrix4cd duals;  // a row each, the inverse of the shapes
+    Eigen::VectorXcd s;      // 4
+    Eigen::MatrixXcd shapes; // 4 x 4, a column each
+    Eigen::MatrixXcd duals;  // a row each, the inverse of the shapes
     Eigen::Vector4d scale;   // of the amplitudes: 1 Pa, and the velocity that goes with it
 };
 
@@ -59,9 +59,10 @@ AllModes all_modes(const Layer& layer, double wave_number)
     const Eigen::Matrix4d A = longitudinal_rates(layer.soil, wave_number);
     const double impedance = std::sqrt(layer.soil.density() * layer.soil.undrained_modulus());
     const Eigen::Vector4d scale(1.0 / impedance, 1.0 / impedance, 1.0, 1.0);
-    const Eigen::Matrix4d scaled = scale.cwiseInverse().asDiagonal() * A * scale.asDiagonal();
-    const Eigen::EigenSolver<Eigen::Matrix4d> solver(scaled);
-    const Eigen::Matrix4cd shapes = scale.asDiagonal() * solver.eigenvectors();
+    // of any size: gcc unrolls those of four rows for a minute
+    const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * A * scale.asDiagonal();
+    const Eigen::EigenSolver<Eigen::MatrixXd> solver(scaled);
+    const Eigen::MatrixXcd shapes = scale.asDiagonal() * solver.eigenvectors();
     return {solver.eigenvalues(), shapes, shapes.inverse(), scale};
 }
 

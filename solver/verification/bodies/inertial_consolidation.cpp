@@ -21,11 +21,12 @@ Eigen::Vector4d advance(const SaturatedSoil& soil, double wave_number, double ti
     // momentum in units of stress makes the matrix well scaled
     const double impedance = std::sqrt(soil.density() * soil.undrained_modulus());
     const Eigen::Vector4d scale(impedance, impedance, 1.0, 1.0);
-    const Eigen::Matrix4d scaled =
+    // of any size: gcc unrolls those of four rows for half a minute
+    const Eigen::MatrixXd scaled =
         scale.asDiagonal() * longitudinal_rates(soil, wave_number) * scale.cwiseInverse().asDiagonal();
-    const Eigen::EigenSolver<Eigen::Matrix4d> modes(scaled);
+    const Eigen::EigenSolver<Eigen::MatrixXd> modes(scaled);
     const Eigen::Vector4d scaled_start = scale.cwiseProduct(start);
-    Eigen::Vector4cd parts = modes.eigenvectors().fullPivLu().solve(scaled_start.cast<Complex>());
+    Eigen::VectorXcd parts = modes.eigenvectors().fullPivLu().solve(scaled_start.cast<Complex>());
     for (Eigen::Index k = 0; k < 4; ++k) parts[k] *= std::exp(modes.eigenvalues()[k] * time);
     const Eigen::Vector4d scaled_end = (modes.eigenvectors() * parts).real();
     return scale.cwiseInverse().cwiseProduct(scaled_end);

@@ -1,5 +1,6 @@
 // Mistakes on the command line: exit code 2, what is allowed, and the word that was meant.
 #include "tests/examples/program.hpp"
+#include "tests/fixtures/checkout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +38,7 @@ TEST(CommandLine, EveryCommandHasHelp)
 
 TEST(CommandLine, TheVersionIsTheNewestOfTheChangelog)
 {
-    const std::string changelog = read_file(QUICKSAND_SOURCE_DIR "/CHANGELOG.md");
+    const std::string changelog = read_file(in_checkout("CHANGELOG.md"));
     const std::size_t begin = changelog.find("\n## [", changelog.find("## [Unreleased]")) + 5;
     const std::string newest = changelog.substr(begin, changelog.find(']', begin) - begin);
     EXPECT_EQ(run_program("version").output, "Quicksand " + newest + "\n");

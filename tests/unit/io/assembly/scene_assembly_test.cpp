@@ -1,4 +1,5 @@
 #include "solver/interpolation/cpdi2.hpp"
+#include "tests/fixtures/checkout.hpp"
 #include "tests/fixtures/scene_example.hpp"
 
 #include <gtest/gtest.h>
@@ -288,8 +289,7 @@ TEST(Assembly, PutsAProbeAtThePhysicalPointOfItsName)
 
 TEST(Assembly, ReadsTheColumnOfTheExamples)
 {
-    const std::filesystem::path file =
-        std::filesystem::path(QUICKSAND_SOURCE_DIR) / "examples/column/scene.toml";
+    const std::filesystem::path file = in_checkout("examples/column/scene.toml");
     const AssembledCase column = assemble_case(read_scene_file(file, {}));
     EXPECT_EQ(column.state.particles.size(), 3429U);
     EXPECT_TRUE(column.warnings.empty()) << column.warnings.render(column.scene.text);

@@ -1,5 +1,6 @@
 // Every scene that comes with the program is read without an error or a warning.
 #include "io/scene/scene_file.hpp"
+#include "tests/fixtures/checkout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 std::vector<fs::path> scenes()
 {
     std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(QUICKSAND_SOURCE_DIR "/examples")) {
+    for (const auto& entry : fs::recursive_directory_iterator(in_checkout("examples"))) {
         const std::string folder = entry.path().parent_path().filename().string();
         const bool other = folder.starts_with("element") || folder == "sweep"; // files of another kind
         if (entry.path().extension() == ".toml" && !other) files.push_back(entry.path());

@@ -1,6 +1,7 @@
 #include "io/sweeps/sweep_outcomes.hpp"
 #include "io/sweeps/sweep_runs.hpp"
 #include "solver/base/failure.hpp"
+#include "tests/fixtures/checkout.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ Sweep sweep_of_column(std::vector<VariedKey> varied)
 {
     Sweep sweep;
     sweep.file = "sweep.toml";
-    sweep.scene = QUICKSAND_SOURCE_DIR "/examples/column/scene.toml";
+    sweep.scene = in_checkout("examples/column/scene.toml");
     sweep.fixed = {"run.end_time=0.1"};
     sweep.varied = std::move(varied);
     return sweep;

@@ -2,6 +2,7 @@
 // six legs, with reversals, turning directions, contraction and dilation. The twin takes small steps of its
 // own; paths.csv has its ends.
 #include "solver/pm4sand/pm4sand.hpp"
+#include "tests/fixtures/checkout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +25,7 @@ struct TwinPath {
 
 std::vector<TwinPath> read_paths()
 {
-    std::ifstream file(std::string(QUICKSAND_SOURCE_DIR) + "/tests/unit/solver/pm4sand/paths.csv");
+    std::ifstream file(in_checkout("tests/unit/solver/pm4sand/paths.csv"));
     std::vector<TwinPath> paths;
     std::string line;
     std::getline(file, line); // names
