@@ -43,8 +43,8 @@ void say_stage(const SceneReading& stage, std::size_t number, std::size_t count,
                             stage.scene.stage->name, word_of_kind(stage.scene.stage->kind)));
 }
 
-/// Of a stage that is a run in time.
-void say_run(const SceneSetup& setup, const ResultsFolder& folder, Journal& journal)
+/// Of a stage that is a run in time, and starts from a state called `start`.
+void say_run(const SceneSetup& setup, const std::string& start, const ResultsFolder& folder, Journal& journal)
 {
     const AssembledCase& assembled = setup.assembled;
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
@@ -52,7 +52,7 @@ void say_run(const SceneSetup& setup, const ResultsFolder& folder, Journal& jour
     journal.say(describe_time_step(assembled, step));
     const StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
     journal.say(describe_cost(forecast_run(assembled, run, step.dt, folder.directory)));
-    journal.say(describe_left_out(assembled.scene, run));
+    journal.say(describe_left_out(assembled.scene, run, start));
 }
 
 /// Of a stage that settles, from where the trial of the one before has ended; `reached` becomes the end of
@@ -76,13 +76,13 @@ void say_changes(const SceneReading& before, const SceneReading& now, Journal& j
     journal.say(text);
 }
 
-/// What the stage will take; nothing of one that finds a factor of safety.
-void say_cost(const SceneReading& stage, const SceneSetup& setup, const ResultsFolder& folder,
-              std::optional<State>& reached, Journal& journal)
+/// What the stage will take from the state called `start`; nothing of one that finds a factor of safety.
+void say_cost(const SceneReading& stage, const SceneSetup& setup, const std::string& start,
+              const ResultsFolder& folder, std::optional<State>& reached, Journal& journal)
 {
     const std::optional<SceneStage>& of_stage = stage.scene.stage;
     if (of_stage && settles(of_stage->kind)) return say_settling(setup, reached, journal);
-    if (!of_stage || of_stage->kind != StageKind::stability) say_run(setup, folder, journal);
+    if (!of_stage || of_stage->kind != StageKind::stability) say_run(setup, start, folder, journal);
 }
 
 } // namespace
@@ -107,7 +107,7 @@ ExitCode check_scene(const CheckChoice& choice)
     if (const std::string flow = describe_initial_flow(assembled); !flow.empty()) journal.say(flow);
     journal.say(describe_initial_state(assembled));
     std::optional<State> reached; // by the last trial of a settling
-    say_cost(stages.front(), setup, folder, reached, journal);
+    say_cost(stages.front(), setup, "the K0 state as it is", folder, reached, journal);
     for (std::size_t k = 1; k < stages.size(); ++k) {
         say_stage(stages[k], k + 1, stages.size(), journal);
         say_changes(stages[k - 1], stages[k], journal);
@@ -117,7 +117,7 @@ ExitCode check_scene(const CheckChoice& choice)
             journal.say(slip);
         if (const std::string flow = describe_initial_flow(of_stage.assembled); !flow.empty())
             journal.say(flow);
-        say_cost(stages[k], of_stage, folder, reached, journal);
+        say_cost(stages[k], of_stage, "the end of the stage before", folder, reached, journal);
     }
     write_initial_frame(assembled, folder);
     journal.say("The initial state is in " + folder.particle_series().string() + " and " +

@@ -220,9 +220,9 @@ std::string describe_cost(const Forecast& forecast)
     std::string text = "Cost\n";
     const RelaxationForecast& relaxation = forecast.relaxation;
     if (relaxation.needed) text += settling_line(relaxation);
-    text += fmt::format("  shaking    {} steps of {} ms, measured with {}\n", grouped(forecast.steps),
+    text += fmt::format("  steps      {} of {} ms, measured with {}\n", grouped(forecast.steps),
                         short_number(1e3 * forecast.step_seconds), threads_text(thread_count()));
-    text += fmt::format("  run time   about {}: {}shaking {}, output {}\n", duration_text(forecast.seconds()),
+    text += fmt::format("  run time   about {}: {}steps {}, output {}\n", duration_text(forecast.seconds()),
                         relaxation.needed ? "settling " + duration_text(relaxation.seconds()) + ", " : "",
                         duration_text(forecast.shaking_seconds()), duration_text(forecast.output.seconds));
     if (forecast.output.background_seconds > 0.0)
@@ -245,10 +245,10 @@ std::string describe_column(const SoilColumn& column)
         grouped(static_cast<long long>(column.source.size())));
 }
 
-std::string describe_left_out(const Scene& scene, const StagedRun& run)
+std::string describe_left_out(const Scene& scene, const StagedRun& run, const std::string& start)
 {
     std::string text;
-    const auto leave_out = [&](bool condition, const char* line) {
+    const auto leave_out = [&](bool condition, const std::string& line) {
         if (condition) text += std::string("  ") + line + '\n';
     };
     leave_out(!scene.water,
@@ -265,7 +265,7 @@ std::string describe_left_out(const Scene& scene, const StagedRun& run)
               "steps limited by sound in water: the pore pressure is implicit");
     leave_out(run.problem().scheme == TimeScheme::implicit,
               "steps limited by waves: the pore pressure and the inertia of the grains are implicit");
-    leave_out(!scene.relaxation, "settling: the run starts from the K0 state as it is");
+    leave_out(!scene.relaxation, "settling: the run starts from " + start);
     leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is at rest");
     leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),
               "meshing: the particles lie on a lattice");

@@ -45,8 +45,8 @@ std::string describe_settling_cost(const RelaxationForecast& forecast);
 /// Steps, memory, disk and run time.
 std::string describe_cost(const Forecast& forecast);
 
-/// What the run of the scene does not need and is left out.
-std::string describe_left_out(const Scene& scene, const StagedRun& run);
+/// What the run of the scene, which starts from a state called `start`, does not need and is left out.
+std::string describe_left_out(const Scene& scene, const StagedRun& run, const std::string& start);
 
 /// "One column of 9 is computed ...", for the journal of a run.
 std::string describe_column(const SoilColumn& column);

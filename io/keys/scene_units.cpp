@@ -27,8 +27,8 @@ const std::vector<Unit>& units_of(Dimension dimension)
 {
     static const std::vector<Unit> none = {{"%", 1.0, 100.0}};
     static const std::vector<Unit> length = {{"m"}, {"cm", 1.0, 1e2}, {"mm", 1.0, 1e3}};
-    static const std::vector<Unit> time = {{"s"},         {"ms", 1.0, 1e3}, {"us", 1.0, 1e6},
-                                           {"min", 60.0}, {"h", 3600.0},    {"day", 86400.0}};
+    static const std::vector<Unit> time = {{"s"},         {"ms", 1.0, 1e3}, {"us", 1.0, 1e6}, {"min", 60.0},
+                                           {"h", 3600.0}, {"day", 86400.0}, {"d", 86400.0}};
     static const std::vector<Unit> frequency = {{"Hz"}, {"kHz", 1e3}, {"1/s"}};
     static const std::vector<Unit> acceleration = {
         {"m/s2"}, {"m/s^2"}, {"cm/s2", 1.0, 1e2}, {"g", standard_gravity}};

@@ -1,5 +1,6 @@
 #include "io/scene/scene_stages.hpp"
 
+#include "io/keys/scene_units.hpp"
 #include "io/scene/scene_variant.hpp"
 #include "io/scene/stage_placement.hpp"
 #include "io/tables/stage_keys.hpp"
@@ -82,6 +83,15 @@ void change(const DocumentNode& stage, DocumentNode& document)
     place_regions(stage, document);
 }
 
+/// Whether the value is a duration; where it is not, the check of the stage's own keys tells.
+bool is_duration(const DocumentNode& node)
+{
+    if (node.kind != Kind::text)
+        return (node.kind == Kind::integer || node.kind == Kind::number) && node.number > 0.0;
+    const auto written = split_quantity(node.text);
+    return written && to_si(*written, Dimension::time).value_or(0.0) > 0.0;
+}
+
 /// What a kind of stage has no use for, and what it cannot do without.
 void suit_kind(const DocumentNode& stage, bool is_first, DocumentNode& document)
 {
@@ -106,9 +116,10 @@ void suit_kind(const DocumentNode& stage, bool is_first, DocumentNode& document)
     }
     const bool takes_time = *kind == StageKind::shake || *kind == StageKind::consolidate;
     DocumentNode& run = table_in(document, "run", stage.place);
-    if (const DocumentNode* duration = stage.find("duration"); takes_time && duration != nullptr) {
+    const DocumentNode* duration = stage.find("duration");
+    if (takes_time && duration != nullptr && is_duration(*duration)) {
         run.set("end_time", *duration);
-    } else if (!takes_time) {
+    } else if (!takes_time || duration != nullptr) {
         give_instant(run);
     }
 }

@@ -1,5 +1,6 @@
 // The examples and what users are shown: fixed file names, headers, counts, scenes made by `new`.
 #include "tests/examples/program.hpp"
+#include "tests/fixtures/checkout.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +53,7 @@ TEST(Column, CheckCountsParticlesCellsAndSteps)
     const Outcome run =
         run_program("run " + example("column") + " --until 1e-3 -o " + (folder / "run").string());
     EXPECT_EQ(run.code, 0) << run.output;
-    const long predicted = number_in(check.output, "shaking +([0-9,]+) steps");
+    const long predicted = number_in(check.output, "steps +([0-9,]+) of");
     const long taken = number_in(read_file(folder / "run/run_manifest.json"), "\"steps\": ([0-9]+)");
     EXPECT_NEAR(static_cast<double>(predicted), static_cast<double>(taken),
                 0.05 * static_cast<double>(taken));
@@ -176,11 +177,11 @@ TEST(Keys, TheReferencePageIsUpToDate)
 {
     const Outcome outcome = run_program("keys --markdown");
     EXPECT_EQ(outcome.code, 0);
-    EXPECT_TRUE(outcome.output == read_file(QUICKSAND_SOURCE_DIR "/io/SCENE.md"))
+    EXPECT_TRUE(outcome.output == read_file(in_checkout("io/SCENE.md")))
         << "make it anew: quicksand keys --markdown > io/SCENE.md";
     const Outcome results = run_program("keys --results --markdown");
     EXPECT_EQ(results.code, 0);
-    EXPECT_TRUE(results.output == read_file(QUICKSAND_SOURCE_DIR "/io/RESULTS.md"))
+    EXPECT_TRUE(results.output == read_file(in_checkout("io/RESULTS.md")))
         << "make it anew: quicksand keys --results --markdown > io/RESULTS.md";
 }
 
@@ -201,7 +202,7 @@ TEST(Results, AreThoseOfTheReference)
     const Outcome run =
         run_program("run " + example("column") + " --until 1e-5 -o " + (folder / "r").string());
     ASSERT_EQ(run.code, 0) << run.output;
-    const std::string page = read_file(QUICKSAND_SOURCE_DIR "/io/RESULTS.md");
+    const std::string page = read_file(in_checkout("io/RESULTS.md"));
     std::set<std::string> written;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder / "r")) {
         if (!entry.is_regular_file()) continue;
@@ -228,11 +229,11 @@ TEST(Check, SaysThatASlopeDoesNotStartInEquilibriumAndWhatLiesAboveTheWater)
     EXPECT_EQ(settled.code, 0) << settled.output;
     EXPECT_NE(settled.output.find("of the weight: the soil settles before the run"), std::string::npos)
         << settled.output;
-    std::string scene = read_file(std::filesystem::path(QUICKSAND_SOURCE_DIR) / "examples/dike/scene.toml");
+    std::string scene = read_file(in_checkout("examples/dike/scene.toml"));
     const auto table = scene.find("[relaxation]"), next = scene.find("[motion]");
     scene.erase(table, next - table);
     std::filesystem::create_directories(folder / "dike");
-    std::filesystem::copy(std::filesystem::path(QUICKSAND_SOURCE_DIR) / "examples/dike", folder / "dike",
+    std::filesystem::copy(in_checkout("examples/dike"), folder / "dike",
                           std::filesystem::copy_options::recursive |
                               std::filesystem::copy_options::overwrite_existing);
     std::ofstream(folder / "dike/scene.toml") << scene;

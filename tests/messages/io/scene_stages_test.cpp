@@ -55,6 +55,22 @@ expected: kind: Settle under gravity, drained, with still water or in the steady
 )_");
 }
 
+TEST(SceneStageMessages, ADurationThatIsNoneIsToldOnce)
+{
+    EXPECT_EQ(message_of("[[stages]]\nkind = \"shake\"\nduration = \"60 weeks\"\n"),
+              R"_(scene.toml:57:12: error[unit]: stages.shake.duration has the unit 'weeks'
+   57 | duration = "60 weeks"
+      |            ^~~~~~~~~~
+expected: one of s, ms, us, min, h, day, d
+)_");
+    EXPECT_EQ(message_of("[[stages]]\nkind = \"shake\"\nduration = -1\n"),
+              R"_(scene.toml:57:12: error[range]: stages.shake.duration = -1 s is out of range
+   57 | duration = -1
+      |            ^~
+expected: more than 0 s
+)_");
+}
+
 TEST(SceneStageMessages, SettlingHasNoDuration)
 {
     EXPECT_EQ(message_of(settle + "duration = 4\n"),
