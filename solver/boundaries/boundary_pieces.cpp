@@ -271,11 +271,30 @@ PresentPiece piece_on_edge(const Problem& problem, const Particles& particles, c
     return present;
 }
 
+/// Mark the segments beside which the soil is dry. Their nodes may be those of wet soil a cell below, whose
+/// water is free to pass its own surface.
+void mark_dry_segments(Problem& problem, const Particles& particles)
+{
+    ParticlePlaces places;
+    for (Boundary& boundary : problem.boundaries) {
+        for (Segment& segment : boundary.segments) {
+            std::vector<BoundaryPiece> pieces;
+            if (!cut_segment(problem, particles, segment, pieces)) continue;
+            segment.is_dry = std::all_of(pieces.begin(), pieces.end(), [&](const BoundaryPiece& piece) {
+                const std::size_t p = places.find(particles, piece.identifier);
+                const auto material = static_cast<std::size_t>(particles.material[p]);
+                return problem.materials[material].has_pores && !problem.materials[material].saturated;
+            });
+        }
+    }
+}
+
 } // namespace
 
 std::vector<std::string> attach_boundaries(Problem& problem, const Particles& particles)
 {
     std::vector<std::string> without_soil;
+    if (is_partly_wet(problem)) mark_dry_segments(problem, particles);
     for (Boundary& boundary : problem.boundaries) {
         boundary.pieces.clear();
         if (!acts_on_soil(boundary)) continue;

@@ -20,7 +20,7 @@ namespace quicksand {
 
 /// Cut the curves along which something acts on the soil into pieces of the particles beside them: fills
 /// Boundary::pieces. Returns the names of curves with segments that have no soil beside them. The lengths of
-/// a curve's pieces add up to its own.
+/// a curve's pieces add up to its own. Marks segments beside dry soil.
 std::vector<std::string> attach_boundaries(Problem& problem, const Particles& particles);
 
 /// Present places of particles by their lasting number, as long as the arrays are not reordered.

@@ -6,7 +6,8 @@ WallHold hold_of(const Boundary& boundary, const Segment& segment, Stage stage)
 {
     WallHold hold;
     hold.grains = grains_held_by(boundary.soil, segment, stage);
-    if (!lies_in_soil(boundary.soil)) hold.water = water_held_by(boundary.water, hold.grains);
+    if (!lies_in_soil(boundary.soil) && !segment.is_dry)
+        hold.water = water_held_by(boundary.water, hold.grains);
     return hold;
 }
 

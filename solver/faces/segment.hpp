@@ -9,7 +9,8 @@ namespace quicksand {
 
 /// A straight piece of a boundary curve; the soil lies to its left, going from start to end.
 struct Segment {
-    Vector2 start, end; // [m]
+    Vector2 start, end;  // [m]
+    bool is_dry = false; // the soil beside it has no water; found by attach_boundaries
 };
 
 /// The normal of a segment out of the soil [-].
