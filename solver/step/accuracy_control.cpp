@@ -16,9 +16,10 @@ namespace {
 // far softer than the elastic stiffness that resists its accelerations.
 constexpr double smoothed_cells = 1.0;     // over which accelerations are smoothed [-]
 constexpr double steps_per_period = 200.0; // of a sine
-constexpr double pressure_change = 0.02;   // in a step, of the largest excess pressure
-constexpr double strain_change = 0.05;     // in a step, of the particle that is strained fastest
-constexpr double least_pressure = 0.005;   // that counts as the largest one, of the largest sigma'_v0
+constexpr double least_steps_per_period = 20.0;
+constexpr double pressure_change = 0.02; // in a step, of the largest excess pressure
+constexpr double strain_change = 0.05;   // in a step, of the particle that is strained fastest
+constexpr double least_pressure = 0.005; // that counts as the largest one, of the largest sigma'_v0
 
 /// Call visit(history) for the histories of all boundaries.
 template <class Visit>
@@ -90,12 +91,14 @@ double pressure_step(const Particles& particles)
 {
     const Scalars& rate = particles.pore_pressure_rate;
     if (rate.empty()) return std::numeric_limits<double>::infinity();
-    double fastest = 0.0, largest = 0.0, deepest = 0.0;
+    double fastest = 0.0, largest = 0.0, deepest = 0.0, stress = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         fastest = std::max(fastest, std::abs(rate[p]));
         largest = std::max(largest, std::abs(excess_pore_pressure(particles, p)));
         deepest = std::max(deepest, particles.initial_vertical_effective_stress[p]);
+        stress = std::max(stress, -particles.stress.yy[p]);
     }
+    if (deepest == 0.0) deepest = stress; // soil that began without stress
     return pressure_change * std::max(largest, least_pressure * deepest) / fastest;
 }
 
@@ -107,6 +110,18 @@ double resolving_step(const Problem& problem, double time)
     for_each_history(problem,
                      [&](const History& history) { step = std::min(step, resolving_step(history, time)); });
     return step;
+}
+
+double coarsest_step(const Problem& problem, double time)
+{
+    double highest = 0.0; // frequency [Hz]
+    if (const auto* sine = std::get_if<SineMotion>(&problem.base_motion); sine && time < duration(*sine))
+        highest = sine->frequency;
+    for_each_history(problem, [&](const History& history) {
+        if (const auto* sine = std::get_if<SineHistory>(&history.shape))
+            highest = std::max(highest, sine->frequency);
+    });
+    return 1.0 / (least_steps_per_period * highest); // infinite without any
 }
 
 double end_of_motion(const Problem& problem)

@@ -23,6 +23,10 @@ inline constexpr double step_growth = 1.1; // from step to step when nothing mov
 /// Longest step from a time on that resolves what moves the soil; infinite where nothing varies [s].
 double resolving_step(const Problem& problem, double time);
 
+/// Longest step of any scheme: a twentieth of the shortest period of the sines that act at the time, without
+/// which they would not be followed at all; infinite without any [s].
+double coarsest_step(const Problem& problem, double time);
+
 /// Time from which nothing moves the soil any more: the end of shaking and of all histories; infinite for a
 /// sine without end [s].
 double end_of_motion(const Problem& problem);

@@ -131,6 +131,8 @@ TimeStep step_from(const Problem& problem, double time, double whole_step, const
 {
     const CellExtremes extremes = find_extremes(problem, particles);
     TimeStep limit = limit_of_waves(problem, extremes);
+    if (const double coarsest = coarsest_step(problem, time); coarsest < limit.dt)
+        limit = {coarsest, TimeStepLimiter::shaking, ""};
     if (problem.scheme == TimeScheme::implicit) {
         const double before = whole_step / (scale * problem.step_fraction); // of which the steps are a part
         limit = accurate_time_step(problem, time, before, limit.dt, particles, extremes);

@@ -136,7 +136,7 @@ TEST(WaveSteps, AreToldAsTheFirstOfARunThatBeginsWithThem)
     State state = still(problem);
     EXPECT_EQ(first_time_step(problem, state).scheme, TimeScheme::implicit);
     EXPECT_EQ(first_time_step(problem, state).replaced, 0.0);
-    std::get<SineMotion>(problem.base_motion).frequency = 1e4; // 1/200 of a period: 0.5 microseconds
+    std::get<SineMotion>(problem.base_motion).frequency = 2e3; // 1/200 of a period: 2.5 microseconds
     const TimeStep first = first_time_step(problem, state);
     EXPECT_EQ(first.scheme, TimeScheme::semi_implicit);
     EXPECT_EQ(first.limiter, TimeStepLimiter::vibration); // of the top row, a third full

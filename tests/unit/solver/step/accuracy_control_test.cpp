@@ -42,5 +42,31 @@ TEST(AccuracyControl, ResolvesARampWhileItLasts)
     EXPECT_EQ(resolving_step(problem, 2.0), std::numeric_limits<double>::infinity());
 }
 
+TEST(AccuracyControl, FollowsSinesWhileTheyLast)
+{
+    Problem problem = under_load({SineHistory{4.0}});
+    EXPECT_DOUBLE_EQ(coarsest_step(problem, 3.0), 1.0 / 80.0);
+    problem.base_motion = SineMotion{1.0, 10.0, 20.0}; // 2 s
+    EXPECT_DOUBLE_EQ(coarsest_step(problem, 1.9), 1.0 / 200.0);
+    EXPECT_DOUBLE_EQ(coarsest_step(problem, 2.1), 1.0 / 80.0);
+    EXPECT_EQ(coarsest_step(under_load({ConstantHistory{}, 2.0}), 0.0),
+              std::numeric_limits<double>::infinity());
+}
+
+// Soft soil in cells so wide that its waves would take longer than the load.
+TEST(AccuracyControl, BoundsTheStepsOfEveryScheme)
+{
+    for (const TimeScheme scheme : {TimeScheme::explicit_steps, TimeScheme::implicit}) {
+        Problem problem = under_load({SineHistory{1000.0}});
+        problem.grid = {{0.0, 0.0}, 0.5, 4, 4};
+        problem.materials = {stiff_sand()};
+        problem.scheme = scheme;
+        const State state = fill(problem, 2, [](const Vector2& x) { return x.norm() < 1.0; });
+        const TimeStep step = stable_time_step(problem, state, 1.0);
+        EXPECT_DOUBLE_EQ(step.dt, 5e-5);
+        EXPECT_EQ(step.limiter, TimeStepLimiter::shaking);
+    }
+}
+
 } // namespace
 } // namespace quicksand
