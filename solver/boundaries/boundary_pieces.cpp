@@ -289,6 +289,61 @@ void mark_dry_segments(Problem& problem, const Particles& particles)
     }
 }
 
+/// Points of a domain that share out a force to all its nodes: its centre, or the middles of the edges of a
+/// cut one.
+void add_holders(const Problem& problem, std::int32_t identifier, std::vector<BoundaryPiece>& holders)
+{
+    const CutDomain* shape = problem.cut_domains.find(identifier);
+    if (shape == nullptr) {
+        holders.push_back({identifier});
+        return;
+    }
+    for (std::size_t c = 0; c < shape->corners.size(); ++c) {
+        const Vector2 middle = 0.5 * (shape->corners[c] + shape->corners[(c + 1) % shape->corners.size()]);
+        holders.push_back({identifier, middle, middle, 0.0, static_cast<std::int32_t>(c)});
+    }
+}
+
+/// Mark the nodes within the number of cells of those that are marked.
+void widen(const BackgroundGrid& grid, int cells, std::vector<std::uint8_t>& marked)
+{
+    const std::vector<std::uint8_t> before = marked;
+    const auto columns = static_cast<std::size_t>(grid.nodes_x());
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (before[i] == 0) continue;
+        const int x = static_cast<int>(i % columns), y = static_cast<int>(i / columns);
+        for (int b = std::max(0, y - cells); b <= std::min(grid.nodes_y() - 1, y + cells); ++b)
+            for (int a = std::max(0, x - cells); a <= std::min(grid.nodes_x() - 1, x + cells); ++a)
+                marked[static_cast<std::size_t>(b) * columns + static_cast<std::size_t>(a)] = 1;
+    }
+}
+
+/// Holders of the domains that reach a node within two cells of those which the curve's pieces reach: a node
+/// that a wall on a grid line holds, or a row of a slanted one, may lie as far beyond its end.
+void find_holders(const Problem& problem, const Particles& particles, Boundary& boundary)
+{
+    boundary.holders.clear();
+    std::vector<std::uint8_t> reached(problem.grid.node_count(), 0);
+    ParticlePlaces places;
+    const auto present = [&](const BoundaryPiece& piece) {
+        return present_piece(problem, particles, piece, places.find(particles, piece.identifier));
+    };
+    for (const BoundaryPiece& piece : boundary.pieces)
+        for_each_loaded_node(problem.grid, present(piece), [&](std::size_t i, double) { reached[i] = 1; });
+    constexpr int beyond_ends = 2; // [cells]
+    widen(problem.grid, beyond_ends, reached);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        std::vector<BoundaryPiece> holders;
+        add_holders(problem, particles.identifier[p], holders);
+        bool reaches = false;
+        for (const BoundaryPiece& holder : holders)
+            for_each_loaded_node(problem.grid, present(holder), [&](std::size_t i, double fraction) {
+                reaches = reaches || (fraction > 0.0 && reached[i] != 0);
+            });
+        if (reaches) boundary.holders.insert(boundary.holders.end(), holders.begin(), holders.end());
+    }
+}
+
 } // namespace
 
 std::vector<std::string> attach_boundaries(Problem& problem, const Particles& particles)
@@ -302,6 +357,7 @@ std::vector<std::string> attach_boundaries(Problem& problem, const Particles& pa
         for (const Segment& segment : boundary.segments)
             complete = cut_segment(problem, particles, segment, boundary.pieces) && complete;
         if (!complete) without_soil.push_back(boundary.name);
+        if (lets_go(boundary.soil)) find_holders(problem, particles, boundary);
     }
     return without_soil;
 }

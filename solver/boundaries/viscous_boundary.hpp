@@ -61,6 +61,17 @@ void brake_by_dashpots(const Problem& problem, const NodeConditions& conditions,
 void brake_by_dashpots(const NodeConditions& conditions, double dt, const std::vector<Dashpot>& dashpots,
                        const std::vector<SinglePhaseSums>& sums, std::vector<SinglePhaseMotion>& motion);
 
+/// Call visit(boundary, piece) for all that carries held forces, in the order of State::reactions.
+template <class Visit>
+void for_each_held_piece(const Problem& problem, Visit&& visit)
+{
+    for (const Boundary& boundary : problem.boundaries) {
+        if (!lets_go(boundary.soil)) continue;
+        for (const BoundaryPiece& piece : boundary.pieces) visit(boundary, piece);
+        for (const BoundaryPiece& holder : boundary.holders) visit(boundary, holder);
+    }
+}
+
 /// Call add(node, force) for every nodal part of the held forces.
 template <class Add>
 void for_each_nodal_reaction(const Problem& problem, const State& state, ParticlePlaces& places, Add&& add);
@@ -76,15 +87,13 @@ void for_each_nodal_reaction(const Problem& problem, const State& state, Particl
 {
     if (state.reactions.x.empty() || state.stage != Stage::shaking) return;
     std::size_t k = 0;
-    for (const Boundary& boundary : problem.boundaries) {
-        if (!lets_go(boundary.soil)) continue;
-        for (const BoundaryPiece& piece : boundary.pieces) {
-            const std::size_t p = places.find(state.particles, piece.identifier);
-            const Vector2 force = state.reactions[k++];
-            for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
-                                 [&](std::size_t i, double fraction) { add(i, fraction * force); });
-        }
-    }
+    for_each_held_piece(problem, [&](const Boundary&, const BoundaryPiece& piece) {
+        const Vector2 force = state.reactions[k++];
+        if (force == Vector2::Zero()) return;
+        const std::size_t p = places.find(state.particles, piece.identifier);
+        for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
+                             [&](std::size_t i, double fraction) { add(i, fraction * force); });
+    });
 }
 
 } // namespace quicksand

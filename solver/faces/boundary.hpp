@@ -16,7 +16,9 @@ struct Boundary {
     SoilCondition soil = {};
     WaterCondition water = {};
     std::vector<Segment> segments = {};
-    std::vector<BoundaryPiece> pieces = {}; // none where nothing acts on the curve
+    std::vector<BoundaryPiece> pieces = {};  // none where nothing acts on the curve
+    std::vector<BoundaryPiece> holders = {}; // points of domains near a curve that lets go; they carry what
+                                             // its pieces cannot of the forces that held it
 };
 
 /// What a curve holds of the grains and of the water.

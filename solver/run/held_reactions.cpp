@@ -1,6 +1,7 @@
 // The forces that held a curve at rest until it lets go, as forces on its pieces: F_k = L_k sum_i w_ki y_i
 // with multipliers y of the nodes, such that sum_k w_ki F_k = R_i in the least squares, by conjugate
-// gradients. The matrix is symmetric, that of a mass along the curve.
+// gradients. The matrix is symmetric, that of a mass along the curve. What is left where the curve cuts cells
+// goes to points of the domains near it, the holders, in the same way with L_k = 1.
 #include "solver/run/held_reactions.hpp"
 
 #include "solver/boundaries/free_field.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 /// Where the force of one piece goes, and its length.
 struct PieceWeights {
-    double length = 0.0;  // [m]
+    double length = 0.0;  // 0: a holder [m]
     bool on_line = false; // of the grid, with the whole curve
     std::vector<std::pair<std::size_t, double>> fractions;
 };
@@ -27,22 +28,19 @@ std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State&
 {
     std::vector<PieceWeights> all;
     ParticlePlaces places;
-    for (const Boundary& boundary : problem.boundaries) {
-        if (!lets_go(boundary.soil)) continue;
+    for_each_held_piece(problem, [&](const Boundary& boundary, const BoundaryPiece& piece) {
         const bool on_line =
             std::all_of(boundary.segments.begin(), boundary.segments.end(),
                         [&](const Segment& segment) { return holds_nodes(problem, boundary, segment); });
-        for (const BoundaryPiece& piece : boundary.pieces) {
-            const std::size_t p = places.find(state.particles, piece.identifier);
-            PieceWeights weights{piece.length, on_line, {}};
-            for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
-                                 [&](std::size_t i, double fraction) {
-                                     if (fraction != 0.0)
-                                         weights.fractions.emplace_back(conditions.master[i], fraction);
-                                 });
-            all.push_back(std::move(weights));
-        }
-    }
+        const std::size_t p = places.find(state.particles, piece.identifier);
+        PieceWeights weights{piece.length, on_line, {}};
+        for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
+                             [&](std::size_t i, double fraction) {
+                                 if (fraction != 0.0)
+                                     weights.fractions.emplace_back(conditions.master[i], fraction);
+                             });
+        all.push_back(std::move(weights));
+    });
     return all;
 }
 
@@ -107,6 +105,29 @@ Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vec
     return forces_of(pieces, solution);
 }
 
+/// What the pieces cannot carry, carried by the holders, so that every node near the curve is in balance
+/// which nothing else holds.
+Scalars spread_on_holders(std::vector<PieceWeights> pieces, const std::vector<SinglePhaseSums>& nodes,
+                          const NodeConditions& free, std::uint8_t fixed, Scalars wanted,
+                          const Scalars& of_pieces)
+{
+    constexpr double negligible = 1e-9; // of the largest reaction
+    std::vector<std::uint8_t> near(nodes.size(), 0);
+    for (const PieceWeights& piece : pieces)
+        for (const auto& [node, fraction] : piece.fractions)
+            if (nodes[node].active() && (free.of_node[node] & fixed) == 0) near[node] = 1;
+    const Scalars carried = sums_at_nodes(pieces, near, of_pieces);
+    double largest = 0.0, left = 0.0;
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        largest = std::max(largest, std::abs(wanted[i]));
+        wanted[i] = near[i] ? wanted[i] - carried[i] : 0.0;
+        left = std::max(left, std::abs(wanted[i]));
+    }
+    if (left <= negligible * largest) return Scalars(pieces.size(), 0.0);
+    for (PieceWeights& piece : pieces) piece.length = piece.length == 0.0 ? 1.0 : 0.0; // holders alone
+    return spread_on_pieces(pieces, near, wanted);
+}
+
 /// Where a side that slides meets a base that does not, a node of the side has no reaction along it: the
 /// pieces beside the corner may not put what the base bears on it.
 void add_free_nodes(const std::vector<PieceWeights>& pieces, const std::vector<SinglePhaseSums>& nodes,
@@ -157,6 +178,53 @@ std::vector<Vector2> resting_ground(const Problem& problem, const NodeConditions
     return forces;
 }
 
+/// The nodes that a curve has held in a direction and lets go, and the forces that it had on them [N/m].
+struct ReleasedNodes {
+    std::vector<std::uint8_t> released;
+    Scalars wanted;
+};
+
+/// Those that conditions of their own have held, which took all that was left of the other forces.
+ReleasedNodes released_by_nodes(const Problem& problem, const SinglePhaseWorkspace& rest,
+                                const std::vector<Vector2>& ground, const NodeConditions& held,
+                                const NodeConditions& free, std::uint8_t fixed)
+{
+    const std::vector<SinglePhaseSums>& nodes = rest.sums;
+    ReleasedNodes all{std::vector<std::uint8_t>(nodes.size(), 0), Scalars(nodes.size(), 0.0)};
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!nodes[i].active() || held.master[i] != i) continue;
+        all.released[i] = (held.of_node[i] & ~free.of_node[i] & fixed) != 0;
+        if (!all.released[i]) continue;
+        all.wanted[i] = fixed == solid_x_fixed
+                            ? -nodes[i].stress_force_x - ground[i].x()
+                            : nodes[i].weight * problem.gravity - nodes[i].stress_force_y - ground[i].y();
+    }
+    return all;
+}
+
+/// Add those that rows of curves have held which let go. Rows of the walls that stay go on taking their part
+/// at nodes that conditions had held.
+void add_released_by_rows(const Problem& problem, const SinglePhaseWorkspace& rest,
+                          const NodeConditions& held, std::uint8_t fixed, ReleasedNodes& nodes)
+{
+    const auto forces_of_rows = [&](bool letting_go) {
+        return resting_reactions(problem, rest.walls, rest.sums, [&](const WallChain& chain) {
+            return lets_go(problem.boundaries[chain.edges.front().boundary].soil) == letting_go;
+        });
+    };
+    const std::vector<Vector2> gone = forces_of_rows(true), staying = forces_of_rows(false);
+    const Eigen::Index axis = fixed == solid_x_fixed ? 0 : 1;
+    for (std::size_t k = 0; k < gone.size(); ++k) {
+        const std::size_t i = rest.walls.rows.nodes()[k];
+        if (held.of_node[i] & fixed) {
+            if (nodes.released[i]) nodes.wanted[i] -= staying[k][axis];
+        } else if (gone[k].squaredNorm() > 0.0) {
+            nodes.released[i] = 1;
+            nodes.wanted[i] += gone[k][axis];
+        }
+    }
+}
+
 } // namespace
 
 void hold_reactions(const Problem& problem, State& state)
@@ -170,31 +238,14 @@ void hold_reactions(const Problem& problem, State& state)
     State at_rest;
     const SinglePhaseWorkspace rest = nodes_at_rest(problem, state, at_rest);
     const std::vector<Vector2> ground = resting_ground(problem, held, state);
-    const std::vector<SinglePhaseSums>& nodes = rest.sums;
-    const std::vector<Vector2> by_rows =
-        resting_reactions(problem, rest.walls, nodes, [&](const WallChain& chain) {
-            return releases(problem.boundaries[chain.edges.front().boundary]);
-        });
     for (const std::uint8_t fixed : {std::uint8_t{solid_x_fixed}, std::uint8_t{solid_y_fixed}}) {
-        std::vector<std::uint8_t> released(nodes.size(), 0);
-        Scalars wanted(nodes.size(), 0.0);
-        for (std::size_t i = 0; i < nodes.size(); ++i) {
-            if (!nodes[i].active() || held.master[i] != i) continue;
-            released[i] = (held.of_node[i] & ~free.of_node[i] & fixed) != 0;
-            if (!released[i]) continue;
-            wanted[i] = fixed == solid_x_fixed
-                            ? -nodes[i].stress_force_x - ground[i].x()
-                            : nodes[i].weight * problem.gravity - nodes[i].stress_force_y - ground[i].y();
-        }
-        for (std::size_t k = 0; k < by_rows.size(); ++k) {
-            const std::size_t i = rest.walls.rows.nodes()[k];
-            if (by_rows[k].squaredNorm() == 0.0) continue;
-            released[i] = 1;
-            wanted[i] += fixed == solid_x_fixed ? by_rows[k].x() : by_rows[k].y();
-        }
-        add_free_nodes(pieces, nodes, free, fixed, released);
-        (fixed == solid_x_fixed ? state.reactions.x : state.reactions.y) =
-            spread_on_pieces(pieces, released, wanted);
+        ReleasedNodes nodes = released_by_nodes(problem, rest, ground, held, free, fixed);
+        add_released_by_rows(problem, rest, held, fixed, nodes);
+        add_free_nodes(pieces, rest.sums, free, fixed, nodes.released);
+        Scalars forces = spread_on_pieces(pieces, nodes.released, nodes.wanted);
+        const Scalars by_holders = spread_on_holders(pieces, rest.sums, free, fixed, nodes.wanted, forces);
+        for (std::size_t k = 0; k < forces.size(); ++k) forces[k] += by_holders[k];
+        (fixed == solid_x_fixed ? state.reactions.x : state.reactions.y) = std::move(forces);
     }
 }
 

@@ -225,6 +225,7 @@ ColumnSearch find_soil_column(const Problem& problem, const State& state)
             return search;
         }
         boundary.pieces = std::move(*pieces);
+        boundary.holders.clear(); // of particles that the column may not have
     }
     if (!take_part(particles, columns.particles, column.problem.cut_domains)) {
         search.obstacle = "thin pieces of soil are carried by the column beside theirs";

@@ -1,6 +1,7 @@
 #include "solver/run/stage_start.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/boundaries/viscous_boundary.hpp"
 #include "solver/faces/boundary.hpp"
 #include "solver/motion/soil_placement.hpp"
 #include "solver/problem/material_runs.hpp"
@@ -92,8 +93,7 @@ void count_pressures_from_here(const Problem& problem, Particles& particles)
 std::size_t pieces_that_let_go(const Problem& problem)
 {
     std::size_t count = 0;
-    for (const Boundary& boundary : problem.boundaries)
-        if (lets_go(boundary.soil)) count += boundary.pieces.size();
+    for_each_held_piece(problem, [&](const Boundary&, const BoundaryPiece&) { ++count; });
     return count;
 }
 
