@@ -76,7 +76,22 @@ std::optional<Neighbour> find_image(const Problem& problem, const CellLists& lis
     return std::nullopt;
 }
 
-Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const CellMeans& means,
+/// Which cells have a slope of the pressure: slopes do work that the cells' means do not know.
+enum class Slopes {
+    everywhere,
+    inside, // not beside a cell without wet soil
+};
+
+/// Where a water table lies in the soil, cells that it cuts, walls below it and cells that share a pressure
+/// come together, and explicit steps, whose means do not answer to the slopes, make energy there at any
+/// length.
+Slopes slopes_of(const Problem& problem)
+{
+    const bool at_table = problem.scheme == TimeScheme::explicit_steps && is_partly_wet(problem);
+    return at_table ? Slopes::inside : Slopes::everywhere;
+}
+
+Vector2 pressure_slope(const Problem& problem, Slopes slopes, const CellLists& lists, const CellMeans& means,
                        const Scalars& pressure, std::size_t slot)
 {
     const std::int32_t cell = lists.cell_of_slot[slot], columns = problem.grid.all_cells_x();
@@ -92,9 +107,12 @@ Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const Cel
                 fit.add(means.centre[other] - centre, pressure[other] - pressure[slot]);
             } else if (problem.tied_sides) {
                 const auto image = find_image(problem, lists, means, beside);
+                if (!image && slopes == Slopes::inside) return Vector2::Zero();
                 if (!image) continue;
                 fit.add(means.centre[image->slot] + Vector2(image->shift, 0.0) - centre,
                         pressure[image->slot] - pressure[slot]);
+            } else if (slopes == Slopes::inside) {
+                return Vector2::Zero();
             }
         }
     }
@@ -293,11 +311,12 @@ void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, c
     const Vectors& place = place_in_equations(problem, particles);
     const bool cavitates = problem.water->cavitation_pressure.has_value();
     const bool has_solids = has_soil_and_solids(problem);
+    const Slopes slopes = slopes_of(problem);
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
         const Vector2 centre = means.centre[slot];
         const Vector2 slope = has_solids && is_enlarged(problem, means.volume[slot])
                                   ? Vector2::Zero()
-                                  : pressure_slope(problem, lists, means, sloping, slot);
+                                  : pressure_slope(problem, slopes, lists, means, sloping, slot);
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
             particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre);
