@@ -278,6 +278,7 @@ void mark_dry_segments(Problem& problem, const Particles& particles)
     ParticlePlaces places;
     for (Boundary& boundary : problem.boundaries) {
         for (Segment& segment : boundary.segments) {
+            if (hold_of(boundary, segment, Stage::shaking).water == WaterHold::none) continue;
             std::vector<BoundaryPiece> pieces;
             if (!cut_segment(problem, particles, segment, pieces)) continue;
             segment.is_dry = std::all_of(pieces.begin(), pieces.end(), [&](const BoundaryPiece& piece) {

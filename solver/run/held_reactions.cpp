@@ -28,10 +28,14 @@ std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State&
 {
     std::vector<PieceWeights> all;
     ParticlePlaces places;
+    const Boundary* curve = nullptr; // whose pieces come one after the other
+    bool on_line = false;
     for_each_held_piece(problem, [&](const Boundary& boundary, const BoundaryPiece& piece) {
-        const bool on_line =
-            std::all_of(boundary.segments.begin(), boundary.segments.end(),
-                        [&](const Segment& segment) { return holds_nodes(problem, boundary, segment); });
+        if (&boundary != curve)
+            on_line =
+                std::all_of(boundary.segments.begin(), boundary.segments.end(),
+                            [&](const Segment& segment) { return holds_nodes(problem, boundary, segment); });
+        curve = &boundary;
         const std::size_t p = places.find(state.particles, piece.identifier);
         PieceWeights weights{piece.length, on_line, {}};
         for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
@@ -202,25 +206,35 @@ ReleasedNodes released_by_nodes(const Problem& problem, const SinglePhaseWorkspa
     return all;
 }
 
-/// Add those that rows of curves have held which let go. Rows of the walls that stay go on taking their part
-/// at nodes that conditions had held.
-void add_released_by_rows(const Problem& problem, const SinglePhaseWorkspace& rest,
-                          const NodeConditions& held, std::uint8_t fixed, ReleasedNodes& nodes)
+/// The forces at rest of the rows of curves that let go, and of those that stay, on the nodes of the rows
+/// [N/m].
+struct RowForces {
+    std::vector<Vector2> gone, staying;
+};
+
+RowForces forces_of_rows(const Problem& problem, const SinglePhaseWorkspace& rest)
 {
-    const auto forces_of_rows = [&](bool letting_go) {
+    const auto of_chains = [&](bool letting_go) {
         return resting_reactions(problem, rest.walls, rest.sums, [&](const WallChain& chain) {
             return lets_go(problem.boundaries[chain.edges.front().boundary].soil) == letting_go;
         });
     };
-    const std::vector<Vector2> gone = forces_of_rows(true), staying = forces_of_rows(false);
+    return {of_chains(true), of_chains(false)};
+}
+
+/// Add those that rows of curves have held which let go. Rows of the walls that stay go on taking their part
+/// at nodes that conditions had held.
+void add_released_by_rows(const RowForces& rows, const std::vector<std::size_t>& nodes_of_rows,
+                          const NodeConditions& held, std::uint8_t fixed, ReleasedNodes& nodes)
+{
     const Eigen::Index axis = fixed == solid_x_fixed ? 0 : 1;
-    for (std::size_t k = 0; k < gone.size(); ++k) {
-        const std::size_t i = rest.walls.rows.nodes()[k];
+    for (std::size_t k = 0; k < rows.gone.size(); ++k) {
+        const std::size_t i = nodes_of_rows[k];
         if (held.of_node[i] & fixed) {
-            if (nodes.released[i]) nodes.wanted[i] -= staying[k][axis];
-        } else if (gone[k].squaredNorm() > 0.0) {
+            if (nodes.released[i]) nodes.wanted[i] -= rows.staying[k][axis];
+        } else if (rows.gone[k].squaredNorm() > 0.0) {
             nodes.released[i] = 1;
-            nodes.wanted[i] += gone[k][axis];
+            nodes.wanted[i] += rows.gone[k][axis];
         }
     }
 }
@@ -238,9 +252,10 @@ void hold_reactions(const Problem& problem, State& state)
     State at_rest;
     const SinglePhaseWorkspace rest = nodes_at_rest(problem, state, at_rest);
     const std::vector<Vector2> ground = resting_ground(problem, held, state);
+    const RowForces rows = forces_of_rows(problem, rest);
     for (const std::uint8_t fixed : {std::uint8_t{solid_x_fixed}, std::uint8_t{solid_y_fixed}}) {
         ReleasedNodes nodes = released_by_nodes(problem, rest, ground, held, free, fixed);
-        add_released_by_rows(problem, rest, held, fixed, nodes);
+        add_released_by_rows(rows, rest.walls.rows.nodes(), held, fixed, nodes);
         add_free_nodes(pieces, rest.sums, free, fixed, nodes.released);
         Scalars forces = spread_on_pieces(pieces, nodes.released, nodes.wanted);
         const Scalars by_holders = spread_on_holders(pieces, rest.sums, free, fixed, nodes.wanted, forces);

@@ -105,10 +105,11 @@ Vector2 pressure_slope(const Problem& problem, Slopes slopes, const CellLists& l
             if (other == slot) continue;
             if (means.volume[other] > 0.0) {
                 fit.add(means.centre[other] - centre, pressure[other] - pressure[slot]);
-            } else if (problem.tied_sides) {
-                const auto image = find_image(problem, lists, means, beside);
-                if (!image && slopes == Slopes::inside) return Vector2::Zero();
-                if (!image) continue;
+                continue;
+            }
+            const auto image =
+                problem.tied_sides ? find_image(problem, lists, means, beside) : std::optional<Neighbour>();
+            if (image) {
                 fit.add(means.centre[image->slot] + Vector2(image->shift, 0.0) - centre,
                         pressure[image->slot] - pressure[slot]);
             } else if (slopes == Slopes::inside) {
