@@ -1,7 +1,5 @@
-// The forces that held a curve at rest until it lets go, as forces on its pieces: F_k = L_k sum_i w_ki y_i
-// with multipliers y of the nodes, such that sum_k w_ki F_k = R_i in the least squares, by conjugate
-// gradients. The matrix is symmetric, that of a mass along the curve. What is left where the curve cuts cells
-// goes to points of the domains near it, the holders, in the same way with L_k = 1.
+// The forces that held a curve at rest until it lets go, as forces on its pieces. What these cannot carry
+// where the curve cuts cells goes to points of the domains near it, the holders, whose L_k is 1.
 #include "solver/run/held_reactions.hpp"
 
 #include "solver/boundaries/free_field.hpp"
@@ -9,19 +7,14 @@
 #include "solver/boundaries/wall_nodes.hpp"
 #include "solver/step/free_field_rows.hpp"
 #include "solver/step/single_phase_step.hpp"
+#include "solver/walls/piece_forces.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace quicksand {
 
 namespace {
-
-/// Where the force of one piece goes, and its length.
-struct PieceWeights {
-    double length = 0.0;  // 0: a holder [m]
-    bool on_line = false; // of the grid, with the whole curve
-    std::vector<std::pair<std::size_t, double>> fractions;
-};
 
 std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State& state,
                                             const NodeConditions& conditions)
@@ -46,67 +39,6 @@ std::vector<PieceWeights> weights_of_pieces(const Problem& problem, const State&
         all.push_back(std::move(weights));
     });
     return all;
-}
-
-/// F_k = L_k sum_i w_ki y_i over the released nodes.
-Scalars forces_of(const std::vector<PieceWeights>& pieces, const Scalars& multiplier)
-{
-    Scalars forces;
-    for (const PieceWeights& piece : pieces) {
-        double sum = 0.0;
-        for (const auto& [node, fraction] : piece.fractions) sum += fraction * multiplier[node];
-        forces.push_back(piece.length * sum);
-    }
-    return forces;
-}
-
-/// sum_k w_ki F_k at the released nodes.
-Scalars sums_at_nodes(const std::vector<PieceWeights>& pieces, const std::vector<std::uint8_t>& released,
-                      const Scalars& forces)
-{
-    Scalars sums(released.size(), 0.0);
-    for (std::size_t k = 0; k < pieces.size(); ++k) {
-        for (const auto& [node, fraction] : pieces[k].fractions) {
-            if (released[node]) sums[node] += fraction * forces[k];
-        }
-    }
-    return sums;
-}
-
-double dot(const Scalars& a, const Scalars& b)
-{
-    double sum = 0.0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
-}
-
-/// Forces of the pieces whose sums at the released nodes are nearest to `wanted` in the least squares: where
-/// the curve cuts cells the pieces cannot carry all of it.
-Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vector<std::uint8_t>& released,
-                         const Scalars& wanted)
-{
-    constexpr int most_iterations = 2000;
-    constexpr double tolerance = 1e-30; // of the squared gradient
-    const auto sums_of = [&](const Scalars& multiplier) {
-        return sums_at_nodes(pieces, released, forces_of(pieces, multiplier));
-    };
-    Scalars solution(wanted.size(), 0.0), residual = wanted, gradient = sums_of(wanted), direction = gradient;
-    double square = dot(gradient, gradient);
-    const double enough = tolerance * square;
-    for (int k = 0; k < most_iterations && square > enough; ++k) {
-        const Scalars image = sums_of(direction);
-        const double step = square / dot(image, image);
-        for (std::size_t i = 0; i < solution.size(); ++i) {
-            solution[i] += step * direction[i];
-            residual[i] -= step * image[i];
-        }
-        gradient = sums_of(residual);
-        const double next = dot(gradient, gradient);
-        for (std::size_t i = 0; i < solution.size(); ++i)
-            direction[i] = gradient[i] + next / square * direction[i];
-        square = next;
-    }
-    return forces_of(pieces, solution);
 }
 
 /// What the pieces cannot carry, carried by the holders, so that every node near the curve is in balance
@@ -191,17 +123,23 @@ struct ReleasedNodes {
 /// Those that conditions of their own have held, which took all that was left of the other forces.
 ReleasedNodes released_by_nodes(const Problem& problem, const SinglePhaseWorkspace& rest,
                                 const std::vector<Vector2>& ground, const NodeConditions& held,
-                                const NodeConditions& free, std::uint8_t fixed)
+                                const NodeConditions& free, const FollowingNodes& following,
+                                std::uint8_t fixed)
 {
     const std::vector<SinglePhaseSums>& nodes = rest.sums;
+    Scalars forces(nodes.size(), 0.0);
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
+        if (!nodes[i].active()) continue;
+        forces[i] = fixed == solid_x_fixed
+                        ? nodes[i].stress_force_x + ground[i].x()
+                        : nodes[i].stress_force_y + ground[i].y() - nodes[i].weight * problem.gravity;
+    }
+    following.pass_on(forces);
     ReleasedNodes all{std::vector<std::uint8_t>(nodes.size(), 0), Scalars(nodes.size(), 0.0)};
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-        if (!nodes[i].active() || held.master[i] != i) continue;
+        if (!nodes[i].active() || held.master[i] != i || following.contains(i)) continue;
         all.released[i] = (held.of_node[i] & ~free.of_node[i] & fixed) != 0;
-        if (!all.released[i]) continue;
-        all.wanted[i] = fixed == solid_x_fixed
-                            ? -nodes[i].stress_force_x - ground[i].x()
-                            : nodes[i].weight * problem.gravity - nodes[i].stress_force_y - ground[i].y();
+        if (all.released[i]) all.wanted[i] = -forces[i];
     }
     return all;
 }
@@ -225,16 +163,25 @@ RowForces forces_of_rows(const Problem& problem, const SinglePhaseWorkspace& res
 /// Add those that rows of curves have held which let go. Rows of the walls that stay go on taking their part
 /// at nodes that conditions had held.
 void add_released_by_rows(const RowForces& rows, const std::vector<std::size_t>& nodes_of_rows,
-                          const NodeConditions& held, std::uint8_t fixed, ReleasedNodes& nodes)
+                          const NodeConditions& held, const FollowingNodes& following, std::uint8_t fixed,
+                          ReleasedNodes& nodes)
 {
     const Eigen::Index axis = fixed == solid_x_fixed ? 0 : 1;
+    const std::size_t count = nodes.wanted.size();
+    Scalars gone(count, 0.0), staying(count, 0.0), touched(count, 0.0);
     for (std::size_t k = 0; k < rows.gone.size(); ++k) {
         const std::size_t i = nodes_of_rows[k];
+        gone[i] = rows.gone[k][axis];
+        staying[i] = rows.staying[k][axis];
+        touched[i] = rows.gone[k].norm();
+    }
+    for (Scalars* forces : {&gone, &staying, &touched}) following.pass_on(*forces);
+    for (std::size_t i = 0; i < count; ++i) {
         if (held.of_node[i] & fixed) {
-            if (nodes.released[i]) nodes.wanted[i] -= rows.staying[k][axis];
-        } else if (rows.gone[k].squaredNorm() > 0.0) {
+            if (nodes.released[i]) nodes.wanted[i] -= staying[i];
+        } else if (touched[i] != 0.0) {
             nodes.released[i] = 1;
-            nodes.wanted[i] += rows.gone[k][axis];
+            nodes.wanted[i] += gone[i];
         }
     }
 }
@@ -248,14 +195,16 @@ void hold_reactions(const Problem& problem, State& state)
     if (std::none_of(problem.boundaries.begin(), problem.boundaries.end(), releases)) return;
     const NodeConditions held = node_conditions(problem, Stage::relaxation),
                          free = node_conditions(problem, Stage::shaking);
-    const std::vector<PieceWeights> pieces = weights_of_pieces(problem, state, held);
+    const std::vector<PieceWeights> all_pieces = weights_of_pieces(problem, state, held);
     State at_rest;
     const SinglePhaseWorkspace rest = nodes_at_rest(problem, state, at_rest);
     const std::vector<Vector2> ground = resting_ground(problem, held, state);
     const RowForces rows = forces_of_rows(problem, rest);
     for (const std::uint8_t fixed : {std::uint8_t{solid_x_fixed}, std::uint8_t{solid_y_fixed}}) {
-        ReleasedNodes nodes = released_by_nodes(problem, rest, ground, held, free, fixed);
-        add_released_by_rows(rows, rest.walls.rows.nodes(), held, fixed, nodes);
+        const FollowingNodes following(rest.walls.rows, fixed == solid_x_fixed ? 0 : 1);
+        const std::vector<PieceWeights> pieces = following.passed_on(all_pieces);
+        ReleasedNodes nodes = released_by_nodes(problem, rest, ground, held, free, following, fixed);
+        add_released_by_rows(rows, rest.walls.rows.nodes(), held, following, fixed, nodes);
         add_free_nodes(pieces, rest.sums, free, fixed, nodes.released);
         Scalars forces = spread_on_pieces(pieces, nodes.released, nodes.wanted);
         const Scalars by_holders = spread_on_holders(pieces, rest.sums, free, fixed, nodes.wanted, forces);
