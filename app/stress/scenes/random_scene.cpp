@@ -199,12 +199,20 @@ StressRows random_rows(std::uint64_t seed, int number)
         row.scene = scene.text("quicksand stress: " + row.id());
         return row;
     };
-    if (!course.flows) return {row_of("single")};
-    scene.set("analysis.scheme", "explicit");
-    StressRows rows = {row_of("explicit")};
-    scene.set("analysis.scheme", "semi_implicit");
-    rows.push_back(row_of("semi_implicit"));
-    rows.back().twin = rows.front().name;
+    StressRows rows;
+    if (course.flows) {
+        scene.set("analysis.scheme", "explicit");
+        rows = {row_of("explicit")};
+        scene.set("analysis.scheme", "semi_implicit");
+        rows.push_back(row_of("semi_implicit"));
+        rows.back().twin = rows.front().name;
+    } else {
+        rows = {row_of("single")};
+    }
+    if (!course.flows && course.has_pressure)
+        return rows; // water that moves with the grains has no implicit steps
+    scene.set("analysis.scheme", "implicit");
+    rows.push_back(row_of("implicit"));
     return rows;
 }
 

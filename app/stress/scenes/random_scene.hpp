@@ -7,8 +7,9 @@
 
 namespace quicksand {
 
-/// The scene of this number among those of a seed, the same whatever the others are. With water that flows it
-/// is two rows, one a scheme, each the twin of the other.
+/// The scene of this number among those of a seed, the same whatever the others are: a row for each scheme
+/// that suits its water. The semi-implicit one is the twin of the explicit one; implicit steps need not
+/// follow the waves of a sudden load, and have no twin.
 StressRows random_rows(std::uint64_t seed, int number);
 
 } // namespace quicksand
