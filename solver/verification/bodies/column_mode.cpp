@@ -1,9 +1,8 @@
 #include "solver/verification/bodies/column_mode.hpp"
 
 #include "solver/run/simulation.hpp"
+#include "solver/verification/solutions/eigenmodes.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -45,27 +44,6 @@ Eigen::Vector4d measure_amplitudes(const Problem& problem, const ColumnMode& mod
     return y;
 }
 
-/// The four modes of a wave number; amplitudes in SI.
-struct AllModes {
-    Eigen::VectorXcd s;      // 4
-    Eigen::MatrixXcd shapes; // 4 x 4, a column each
-    Eigen::MatrixXcd duals;  // a row each, the inverse of the shapes
-    Eigen::Vector4d scale;   // of the amplitudes: 1 Pa, and the velocity that goes with it
-};
-
-AllModes all_modes(const Layer& layer, double wave_number)
-{
-    // momentum in units of stress makes the matrix well scaled
-    const Eigen::Matrix4d A = longitudinal_rates(layer.soil, wave_number);
-    const double impedance = std::sqrt(layer.soil.density() * layer.soil.undrained_modulus());
-    const Eigen::Vector4d scale(1.0 / impedance, 1.0 / impedance, 1.0, 1.0);
-    // of any size: gcc unrolls those of four rows for a minute
-    const Eigen::MatrixXd scaled = scale.cwiseInverse().asDiagonal() * A * scale.asDiagonal();
-    const Eigen::EigenSolver<Eigen::MatrixXd> solver(scaled);
-    const Eigen::MatrixXcd shapes = scale.asDiagonal() * solver.eigenvectors();
-    return {solver.eigenvalues(), shapes, shapes.inverse(), scale};
-}
-
 template <class Values>
 Eigen::Index nearest_to(Complex value, const Values& values)
 {
@@ -93,9 +71,21 @@ Eigen::Matrix4d longitudinal_rates(const SaturatedSoil& soil, double wave_number
     return A;
 }
 
+LongitudinalShapes longitudinal_shapes(const SaturatedSoil& soil, double wave_number)
+{
+    // momentum in units of stress makes the matrix well scaled
+    const double impedance = std::sqrt(soil.density() * soil.undrained_modulus());
+    const Eigen::Vector4d scale(1.0 / impedance, 1.0 / impedance, 1.0, 1.0);
+    const Eigen::Matrix4d scaled =
+        scale.cwiseInverse().asDiagonal() * longitudinal_rates(soil, wave_number) * scale.asDiagonal();
+    const Eigenmodes modes = eigenmodes(scaled.cast<Complex>());
+    return {modes.values, scale.asDiagonal() * modes.vectors, modes.duals * scale.cwiseInverse().asDiagonal(),
+            scale};
+}
+
 ColumnMode column_mode(const Layer& layer, double wave_number, Complex s)
 {
-    const AllModes all = all_modes(layer, wave_number);
+    const LongitudinalShapes all = longitudinal_shapes(layer.soil, wave_number);
     const Eigen::Index nearest = nearest_to(s, all.s);
     const Complex pressure = all.shapes(3, nearest);
     ColumnMode mode;
@@ -140,7 +130,7 @@ Complex measure_mode(const Problem& problem, const ColumnMode& mode, State state
 Complex propagated_frequency(const Problem& problem, const Layer& layer, const ColumnMode& mode,
                              const State& state, double duration)
 {
-    const AllModes all = all_modes(layer, mode.wave_number);
+    const LongitudinalShapes all = longitudinal_shapes(layer.soil, mode.wave_number);
     // changes, for the stress that varies within a cell, which the grid does not see, stays as it was
     constexpr std::array<double, 3> fractions = {0.2, 0.6, 1.0}; // of the duration
     Eigen::Matrix4d before, after;
@@ -160,11 +150,12 @@ Complex propagated_frequency(const Problem& problem, const Layer& layer, const C
     for (Eigen::Index k = 0; k < 4; ++k) {
         if (all.s[k].real() * fractions[0] * duration > dead) alive.push_back(k);
     }
-    const auto parts = [&](const Eigen::Matrix4d& amplitudes) -> Eigen::MatrixXcd {
-        return all.duals(alive, Eigen::all) * amplitudes.cast<Complex>() * all.shapes(Eigen::all, alive);
+    const Eigen::MatrixXcd duals = all.duals(alive, Eigen::all), shapes = all.shapes(Eigen::all, alive);
+    const auto parts = [&](const Eigen::MatrixXcd& amplitudes) -> Eigen::MatrixXcd {
+        return duals * amplitudes * shapes;
     };
-    const Eigen::MatrixXcd propagator = parts(after) * parts(before).inverse();
-    const Eigen::VectorXcd factors = Eigen::ComplexEigenSolver<Eigen::MatrixXcd>(propagator).eigenvalues();
+    const Eigen::MatrixXcd propagator = parts(after.cast<Complex>()) * inverse(parts(before.cast<Complex>()));
+    const Eigen::VectorXcd factors = eigenvalues(propagator);
     const double elapsed = (fractions[2] - fractions[1]) * duration;
     return measured_frequency(mode, 1.0, factors[nearest_to(std::exp(mode.s * elapsed), factors)], elapsed);
 }

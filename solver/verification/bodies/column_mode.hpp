@@ -18,6 +18,15 @@ using ModeAmplitudes = Eigen::Vector4cd;
 /// Matrix of d/dt (a, b, c, d) at a real wave number: both momentum balances, Hooke's law, storage of water.
 Eigen::Matrix4d longitudinal_rates(const SaturatedSoil& soil, double wave_number);
 
+/// The four modes of a wave number; amplitudes in SI.
+struct LongitudinalShapes {
+    Eigen::VectorXcd s;      // complex frequencies [1/s]
+    Eigen::MatrixXcd shapes; // eigenvectors a, b, c, d, a column each
+    Eigen::MatrixXcd duals;  // a row each, the inverse of the shapes
+    Eigen::Vector4d scale;   // of the amplitudes: 1 Pa, and the velocity that goes with it
+};
+LongitudinalShapes longitudinal_shapes(const SaturatedSoil& soil, double wave_number);
+
 struct ColumnMode {
     double base = 0.0;        // y of the base [m]
     double wave_number = 0.0; // xi [1/m]

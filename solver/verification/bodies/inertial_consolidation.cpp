@@ -2,8 +2,6 @@
 
 #include "solver/verification/bodies/column_mode.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
 
@@ -18,18 +16,10 @@ constexpr int most_terms = 1000;
 Eigen::Vector4d advance(const SaturatedSoil& soil, double wave_number, double time,
                         const Eigen::Vector4d& start)
 {
-    // momentum in units of stress makes the matrix well scaled
-    const double impedance = std::sqrt(soil.density() * soil.undrained_modulus());
-    const Eigen::Vector4d scale(impedance, impedance, 1.0, 1.0);
-    // of any size: gcc unrolls those of four rows for half a minute
-    const Eigen::MatrixXd scaled =
-        scale.asDiagonal() * longitudinal_rates(soil, wave_number) * scale.cwiseInverse().asDiagonal();
-    const Eigen::EigenSolver<Eigen::MatrixXd> modes(scaled);
-    const Eigen::Vector4d scaled_start = scale.cwiseProduct(start);
-    Eigen::VectorXcd parts = modes.eigenvectors().fullPivLu().solve(scaled_start.cast<Complex>());
-    for (Eigen::Index k = 0; k < 4; ++k) parts[k] *= std::exp(modes.eigenvalues()[k] * time);
-    const Eigen::Vector4d scaled_end = (modes.eigenvectors() * parts).real();
-    return scale.cwiseInverse().cwiseProduct(scaled_end);
+    const LongitudinalShapes all = longitudinal_shapes(soil, wave_number);
+    Eigen::Vector4cd parts = all.duals * start.cast<Complex>();
+    for (Eigen::Index k = 0; k < 4; ++k) parts[k] *= std::exp(all.s[k] * time);
+    return (all.shapes * parts).real();
 }
 
 } // namespace

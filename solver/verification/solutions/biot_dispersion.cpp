@@ -1,6 +1,7 @@
 #include "solver/verification/solutions/biot_dispersion.hpp"
 
-#include <Eigen/Eigenvalues>
+#include "solver/verification/solutions/eigenmodes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -45,7 +46,7 @@ Eigen::VectorXcd polynomial_roots(const Eigen::VectorXd& coefficients)
     Eigen::MatrixXd companion = Eigen::MatrixXd::Zero(degree, degree);
     companion.bottomLeftCorner(degree - 1, degree - 1).setIdentity();
     companion.rightCols(1) = -scaled.head(degree) / scaled[degree];
-    Eigen::VectorXcd roots = companion.eigenvalues();
+    Eigen::VectorXcd roots = eigenvalues(companion.cast<Complex>());
     for (Complex& root : roots) {
         for (int i = 0; i < 8; ++i) {
             const Complex gradient = polynomial(slope, root);

@@ -1,8 +1,8 @@
 #include "solver/verification/solutions/biot_dispersion.hpp"
+#include "solver/verification/solutions/eigenmodes.hpp"
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 
@@ -68,7 +68,7 @@ Eigen::Matrix4d state_matrix(const SaturatedSoil& soil, const Eigen::Matrix2d& s
 }
 
 /// Distance of a root from the nearest eigenvalue, over its size.
-double distance(const Eigen::Vector4cd& eigenvalues, Complex root)
+double distance(const Eigen::VectorXcd& eigenvalues, Complex root)
 {
     return (eigenvalues.array() - root).abs().minCoeff() / std::abs(root);
 }
@@ -146,16 +146,16 @@ TEST(BiotDispersion, StandingModesAreEigenvaluesOfTheEquationsOfMotion)
         for (const double xi : {1.0, 10.0, 300.0}) {
             const double w = 1e3 * xi;
             const Eigen::Matrix4d A = state_matrix(soil, xi * xi * soil.longitudinal_stiffness(), w);
-            const Eigen::Vector4cd eigenvalues = A.eigenvalues();
+            const Eigen::VectorXcd found = eigenvalues(A.cast<Complex>());
             const LongitudinalModes modes = longitudinal_modes(soil, xi);
             for (const Complex s : {modes.fast, modes.slow, modes.relative})
-                EXPECT_LT(distance(eigenvalues, s), 1e-8) << k << " " << xi;
+                EXPECT_LT(distance(found, s), 1e-8) << k << " " << xi;
             Eigen::Matrix2d shear_stiffness = Eigen::Matrix2d::Zero();
             shear_stiffness(0, 0) = soil.shear_modulus * xi * xi;
             const Eigen::Matrix4d B = state_matrix(soil, shear_stiffness, w);
             const ShearModes shear = shear_modes(soil, xi);
-            EXPECT_LT(distance(B.eigenvalues(), shear.shear), 1e-8);
-            EXPECT_LT(distance(B.eigenvalues(), shear.relative), 1e-8);
+            EXPECT_LT(distance(eigenvalues(B.cast<Complex>()), shear.shear), 1e-8);
+            EXPECT_LT(distance(eigenvalues(B.cast<Complex>()), shear.relative), 1e-8);
             const Complex fraction = shear_fluid_ratio(soil, shear.shear);
             const Eigen::Vector4cd state(w, w * fraction, shear.shear, shear.shear * fraction);
             EXPECT_LT((B * state - shear.shear * state).norm(), 1e-8 * B.norm() * state.norm());
