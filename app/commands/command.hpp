@@ -3,7 +3,7 @@
 
 #include "app/run/choices.hpp"
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <functional>
 #include <memory>
@@ -21,6 +21,9 @@ struct Command {
 
 using Commands = std::vector<Command>;
 
+/// A parser of the program's own. Its making compiles much of the library: here once, not in every source.
+CLI::App* add_parser(CLI::App& program, const char* name, const char* about);
+
 template <class Choice>
 using Execute = ExitCode (*)(const Choice&);
 
@@ -30,7 +33,7 @@ std::pair<CLI::App*, std::shared_ptr<Choice>> add_command(CLI::App& program, Com
                                                           const char* name, const char* about,
                                                           Execute<Choice> execute)
 {
-    CLI::App* parser = program.add_subcommand(name, about);
+    CLI::App* parser = add_parser(program, name, about);
     auto choice = std::make_shared<Choice>();
     commands.push_back({parser, [choice, execute] { return execute(*choice); }});
     return {parser, choice};

@@ -110,6 +110,11 @@ bool parse(CLI::App& program, const Commands& commands, int argument_count, char
 
 } // namespace
 
+CLI::App* add_parser(CLI::App& program, const char* name, const char* about)
+{
+    return program.add_subcommand(name, about);
+}
+
 ExitCode execute_command_line(int argument_count, char** arguments)
 {
     CLI::App program(description, "quicksand");

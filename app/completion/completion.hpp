@@ -3,7 +3,7 @@
 
 #include "app/completion/candidate.hpp"
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <string>
 #include <vector>

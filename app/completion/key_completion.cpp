@@ -3,7 +3,7 @@
 #include "io/keys/scene_text.hpp"
 #include "io/scene/scene_base.hpp"
 
-#include <CLI/CLI.hpp>
+#include <CLI/StringTools.hpp>
 
 #include <optional>
 #include <utility>

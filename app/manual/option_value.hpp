@@ -1,7 +1,7 @@
 // What the value of an option or positional is, as its parser says it.
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // The manual page quicksand(1).
 #pragma once
 
-#include <CLI/CLI.hpp>
+#include <CLI/App.hpp>
 
 #include <string>
 
