@@ -248,6 +248,24 @@ void cut_columns(AssembledCase& assembled)
     throw_errors(assembled.warnings, assembled.scene);
 }
 
+/// The steady flows of earlier stages, which have wetted soil. What is wrong with them was told there.
+std::vector<FlowField> flows_before(const std::vector<Scene>& stages, const Section& drawn,
+                                    const AssembledCase& assembled)
+{
+    std::vector<FlowField> flows;
+    for (const Scene& scene : stages) {
+        AssembledCase before;
+        before.scene = scene;
+        before.section = assembled.section;
+        before.problem = make_problem(scene, before.section);
+        check_case(drawn, before);
+        if (auto flow = find_initial_flow(scene, before.section, materials_of_regions(scene, before.section),
+                                          before.problem, before.warnings))
+            flows.push_back(std::move(flow->field));
+    }
+    return flows;
+}
+
 } // namespace
 
 AssembledCase assemble_case(SceneReading reading, Section section)
@@ -276,7 +294,8 @@ AssembledCase assemble_case(SceneReading reading, Section section)
                                     assembled.problem, assembled.interfaces, assembled.warnings);
     assembled.warnings.accept(assembled.scene.accepted);
     throw_errors(assembled.warnings, assembled.scene);
-    divide_materials(assembled.scene, flow, assembled.sampling, of_domain, assembled.problem);
+    const std::vector<FlowField> earlier = flows_before(reading.wetting, section, assembled);
+    divide_materials(assembled.scene, flow, earlier, assembled.sampling, of_domain, assembled.problem);
     check_outer_water(assembled.scene, assembled.problem, assembled.warnings);
     throw_errors(assembled.warnings, assembled.scene);
     Particles& particles = assembled.state.particles;

@@ -141,7 +141,7 @@ void FaceWater::put_water_at_rest(Boundary& boundary) const
 {
     const WaterLine line{scene_.phreatic_line};
     if (auto* given = std::get_if<PrescribedWater>(&boundary.water)) {
-        given->at_rest = line;
+        if (!given->at_rest) given->at_rest = line;
         return;
     }
     const auto is_face = [&](const Segment& segment) {

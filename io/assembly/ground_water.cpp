@@ -136,17 +136,22 @@ void check_phreatic_line(const Scene& scene, Diagnostics& findings)
     }
 }
 
-void divide_materials(const Scene& scene, const FlowField* flow, const Sampling& sampling,
-                      std::vector<std::int32_t>& of_domain, Problem& problem)
+void divide_materials(const Scene& scene, const FlowField* flow, const std::vector<FlowField>& earlier,
+                      const Sampling& sampling, std::vector<std::int32_t>& of_domain, Problem& problem)
 {
     if (!problem.water) return;
+    const bool flows = flow != nullptr || !earlier.empty();
     std::vector<std::int32_t> above(problem.materials.size(), -1); // material -> its like above the line
     for (std::size_t p = 0; p < sampling.domains.size(); ++p) {
         const ParticleDomain& domain = sampling.domains[p];
         const double tolerance = 1e-9 * problem.grid.cell_size, y = domain.centre.y();
-        if (GroundWater{scene, flow}.saturates(domain.centre, tolerance)) {
+        const auto is_wet_by = [&](const FlowField* water) {
+            return GroundWater{scene, water}.saturates(domain.centre, tolerance);
+        };
+        if (is_wet_by(flow) || std::any_of(earlier.begin(), earlier.end(),
+                                           [&](const FlowField& before) { return is_wet_by(&before); })) {
             problem.water->rises_above_level =
-                problem.water->rises_above_level || flow != nullptr || y > problem.water->level + tolerance;
+                problem.water->rises_above_level || flows || y > problem.water->level + tolerance;
             continue;
         }
         const auto m = static_cast<std::size_t>(of_domain[p]);

@@ -12,6 +12,7 @@
 #include "io/scene/scene_variant.hpp"
 #include "io/scene/stage_changes.hpp"
 #include "io/scene/stage_placement.hpp"
+#include "io/scene/stage_water.hpp"
 #include "io/tables/scene_boundaries.hpp"
 #include "io/tables/scene_figures.hpp"
 #include "io/tables/scene_interfaces.hpp"
@@ -333,6 +334,7 @@ std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
     check_stages(readings, findings);
     if (findings.has_errors()) throw_findings(findings, read.text);
     readings.front().warnings = std::move(findings); // of all stages
+    carry_water_on(readings);
     return readings;
 }
 

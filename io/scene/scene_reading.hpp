@@ -11,6 +11,9 @@ namespace quicksand {
 
 struct SceneReading {
     Scene scene;
+    /// The stages from the last that settled soil on, up to the one before, where their water flows: soil
+    /// that it has wetted stays wet.
+    std::vector<Scene> wetting;
     std::vector<ResolvedKey> keys;
     Diagnostics warnings;
 };

@@ -18,6 +18,7 @@ State resting_copy(const State& state)
 {
     State copy = state;
     copy.balance_terms.reset();
+    copy.free_fields.clear(); // what stands beyond the sides bears no part of the motion
     for (Vectors* velocity : {&copy.particles.velocity_solid, &copy.particles.velocity_fluid})
         for (Scalars* part : {&velocity->x, &velocity->y}) std::fill(part->begin(), part->end(), 0.0);
     return copy;

@@ -1,5 +1,6 @@
 // What the columns of free-field sides take from the body, and why there may be none.
 #include "solver/free_field/free_field_columns.hpp"
+#include "solver/free_field/wave_steps.hpp"
 #include "tests/fixtures/free_field_ground.hpp"
 
 #include <gtest/gtest.h>
@@ -53,6 +54,18 @@ TEST(FreeFieldColumns, HaveTheSoilBesideTheirSides)
         EXPECT_EQ(particles.identifier[p], static_cast<std::int32_t>(p));
         EXPECT_LT(particles.position.x[p], 0.5);
     }
+}
+
+// A stage that shakes is told its step before its columns have moved.
+TEST(FreeFieldColumns, BearNoPartOfTheMotionThatBoundsTheStep)
+{
+    Problem problem = ground(WaterFlow::coupled);
+    problem.boundaries[0].soil = ViscousFace{};
+    State state = state_of(problem);
+    ASSERT_TRUE(add_free_fields(problem, state).empty());
+    const double settling = first_time_step(problem, state).dt;
+    state.stage = Stage::shaking;
+    EXPECT_EQ(first_time_step(problem, state).dt, settling);
 }
 
 TEST(FreeFieldColumns, OneStandsForAllCurvesAtAPlace)

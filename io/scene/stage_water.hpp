@@ -1,0 +1,14 @@
+// The water that a stage begins with, as the stages before have left it.
+#pragma once
+
+#include "io/scene/scene_reading.hpp"
+
+#include <vector>
+
+namespace quicksand {
+
+/// Soil that the water of a stage has wetted stays wet until soil settles anew: fills `wetting` of the
+/// stages. A head with a ramp_time rises or falls from where the stage before has left it.
+void carry_water_on(std::vector<SceneReading>& stages);
+
+} // namespace quicksand

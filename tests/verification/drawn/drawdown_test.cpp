@@ -1,0 +1,160 @@
+// The water beside a dike falls in a stage of its own, after the steady flow of a flood.
+#include "io/scene/scene_file.hpp"
+#include "solver/measure/balances.hpp"
+#include "solver/run/staged_run.hpp"
+#include "tests/fixtures/drawn_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+constexpr double flood = 3.0; // head on the left slope [m]
+
+/// A dike 5 m high on 2 m of ground; the last stage has these keys, and these of the left slope.
+std::string scene_of(const std::string& stage, const std::string& river)
+{
+    return R"(scene_version = 1
+[geometry]
+file = "drawing.geo"
+[grid]
+cell_size = 0.5
+[sampling]
+particles_per_cell = [2, 2]
+[analysis]
+scheme = "semi_implicit"
+[water]
+level = 0.0
+[materials.soil]
+hydraulic_conductivity = 1e-5
+)" + elastic.substr(elastic.find("]") + 1) +
+           R"(
+[boundaries.base]
+soil = "fixed"
+[boundaries.left]
+soil = "roller"
+[boundaries.right]
+soil = "roller"
+[boundaries.river]
+water = "drained"
+[boundaries.land]
+water = "drained"
+[[stages]]
+name = "gravity"
+kind = "settle"
+[[stages]]
+name = "flood"
+kind = "seepage"
+[stages.boundaries.river]
+water = "head"
+head = 3.0
+[[stages]]
+name = "fall"
+)" + stage +
+           "[stages.boundaries.river]\n" + river;
+}
+
+Section dike()
+{
+    return polygon_section({{{-15.0, -2.0}, "base"},
+                            {{15.0, -2.0}, "right"},
+                            {{15.0, 0.0}, "land"},
+                            {{12.0, 0.0}, "land"},
+                            {{2.0, 5.0}, "surface"},
+                            {{-2.0, 5.0}, "river"},
+                            {{-12.0, 0.0}, "river"},
+                            {{-15.0, 0.0}, "left"}});
+}
+
+std::vector<AssembledCase> assembled_stages(const std::string& scene)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder / "drawing.geo") << "Point(1) = {0, 0, 0};\n";
+    std::ofstream(folder / "scene.toml") << scene;
+    std::vector<AssembledCase> stages;
+    for (SceneReading& reading : read_scene_stages(folder / "scene.toml", {}))
+        stages.push_back(assemble_case(std::move(reading), dike()));
+    return stages;
+}
+
+double wet_volume(const AssembledCase& stage)
+{
+    const Particles& particles = stage.state.particles;
+    double volume = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        if (is_wet(stage.problem.materials[static_cast<std::size_t>(particles.material[p])]))
+            volume += particles.volume[p];
+    return volume;
+}
+
+const Boundary& river_of(const AssembledCase& stage)
+{
+    return *std::find_if(stage.problem.boundaries.begin(), stage.problem.boundaries.end(),
+                         [](const Boundary& boundary) { return boundary.name == "river"; });
+}
+
+TEST(Drawdown, LeavesSoilWetThatWasUnderWater)
+{
+    const auto stages = assembled_stages(scene_of("kind = \"shake\"\nduration = 0.1\n", "head = 0.0\n"));
+    EXPECT_GT(wet_volume(stages[1]), wet_volume(stages[0]) + 5.0);
+    EXPECT_EQ(wet_volume(stages[2]), wet_volume(stages[1]));
+}
+
+TEST(Drawdown, SoilSettlesAnewWithTheWaterOfItsStage)
+{
+    const auto stages = assembled_stages(scene_of("kind = \"seepage\"\n", "head = 0.0\n"));
+    EXPECT_NEAR(wet_volume(stages[2]), wet_volume(stages[0]), 1e-9);
+}
+
+TEST(Drawdown, RampsFromTheHeadOfTheStageBefore)
+{
+    const auto stages =
+        assembled_stages(scene_of("kind = \"shake\"\nduration = 4.0\n", "head = 1.0\nramp_time = 4.0\n"));
+    const AssembledCase& fall = stages[2];
+    const Vector2 toe(-12.0, 0.0);
+    const auto head_at = [&](double time) {
+        return outer_excess_pressure(fall.problem, river_of(fall), toe,
+                                     outer_factor(river_of(fall).water, time)) /
+               (fall.problem.water->density * fall.problem.gravity);
+    };
+    EXPECT_NEAR(head_at(0.0), flood, 1e-12);
+    EXPECT_NEAR(head_at(1.0), 2.5, 1e-12);
+    EXPECT_NEAR(head_at(4.0), 1.0, 1e-12);
+    EXPECT_NEAR(wet_volume(fall), wet_volume(stages[1]), 0.2); // the line is found on another mesh
+}
+
+// Soil above the new level lost its water, and kept its pressures: steps seemed to make energy.
+TEST(Drawdown, KeepsItsEnergyWhenTheWaterFallsAtOnce)
+{
+    for (const std::string scheme : {"semi_implicit", "implicit"}) {
+        auto stages = assembled_stages(
+            scene_of("kind = \"shake\"\nduration = 0.5\n[stages.analysis]\nscheme = \"" + scheme + "\"\n",
+                     "head = 0.0\n"));
+        State state;
+        for (std::size_t k = 0; k < stages.size(); ++k) {
+            const bool settles = k < 2;
+            StagedRun run(stages[k].problem, std::move(stages[k].state),
+                          {settles ? 0.0 : 0.5, ColumnsComputed::all, true});
+            StageStart start;
+            start.settles = settles;
+            if (k > 0) run.go_on_from(std::move(state), start);
+            if (settles) {
+                run.settle(*stages[k].scene.relaxation);
+            } else {
+                run.shake({});
+            }
+            state = run.state();
+        }
+        EXPECT_NEAR(state.time, 0.5, 1e-12) << scheme;
+        EXPECT_LT(std::abs(energy_balance(stages[2].problem, state).error()), 0.01) << scheme;
+    }
+}
+
+} // namespace
+} // namespace quicksand
