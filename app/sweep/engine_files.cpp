@@ -65,7 +65,7 @@ std::string write_snakemake(const SweepPlan& plan)
     write_atomically(
         plan.folder / "Snakefile",
         fmt::format("# Started again it goes on: runs that have ended are left out, others go on from their "
-                    "checkpoint.\n"
+                    "checkpoint.\n# After a kill of snakemake itself: snakemake --unlock\n"
                     "lines = open(\"commands.txt\").read().splitlines()\n"
                     "commands = {{f\"run_{{k:04}}\": line for k, line in enumerate(lines, 1)}}\n\n"
                     "rule all:\n    input: expand(\"ended/{{name}}\", name=commands)\n\n"
@@ -73,7 +73,7 @@ std::string write_snakemake(const SweepPlan& plan)
                     "    params: command=lambda wildcards: commands[wildcards.name]\n"
                     "    shell: \"{{params.command}}\"\n",
                     plan.threads));
-    return in_folder(plan, fmt::format("snakemake --cores {}", plan.jobs * plan.threads));
+    return in_folder(plan, fmt::format("snakemake --keep-going --cores {}", plan.jobs * plan.threads));
 }
 
 } // namespace

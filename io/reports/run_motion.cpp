@@ -44,9 +44,11 @@ std::optional<SampledMotion> motion_of_scene(const fs::path& results)
     std::error_code error;
     if (!fs::is_regular_file(record.scene_file, error)) return std::nullopt;
     try {
-        const SceneReading reading = read_scene_file(record.scene_file, record.overrides);
-        if (scene_hash(reading.scene.text, record.overrides) != record.scene_hash) return std::nullopt;
-        return sampled(reading.scene.base_motion, std::max(record.simulated_time, reading.scene.end_time));
+        for (const SceneReading& stage : read_scene_stages(record.scene_file, record.overrides)) {
+            if (scene_hash(stage.scene.text, record.overrides) != record.scene_hash) continue;
+            return sampled(stage.scene.base_motion, std::max(record.simulated_time, stage.scene.end_time));
+        }
+        return std::nullopt;
     } catch (const InputError&) {
         return std::nullopt;
     }

@@ -239,7 +239,7 @@ RunManifest begin_manifest(const Scene& scene, const std::vector<std::string>& o
                            std::size_t particles)
 {
     RunManifest manifest;
-    manifest.scene_file = scene.file;
+    manifest.scene_file = std::filesystem::absolute(scene.file).lexically_normal();
     manifest.scene_hash = scene_hash(scene.text, overrides);
     manifest.overrides = overrides;
     manifest.threads = threads;

@@ -94,6 +94,16 @@ TEST_F(Stages, CommandsShowTheOneThatShakes)
     EXPECT_NE(picture.output.find("a/shaking/pictures"), std::string::npos) << picture.output;
 }
 
+// The scene is named from one folder, and its results are read from another.
+TEST_F(Stages, FindTheirSceneFromAnyFolder)
+{
+    const Outcome outcome = run_shell("cd \"" + results("") + "\" && $QUICKSAND run column/staged.toml -o a");
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    const Outcome report = run_program("report " + results("a"));
+    EXPECT_EQ(report.code, 0) << report.output;
+    EXPECT_EQ(report.output.find("is not there any more"), std::string::npos) << report.output;
+}
+
 TEST_F(Stages, AreCheckedTogether)
 {
     const Outcome check = run_program("check " + scene() + " -o " + results("plan"));

@@ -188,7 +188,7 @@ TEST_F(SweepProgram, WritesASnakefile)
 {
     const Outcome outcome = call("--engine snakemake --jobs 2");
     ASSERT_EQ(outcome.code, 0) << outcome.output;
-    expect_mention(outcome, "&& snakemake --cores 2\n");
+    expect_mention(outcome, "&& snakemake --keep-going --cores 2\n");
     const std::string rules = read_file(out / "Snakefile");
     EXPECT_NE(rules.find("expand(\"ended/{name}\", name=commands)"), std::string::npos) << rules;
     EXPECT_NE(rules.find("commands = {f\"run_{k:04}\": line for k, line in enumerate(lines, 1)}"),
