@@ -196,8 +196,10 @@ double peak_memory()
 
 } // namespace
 
-std::int64_t count_steps(const Scene& scene, const Problem& problem, double dt)
+std::int64_t count_steps(const AssembledCase& assembled, double dt)
 {
+    const Scene& scene = assembled.scene;
+    const Problem& problem = assembled.problem;
     std::set<double> times = {scene.end_time};
     const auto hit = [&](double interval) {
         const std::vector<double> strikes = observation_times(interval, scene.end_time);
@@ -208,7 +210,7 @@ std::int64_t count_steps(const Scene& scene, const Problem& problem, double dt)
         hit(scene.output.history_interval);
         if (!scene.probes.empty()) hit(scene.output.probe_interval);
     }
-    return count_steps(problem, dt, {times.begin(), times.end()});
+    return count_steps(problem, assembled.state.particles, dt, {times.begin(), times.end()});
 }
 
 RelaxationForecast forecast_settling(const RelaxationControls& controls, StagedRun& run)
@@ -237,7 +239,7 @@ Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, doub
                       const fs::path& directory)
 {
     Forecast forecast;
-    forecast.steps = count_steps(assembled.scene, assembled.problem, dt);
+    forecast.steps = count_steps(assembled, dt);
     forecast.step_seconds = measure_step(run);
     if (assembled.scene.relaxation) {
         StagedRun trial = run;

@@ -45,7 +45,7 @@ struct Forecast {
 };
 
 /// Steps that a run takes at a time step, which it shortens so that the output times are hit.
-std::int64_t count_steps(const Scene& scene, const Problem& problem, double dt);
+std::int64_t count_steps(const AssembledCase& assembled, double dt);
 
 /// Let the run settle for a few seconds: it then stands where the trial ended.
 RelaxationForecast forecast_settling(const RelaxationControls& controls, StagedRun& run);

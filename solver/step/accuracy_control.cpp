@@ -20,6 +20,7 @@ constexpr double least_steps_per_period = 20.0;
 constexpr double pressure_change = 0.02; // in a step, of the largest excess pressure
 constexpr double strain_change = 0.05;   // in a step, of the particle that is strained fastest
 constexpr double least_pressure = 0.005; // that counts as the largest one, of the largest sigma'_v0
+constexpr double slow_crossings = 100.0; // of shear waves: inertia answers a slower rise by less than 1 %
 
 /// Call visit(history) for the histories of all boundaries.
 template <class Visit>
@@ -66,6 +67,29 @@ double end_of_motion(const History& history)
         history.shape);
 }
 
+/// Shortest time over which a history rises or falls [s].
+double shortest_rise(const SampledHistory& table)
+{
+    double rise = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k < table.times.size(); ++k)
+        rise = std::min(rise, table.times[k] - table.times[k - 1]);
+    return rise;
+}
+
+bool is_slow(const History& history, double crossing_time)
+{
+    const double least = slow_crossings * crossing_time;
+    return std::visit(Overload{[&](const ConstantHistory&) { return history.ramp_time >= least; },
+                               [](const SineHistory&) { return false; },
+                               [&](const SampledHistory& table) { return shortest_rise(table) >= least; }},
+                      history.shape);
+}
+
+double crossing_time(const BackgroundGrid& grid, double shear_speed)
+{
+    return grid.cell_size * grid.cells_y / shear_speed;
+}
+
 /// Walls that move at constant velocity go on moving.
 bool moves_on(const Boundary& boundary)
 {
@@ -104,12 +128,17 @@ double pressure_step(const Particles& particles)
 
 } // namespace
 
-double resolving_step(const Problem& problem, double time)
+double resolving_step_of_histories(const Problem& problem, double time)
 {
-    double step = resolving_step(problem.base_motion);
+    double step = std::numeric_limits<double>::infinity();
     for_each_history(problem,
                      [&](const History& history) { step = std::min(step, resolving_step(history, time)); });
     return step;
+}
+
+double resolving_step(const Problem& problem, double time)
+{
+    return std::min(resolving_step(problem.base_motion), resolving_step_of_histories(problem, time));
 }
 
 double coarsest_step(const Problem& problem, double time)
@@ -124,17 +153,28 @@ double coarsest_step(const Problem& problem, double time)
     return 1.0 / (least_steps_per_period * highest); // infinite without any
 }
 
-double end_of_motion(const Problem& problem)
+double crossing_time(const Problem& problem, const Particles& particles)
+{
+    bool varies = false;
+    for_each_history(problem,
+                     [&](const History& history) { varies = varies || end_of_motion(history) > 0.0; });
+    return varies ? crossing_time(problem.grid, find_extremes(problem, particles).shear_speed) : 0.0;
+}
+
+double end_of_motion(const Problem& problem, double crossing_time)
 {
     double end = duration(problem.base_motion);
-    for_each_history(problem, [&](const History& history) { end = std::max(end, end_of_motion(history)); });
+    for_each_history(problem, [&](const History& history) {
+        if (!is_slow(history, crossing_time)) end = std::max(end, end_of_motion(history));
+    });
     const bool on = std::any_of(problem.boundaries.begin(), problem.boundaries.end(), moves_on);
     return on ? std::numeric_limits<double>::infinity() : end;
 }
 
 void choose_resistance(const Problem& problem, const State& state, InertiaSolve& inertia)
 {
-    const bool is_left_alone = state.whole_step > 0.0 && state.time >= end_of_motion(problem);
+    const bool is_left_alone = state.whole_step > 0.0 &&
+                               state.time >= end_of_motion(problem, crossing_time(problem, state.particles));
     const double damping = state.stage == Stage::relaxation ? damping_of_settling_solids
                            : is_left_alone                  ? damping_of_vibrations
                                                             : 0.0;
@@ -150,13 +190,14 @@ TimeStep accurate_time_step(const Problem& problem, double time, double last_ste
     };
     TimeStep step = at_least_wave(strain_step(particles), TimeStepLimiter::strain);
     const auto limit = [&](const TimeStep& other) { step = other.dt < step.dt ? other : step; };
-    if (time < end_of_motion(problem)) {
+    if (time < end_of_motion(problem, crossing_time(problem.grid, extremes.shear_speed))) {
         const double reach = smoothed_cells * problem.grid.cell_size / std::sqrt(inertia_fraction);
         limit({reach / extremes.shear_speed, TimeStepLimiter::inertia, ""});
         limit(at_least_wave(resolving_step(problem, time), TimeStepLimiter::shaking));
     } else {
         limit(at_least_wave(step_growth * last_step, TimeStepLimiter::growth));
         limit(at_least_wave(pressure_step(particles), TimeStepLimiter::pressure));
+        limit(at_least_wave(resolving_step_of_histories(problem, time), TimeStepLimiter::shaking));
     }
     return step;
 }

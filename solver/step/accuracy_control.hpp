@@ -7,7 +7,9 @@
 //                          below the waves' step
 //   0.05                   strain of the particle that is strained fastest, but not below the waves' step
 // After that, and in scenes where nothing moves the soil, it starts at the limit of the waves and grows by a
-// factor from step to step, as long as pore pressures change by a small part of the largest.
+// factor from step to step, as long as pore pressures change by a small part of the largest. What rises over
+// a hundred times the time in which shear waves rise through the grid, as a flood does, moves the soil
+// without waves: steps grow, and resolve it.
 #pragma once
 
 #include "solver/inertia/inertia_solve.hpp"
@@ -23,13 +25,20 @@ inline constexpr double step_growth = 1.1; // from step to step when nothing mov
 /// Longest step from a time on that resolves what moves the soil; infinite where nothing varies [s].
 double resolving_step(const Problem& problem, double time);
 
+/// The same of what acts on curves alone, not of the base [s].
+double resolving_step_of_histories(const Problem& problem, double time);
+
 /// Longest step of any scheme: a twentieth of the shortest period of the sines that act at the time, without
 /// which they would not be followed at all; infinite without any [s].
 double coarsest_step(const Problem& problem, double time);
 
-/// Time from which nothing moves the soil any more: the end of shaking and of all histories; infinite for a
-/// sine without end [s].
-double end_of_motion(const Problem& problem);
+/// Time in which shear waves rise from the base of the grid to its top; 0 where nothing beyond the soil
+/// varies, and it does not count [s].
+double crossing_time(const Problem& problem, const Particles& particles);
+
+/// Time from which nothing moves the soil with waves any more: the end of shaking and of all histories but
+/// slow ones; infinite for a sine without end [s].
+double end_of_motion(const Problem& problem, double crossing_time);
 
 /// Set what the inertia of a step from the state on resists. Once nothing moves the soil any more and steps
 /// grow, vibrations are not followed; they would go on for ever, as strains to and fro at the rhythm of the

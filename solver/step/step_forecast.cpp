@@ -10,10 +10,11 @@
 
 namespace quicksand {
 
-std::int64_t count_steps(const Problem& problem, double dt, const std::vector<double>& events)
+std::int64_t count_steps(const Problem& problem, const Particles& particles, double dt,
+                         const std::vector<double>& events)
 {
     const double start_of_growth = problem.scheme == TimeScheme::implicit
-                                       ? end_of_motion(problem)
+                                       ? end_of_motion(problem, crossing_time(problem, particles))
                                        : std::numeric_limits<double>::infinity();
     double steps = 0.0, time = 0.0;
     for (const double event : events) {
@@ -23,7 +24,7 @@ std::int64_t count_steps(const Problem& problem, double dt, const std::vector<do
             time = until;
         }
         for (; time < event; ++steps) {
-            dt *= step_growth;
+            dt = std::min(step_growth * dt, std::max(dt, resolving_step_of_histories(problem, time)));
             const double left = steps_over(event - time, dt);
             time = left > 1.0 ? time + (event - time) / left : event;
         }
@@ -37,7 +38,8 @@ TimeScheme fastest_scheme(const Problem& problem, const Particles& particles, do
     const auto steps_by = [&](TimeScheme scheme) {
         Problem trial = problem;
         trial.scheme = scheme;
-        return static_cast<double>(count_steps(trial, stable_time_step(trial, particles).dt, {end_time}));
+        return static_cast<double>(
+            count_steps(trial, particles, stable_time_step(trial, particles).dt, {end_time}));
     };
     const TimeScheme by_waves = scheme_of_waves(problem);
     return implicit_cost * steps_by(TimeScheme::implicit) < steps_by(by_waves) ? TimeScheme::implicit

@@ -9,9 +9,10 @@
 namespace quicksand {
 
 /// Steps from the start of the shaking through all `events`, ascending times that steps hit [s]: of the
-/// length `dt`, which implicit ones keep while something moves the soil and then grow from as far as they
-/// may. Changes of the pore pressure, which no one knows before the run, limit them further.
-std::int64_t count_steps(const Problem& problem, double dt, const std::vector<double>& events);
+/// length `dt`, which implicit ones keep while something moves the soil with waves and then grow from as far
+/// as they may. Changes of the pore pressure, which no one knows before the run, limit them further.
+std::int64_t count_steps(const Problem& problem, const Particles& particles, double dt,
+                         const std::vector<double>& events);
 
 /// The scheme by which a run of the problem from these particles takes the least time, at errors that are
 /// about the same: the one whose steps waves of the skeleton limit, or implicit steps, which cost more each.

@@ -53,6 +53,37 @@ TEST(AccuracyControl, FollowsSinesWhileTheyLast)
               std::numeric_limits<double>::infinity());
 }
 
+// Steps of a flood of days were as short as those of an earthquake.
+TEST(AccuracyControl, LetsWhatRisesSlowlyMoveTheSoilWithoutWaves)
+{
+    const Problem ramp = under_load({ConstantHistory{}, 2.0});
+    EXPECT_EQ(end_of_motion(ramp, 0.03), 2.0);
+    EXPECT_EQ(end_of_motion(ramp, 0.01), 0.0);
+    const Problem table = under_load({SampledHistory{{0.0, 2.0, 10.0}, {0, 1, 0}}});
+    EXPECT_EQ(end_of_motion(table, 0.03), 10.0);
+    EXPECT_EQ(end_of_motion(table, 0.01), 0.0);
+    EXPECT_EQ(end_of_motion(under_load({SineHistory{1e-6}}), 1e-9), std::numeric_limits<double>::infinity());
+    Problem shaken = ramp;
+    shaken.base_motion = SineMotion{1.0, 10.0, 20.0}; // 2 s
+    EXPECT_EQ(end_of_motion(shaken, 0.01), 2.0);
+}
+
+TEST(AccuracyControl, GrowsStepsWhileALoadRisesSlowlyAndResolvesIt)
+{
+    Problem problem = under_load({ConstantHistory{}, 2e4});
+    problem.grid = {{0.0, 0.0}, 0.5, 4, 4};
+    problem.materials = {stiff_sand()};
+    problem.scheme = TimeScheme::implicit;
+    State state = fill(problem, 2, [](const Vector2& x) { return x.norm() < 1.0; });
+    state.time = 1e3;
+    state.whole_step = 1.0;
+    EXPECT_DOUBLE_EQ(stable_time_step(problem, state, 1.0).dt, step_growth);
+    state.whole_step = 1e3;
+    const TimeStep longest = stable_time_step(problem, state, 1.0);
+    EXPECT_DOUBLE_EQ(longest.dt, 100.0);
+    EXPECT_EQ(longest.limiter, TimeStepLimiter::shaking);
+}
+
 // Soft soil in cells so wide that its waves would take longer than the load.
 TEST(AccuracyControl, BoundsTheStepsOfEveryScheme)
 {

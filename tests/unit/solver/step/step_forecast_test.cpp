@@ -42,10 +42,10 @@ TEST(StepForecast, StepsHitEveryEvent)
 {
     Problem problem = box_of_sand(true);
     problem.scheme = TimeScheme::semi_implicit;
-    EXPECT_EQ(count_steps(problem, 0.25, {1.0}), 4);
-    EXPECT_EQ(count_steps(problem, 0.3, {1.0}), 4);
-    EXPECT_EQ(count_steps(problem, 0.3, {0.5, 1.0}), 4);
-    EXPECT_EQ(count_steps(problem, 0.3, {0.5, 0.7, 1.0}), 4);
+    EXPECT_EQ(count_steps(problem, sand_of(problem), 0.25, {1.0}), 4);
+    EXPECT_EQ(count_steps(problem, sand_of(problem), 0.3, {1.0}), 4);
+    EXPECT_EQ(count_steps(problem, sand_of(problem), 0.3, {0.5, 1.0}), 4);
+    EXPECT_EQ(count_steps(problem, sand_of(problem), 0.3, {0.5, 0.7, 1.0}), 4);
 }
 
 TEST(StepForecast, ImplicitStepsGrowWhenTheMotionIsOver)
@@ -53,10 +53,10 @@ TEST(StepForecast, ImplicitStepsGrowWhenTheMotionIsOver)
     Problem problem = box_of_sand(true);
     problem.scheme = TimeScheme::implicit;
     problem.base_motion = sine_of(1.0, 2.0); // for 2 s
-    EXPECT_EQ(count_steps(problem, 0.01, {2.0}), 200);
+    EXPECT_EQ(count_steps(problem, sand_of(problem), 0.01, {2.0}), 200);
     // dt (1.1 + 1.1^2 + ... + 1.1^n) = 11 dt (1.1^n - 1) reaches 1e6 dt
     const double growing = std::ceil(std::log(1e6 / 11.0 + 1.0) / std::log(step_growth));
-    const auto steps = static_cast<double>(count_steps(problem, 0.01, {2.0, 1e4 + 2.0}));
+    const auto steps = static_cast<double>(count_steps(problem, sand_of(problem), 0.01, {2.0, 1e4 + 2.0}));
     EXPECT_GE(steps, 200.0 + growing);
     EXPECT_LE(steps, 201.0 + growing) << "each is shortened a little to hit the end";
 }
