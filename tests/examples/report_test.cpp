@@ -45,6 +45,28 @@ TEST_F(Report, IsOneFileWithAllItsPictures)
     EXPECT_EQ(read_file(results + "/report.html").find("<script>alert"), std::string::npos);
 }
 
+// Every picture of the page can be seen.
+TEST_F(Report, OpensInABrowser)
+{
+    if (run_shell("command -v chromium").code != 0) GTEST_SKIP() << "chromium is not installed";
+    ASSERT_EQ(run_program("report " + results).code, 0);
+    // the page, with a script behind it that counts what a reader sees
+    const std::string page = results + "/report.html", counted = results + "/counted.html";
+    std::ofstream(counted) << read_file(page)
+                           << "<script>onload = () => document.title = 'seen ' + [...document.images].filter("
+                              "image => image.naturalWidth > 100).length + ' of ' + document.images.length;"
+                              "</script>";
+    const Outcome seen = run_shell("timeout 60 chromium --headless --no-sandbox --disable-gpu "
+                                   "--virtual-time-budget=5000 --dump-dom \"file://" +
+                                   counted + "\" 2>/dev/null");
+    ASSERT_EQ(seen.code, 0) << seen.output;
+    const Outcome checked = check(page);
+    const std::string pictures = checked.output.substr(0, checked.output.find(' '));
+    EXPECT_NE(seen.output.find("<title>seen " + pictures + " of " + pictures + "</title>"), std::string::npos)
+        << pictures << '\n'
+        << seen.output.substr(0, 2000);
+}
+
 TEST_F(Report, TellsWhatItIsAskedInVain)
 {
     const auto refuse = [&](const std::string& words, const std::string& text) {
