@@ -10,6 +10,7 @@
 #include "io/reports/summary_reading.hpp"
 #include "io/results/results_folder.hpp"
 #include "io/results/run_record.hpp"
+#include "io/results/stage_table.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/measure/verdict.hpp"
 
@@ -57,6 +58,22 @@ std::string run_table(const RunRecord& record)
               {"steps, wall time", fmt::format("{:.0f}, {:.4g} s", record.steps, record.wall_time)}};
     for (const std::string& words : record.overrides) rows.push_back({"--set", words});
     return html_table(rows);
+}
+
+/// What the stages of the run came to, of which the page shows one; nothing where the results are no stage.
+std::string stages_section(const fs::path& results)
+{
+    const fs::path shown = fs::canonical(results);
+    const std::vector<StageRow> stages = read_stage_table(shown.parent_path());
+    const auto is_shown = [&](const StageRow& stage) { return stage.name == shown.filename(); };
+    if (std::none_of(stages.begin(), stages.end(), is_shown)) return "";
+    Rows rows{{"stage", "kind", "state", "from", "over", "factor of safety"}};
+    for (const StageRow& stage : stages)
+        rows.push_back({stage.name, stage.kind, stage.status, number(stage.start, " s"),
+                        number(stage.duration, " s"),
+                        stage.factor_of_safety ? number(*stage.factor_of_safety) : ""});
+    return html_section("Stages", html_table(rows) + paragraph("This page is about the stage " +
+                                                               shown.filename().string() + "."));
 }
 
 std::string crest_text(const fs::path& results, const std::optional<double>& required)
@@ -149,6 +166,7 @@ std::string run_page(const ReportRequest& request)
     const std::string heading = title.empty() ? record.scene_file.filename().string() : title;
 
     std::string body = "<h1>" + html_text(heading) + "</h1>\n" + verdict_text(record) + run_table(record);
+    body += stages_section(request.results);
     body += html_section("Crest", crest_text(request.results, request.required_height));
     body += html_section("Section", section_picture(request.results, place.path()));
     body += html_section("Motion of the base", motion.empty() ? paragraph("The base is at rest.") : motion);

@@ -102,6 +102,9 @@ TEST_F(Stages, FindTheirSceneFromAnyFolder)
     const Outcome report = run_program("report " + results("a"));
     EXPECT_EQ(report.code, 0) << report.output;
     EXPECT_EQ(report.output.find("is not there any more"), std::string::npos) << report.output;
+    const std::string page = read_file(folder / "a/shaking/report.html");
+    EXPECT_NE(page.find("This page is about the stage shaking."), std::string::npos);
+    EXPECT_NE(page.find("<td>consolidate</td>"), std::string::npos);
 }
 
 TEST_F(Stages, AreCheckedTogether)
