@@ -334,6 +334,7 @@ std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
     check_stages(readings, findings);
     if (findings.has_errors()) throw_findings(findings, read.text);
     readings.front().warnings = std::move(findings); // of all stages
+    for (SceneReading& reading : readings) reading.warnings.keep_text(file, read.text);
     carry_water_on(readings);
     return readings;
 }

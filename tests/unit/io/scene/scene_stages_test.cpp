@@ -114,5 +114,18 @@ TEST(SceneStages, TheTextOfAStageReadsAsTheSameStage)
     }
 }
 
+// A stage's own text has other lines than the file that the place of a finding counts in.
+TEST(SceneStages, ExcerptsAreThoseOfTheFile)
+{
+    const std::string comment = "# of two\n\n# lines\n";
+    for (SceneReading& stage : read(comment + column_scene + settle + shake + consolidate)) {
+        const SceneBoundary& boundary = stage.scene.boundaries.front();
+        stage.warnings.add(error_at(boundary.place, "any", "something is wrong"));
+        const std::string message = stage.warnings.render(stage.scene.text);
+        EXPECT_NE(message.find("| [boundaries." + boundary.boundary.name + "]"), std::string::npos)
+            << message;
+    }
+}
+
 } // namespace
 } // namespace quicksand
