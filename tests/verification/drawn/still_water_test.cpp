@@ -34,11 +34,11 @@ soil = "free"
 )" + face + "\n[relaxation]\ntolerance = 1e-7\n" +
                              motion;
     return assemble(scene_with(1.0, {-1.0, -1.0}, 18, 9, text), polygon_section({{{0.13, 0.21}, "base"},
-                                                                                  {{16.0, 0.21}, "right"},
-                                                                                  {{16.0, 2.21}, "ground"},
-                                                                                  {{12.0, 2.21}, "ground"},
-                                                                                  {{4.0, 5.21}, "ground"},
-                                                                                  {{0.13, 5.21}, "left"}}));
+                                                                                 {{16.0, 0.21}, "right"},
+                                                                                 {{16.0, 2.21}, "ground"},
+                                                                                 {{12.0, 2.21}, "ground"},
+                                                                                 {{4.0, 5.21}, "ground"},
+                                                                                 {{0.13, 5.21}, "left"}}));
 }
 
 void settle(AssembledCase& body)
