@@ -46,7 +46,8 @@ void carry_water_on(std::vector<SceneReading>& stages)
         begin_ramps(before.scene, stages[k].scene);
         if (settles(stages[k].scene.stage->kind)) continue;
         stages[k].wetting = before.wetting;
-        if (before.scene.starts_seeping) stages[k].wetting.push_back(before.scene);
+        const bool has_time_to_wet = before.scene.stage->kind != StageKind::stability;
+        if (before.scene.starts_seeping && has_time_to_wet) stages[k].wetting.push_back(before.scene);
     }
 }
 

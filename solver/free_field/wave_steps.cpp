@@ -11,7 +11,8 @@ namespace quicksand {
 std::optional<TimeStep> step_replaced_by_waves(const Problem& problem, const Problem& wave_form, State& state)
 {
     if (problem.scheme != TimeScheme::implicit || state.step_halvings > 0) return std::nullopt;
-    if (state.time >= end_of_motion(problem, crossing_time(problem, state.particles))) return std::nullopt;
+    if (state.time >= end_of_motion(problem, crossing_time(problem, state.time, state.particles)))
+        return std::nullopt;
     const TimeStep accurate = shortest_time_step(problem, state);
     // the bound costs as much as twenty steps: first whether it matters
     if (!are_waves_cheaper(stable_time_step(wave_form, state), accurate)) return std::nullopt;

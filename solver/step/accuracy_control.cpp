@@ -153,11 +153,13 @@ double coarsest_step(const Problem& problem, double time)
     return 1.0 / (least_steps_per_period * highest); // infinite without any
 }
 
-double crossing_time(const Problem& problem, const Particles& particles)
+double crossing_time(const Problem& problem, double time, const Particles& particles)
 {
-    bool varies = false;
-    for_each_history(problem,
-                     [&](const History& history) { varies = varies || end_of_motion(history) > 0.0; });
+    bool varies = false; // by what may be slow
+    for_each_history(problem, [&](const History& history) {
+        const bool is_sine = std::holds_alternative<SineHistory>(history.shape);
+        varies = varies || (!is_sine && time < end_of_motion(history));
+    });
     return varies ? crossing_time(problem.grid, find_extremes(problem, particles).shear_speed) : 0.0;
 }
 
@@ -173,8 +175,9 @@ double end_of_motion(const Problem& problem, double crossing_time)
 
 void choose_resistance(const Problem& problem, const State& state, InertiaSolve& inertia)
 {
-    const bool is_left_alone = state.whole_step > 0.0 &&
-                               state.time >= end_of_motion(problem, crossing_time(problem, state.particles));
+    const bool is_left_alone =
+        state.whole_step > 0.0 &&
+        state.time >= end_of_motion(problem, crossing_time(problem, state.time, state.particles));
     const double damping = state.stage == Stage::relaxation ? damping_of_settling_solids
                            : is_left_alone                  ? damping_of_vibrations
                                                             : 0.0;

@@ -32,9 +32,9 @@ double resolving_step_of_histories(const Problem& problem, double time);
 /// which they would not be followed at all; infinite without any [s].
 double coarsest_step(const Problem& problem, double time);
 
-/// Time in which shear waves rise from the base of the grid to its top; 0 where nothing beyond the soil
-/// varies, and it does not count [s].
-double crossing_time(const Problem& problem, const Particles& particles);
+/// Time in which shear waves rise from the base of the grid to its top; 0 where no ramp or table goes on
+/// after `time`, and it does not count [s].
+double crossing_time(const Problem& problem, double time, const Particles& particles);
 
 /// Time from which nothing moves the soil with waves any more: the end of shaking and of all histories but
 /// slow ones; infinite for a sine without end [s].

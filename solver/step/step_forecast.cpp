@@ -14,7 +14,7 @@ std::int64_t count_steps(const Problem& problem, const Particles& particles, dou
                          const std::vector<double>& events)
 {
     const double start_of_growth = problem.scheme == TimeScheme::implicit
-                                       ? end_of_motion(problem, crossing_time(problem, particles))
+                                       ? end_of_motion(problem, crossing_time(problem, 0.0, particles))
                                        : std::numeric_limits<double>::infinity();
     double steps = 0.0, time = 0.0;
     for (const double event : events) {

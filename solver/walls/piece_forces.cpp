@@ -78,13 +78,15 @@ Scalars spread_on_pieces(const std::vector<PieceWeights>& pieces, const std::vec
 {
     constexpr double ridge = 1e-4; // of the largest diagonal number
     constexpr int rounds = 12;
+    constexpr double rounding = 1e-30; // of the squared forces wanted
     const auto sums_of = [&](const Scalars& multiplier) {
         return sums_at_nodes(pieces, chosen, forces_of(pieces, multiplier));
     };
     const double scale = largest_diagonal(pieces, chosen);
     if (!(scale > 0.0)) return Scalars(pieces.size(), 0.0); // no piece reaches a chosen node
     Scalars solution(wanted.size(), 0.0), residual = wanted;
-    for (int round = 0; round < rounds; ++round) {
+    const double enough = rounding * dot(wanted, wanted);
+    for (int round = 0; round < rounds && dot(residual, residual) > enough; ++round) {
         const Scalars change = solve_with_ridge(sums_of, ridge * scale, residual);
         for (std::size_t i = 0; i < solution.size(); ++i) solution[i] += change[i];
         residual = sums_of(solution);

@@ -35,13 +35,8 @@ level = 0.0
 hydraulic_conductivity = 1e-5
 )" + elastic.substr(elastic.find("]") + 1) +
            R"(
-[boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "roller"
-[boundaries.right]
-soil = "roller"
-[boundaries.river]
+)" + base_and_sides +
+           R"([boundaries.river]
 water = "drained"
 [boundaries.land]
 water = "drained"

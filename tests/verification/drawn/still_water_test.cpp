@@ -23,13 +23,7 @@ porosity = 0.43
 hydraulic_conductivity = 1e-4
 [regions.soil]
 material = "sand"
-[boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "roller"
-[boundaries.right]
-soil = "roller"
-[boundaries.ground]
+)" + base_and_sides + R"([boundaries.ground]
 soil = "free"
 )" + face + "\n[relaxation]\ntolerance = 1e-7\n" +
                              motion;
