@@ -13,7 +13,7 @@ namespace quicksand {
 /// Keeps the state of the last restart point. A run that fails, or whose steps make energy, goes on from
 /// there with half the step; at the third time in a row it ends. Steps that waves limit stay halved, for
 /// their limit was wrong; implicit ones, whose limits are those of accuracy, until the next restart point. A
-/// run whose semi-implicit steps damp the sound of the water too much goes on with explicit ones for a while.
+/// run whose steps damp the sound of the water too much goes on with explicit ones for a while.
 class Watchdog {
 public:
     static constexpr int most_halvings = 3;
@@ -32,8 +32,8 @@ public:
 
     /// The same, and where the energy that they made is lost again between particles and grid: a tenth of all
     /// that was ever put in, or is held by stress and water at keep(), since then, and twice of it in all.
-    /// Likewise where semi-implicit steps have lost energy since keep(), and 2 % of what was turned over in
-    /// all.
+    /// Likewise where semi-implicit steps, or implicit ones not much longer than those of sound, have lost
+    /// energy since keep(), and 2 % of what was turned over in all.
     void check(const Problem& problem, double dt, const State& state) const;
 
     /// Bring the state back with the remedy of `error`; throws it, with what was tried, where half the step

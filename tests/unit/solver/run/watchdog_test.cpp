@@ -211,6 +211,21 @@ TEST(Watchdog, TakesExplicitStepsWhereSemiImplicitOnesDampTheSound)
     EXPECT_GT(balance(patch.problem, patch.state).energy_error, -0.02);
 }
 
+TEST(Watchdog, TakesExplicitStepsWhereImplicitOnesAreHardlyLonger)
+{
+    for (const double stiffness : {1.0, 1e4}) { // of the water: sound is followed, or far too fast
+        LoudPatch patch;
+        patch.problem.scheme = TimeScheme::implicit;
+        const double end = 20.0 * stable_time_step(patch.problem, patch.state.particles).dt;
+        patch.problem.water->bulk_modulus *= stiffness;
+        Shrinking steps;
+        EXPECT_TRUE(run(patch.problem, end, {&steps}, patch.state));
+        EXPECT_EQ(steps.remedies, stiffness == 1.0 ? 1 : 0);
+        if (stiffness > 1.0) continue;
+        EXPECT_GT(balance(patch.problem, patch.state).energy_error, -0.02);
+    }
+}
+
 // Over the long interval from the middle of a semi-implicit step an explicit one would be unstable.
 TEST(Watchdog, ShortensStepsByHalvesBeforeTheyAreExplicit)
 {
