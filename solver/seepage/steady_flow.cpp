@@ -60,6 +60,8 @@ class FlowIteration {
 public:
     explicit FlowIteration(const SteadyFlowProblem& problem);
 
+    /// Let pores fill and drain, beginning with the sets of another flow.
+    void follow(const FlowStorage& storage, const SteadyFlow& before);
     SteadyFlow solve();
 
 private:
@@ -75,26 +77,42 @@ private:
     Scalars pressure_, saturation_; // of every node [m], [-]
     Scalars scale_;                 // of every node: the sum of its conductances' sizes [m/s]
     double height_ = 0.0;           // of the section [m]
+    double lowest_ = 0.0;           // y of the section [m]
+    bool follows_ = false;          // whether pores fill and drain
+    Scalars filling_;               // of every node: what its pores take up over the step when full [m2/s]
+    Scalars before_;                // saturation of every node before the step [-]
 };
 
 FlowIteration::FlowIteration(const SteadyFlowProblem& problem)
     : problem_(problem), edges_(edges_of(problem.mesh, problem.conductivity)),
       unknown_(problem.mesh.nodes.size(), Unknown::pressure), pressure_(unknown_.size(), 0.0),
-      saturation_(unknown_.size(), 1.0), scale_(unknown_.size(), 0.0)
+      saturation_(unknown_.size(), 1.0), scale_(unknown_.size(), 0.0), filling_(unknown_.size(), 0.0),
+      before_(unknown_.size(), 0.0)
 {
-    double lowest = problem.mesh.nodes.front().y(), highest = lowest;
+    double highest = lowest_ = problem.mesh.nodes.front().y();
     for (std::size_t i = 0; i < unknown_.size(); ++i) {
         const double y = problem.mesh.nodes[i].y();
-        lowest = std::min(lowest, y);
+        lowest_ = std::min(lowest_, y);
         highest = std::max(highest, y);
         if (problem.water[i] == NodeWater::closed) continue;
         unknown_[i] = Unknown::none; // all soil begins wet, and loses water at every open face
         if (problem.water[i] == NodeWater::head) pressure_[i] = std::max(0.0, problem.given_head[i] - y);
     }
-    height_ = highest - lowest;
+    height_ = highest - lowest_;
     for (const Edge& edge : edges_) {
         scale_[edge.i] += std::abs(edge.conductance);
         scale_[edge.j] += std::abs(edge.conductance);
+    }
+}
+
+void FlowIteration::follow(const FlowStorage& storage, const SteadyFlow& before)
+{
+    follows_ = true;
+    before_ = storage.saturation;
+    for (std::size_t i = 0; i < unknown_.size(); ++i) {
+        filling_[i] = storage.pores[i] / storage.dt;
+        if (problem_.water[i] == NodeWater::head || before.saturation[i] >= 1.0) continue;
+        unknown_[i] = Unknown::saturation;
     }
 }
 
@@ -128,9 +146,15 @@ bool FlowIteration::solve_sets()
         add(edge, edge.j, unknown_[edge.j] == Unknown::pressure, pressure_[edge.j], -c);
         add(edge, edge.i, unknown_[edge.i] == Unknown::saturation, saturation_[edge.i], c * edge.drop);
     }
-    for (std::size_t i = 0; i < unknown_.size(); ++i)
+    for (std::size_t i = 0; i < unknown_.size(); ++i) {
+        if (row[i] < 0) continue;
+        given[row[i]] += filling_[i] * before_[i];
         if (unknown_[i] == Unknown::saturation)
-            entries.emplace_back(row[i], row[i], leak * scale_[i] * height_);
+            entries.emplace_back(row[i], row[i],
+                                 filling_[i] > 0.0 ? filling_[i] : leak * scale_[i] * height_);
+        else
+            given[row[i]] -= filling_[i];
+    }
     if (count == 0) return true;
     SparseMatrix matrix(count, count);
     matrix.setFromTriplets(entries.begin(), entries.end());
@@ -147,7 +171,8 @@ bool FlowIteration::solve_sets()
 /// What enters through the faces at every node, or is out of balance there [m2/s].
 Scalars FlowIteration::inflows() const
 {
-    Scalars inflow(unknown_.size(), 0.0);
+    Scalars inflow(unknown_.size());
+    for (std::size_t i = 0; i < inflow.size(); ++i) inflow[i] = filling_[i] * (saturation_[i] - before_[i]);
     for (const Edge& edge : edges_) {
         const double flow =
             edge.conductance * (pressure_[edge.i] - pressure_[edge.j] + saturation_[edge.i] * edge.drop);
@@ -186,6 +211,8 @@ bool FlowIteration::revise_sets()
 /// surface, so that a smooth continuation places it within the triangles it cuts.
 Scalars FlowIteration::extended_heads() const
 {
+    constexpr double loose =
+        1e-9; // of a conductance: ties drained parts that touch no water to the lowest point
     const TriangleMesh& mesh = problem_.mesh;
     Scalars head(unknown_.size(), 0.0);
     std::vector<Eigen::Index> row(unknown_.size(), -1);
@@ -201,6 +228,10 @@ Scalars FlowIteration::extended_heads() const
         for (const auto& [a, b] : {std::pair(edge.i, edge.j), std::pair(edge.j, edge.i)}) {
             if (row[a] < 0) continue;
             entries.emplace_back(row[a], row[a], edge.conductance);
+            if (follows_) {
+                entries.emplace_back(row[a], row[a], loose * std::abs(edge.conductance));
+                given[row[a]] += loose * std::abs(edge.conductance) * lowest_;
+            }
             if (row[b] >= 0)
                 entries.emplace_back(row[a], row[b], -edge.conductance);
             else
@@ -220,6 +251,7 @@ SteadyFlow FlowIteration::report(int iterations, bool converged) const
     SteadyFlow flow;
     const Scalars inflow = inflows();
     flow.pressure_head = pressure_;
+    flow.saturation = saturation_;
     flow.head = extended_heads();
     flow.inflow.assign(inflow.size(), 0.0);
     std::map<double, double> from_heads; // faces with a common head exchange no water [m2/s]
@@ -255,6 +287,17 @@ SteadyFlow solve_steady_flow(const SteadyFlowProblem& problem)
     ENSURE(count > 0 && problem.water.size() == count && problem.given_head.size() == count);
     ENSURE(problem.conductivity.size() == problem.mesh.triangles.size());
     return FlowIteration(problem).solve();
+}
+
+SteadyFlow solve_flow_step(const SteadyFlowProblem& problem, const FlowStorage& storage,
+                           const SteadyFlow& before)
+{
+    const std::size_t count = problem.mesh.nodes.size();
+    ENSURE(storage.pores.size() == count && storage.saturation.size() == count && storage.dt > 0.0);
+    ENSURE(before.saturation.size() == count);
+    FlowIteration iteration(problem);
+    iteration.follow(storage, before);
+    return iteration.solve();
 }
 
 } // namespace quicksand

@@ -1,4 +1,4 @@
-// Steady flow of water through soil, with a free surface that is found.
+// Flow of water through soil with a free surface that is found, steady or over a step of time.
 //
 // With the pressure head p >= 0 and the saturation s of the soil, the flux is -k (grad p + s grad y), and
 // s = 1 wherever p > 0: soil without pressure lets water fall through, as much of it as comes from above, and
@@ -6,7 +6,8 @@
 // faces of seepage: water leaves where its pressure would be positive, and none enters. Linear triangles, the
 // saturation that of the higher node of an edge; on a Delaunay mesh no coefficient has the wrong sign. What
 // is found is which nodes have pressure: the equations of a set are linear, and the sets follow each other
-// until none changes (the active sets of Hintermueller, Ito and Kunisch 2002).
+// until none changes (the active sets of Hintermueller, Ito and Kunisch 2002). In time the water of a node's
+// pores changes by what flows in: n_d ds/dt, with the saturation at the end of the step.
 #pragma once
 
 #include "solver/particles/particles.hpp"
@@ -33,6 +34,7 @@ struct SteadyFlowProblem {
 
 struct SteadyFlow {
     Scalars pressure_head;  // p of every node, 0 where there is none [m]
+    Scalars saturation;     // s of every node [-]
     Scalars head;           // h = y + p; where p is 0 as it would go on from the water, at most y [m]
     Scalars inflow;         // through the faces at every node, negative where water leaves [m2/s]
     double discharge = 0.0; // what enters from heads, without what leaves to the same head [m3/s per m]
@@ -44,5 +46,17 @@ struct SteadyFlow {
 /// The steady state. Every connected part of the mesh must have a node with a given head. Where the sets of
 /// wet nodes do not come to an end, `converged` is false and the heads are those of the last one.
 SteadyFlow solve_steady_flow(const SteadyFlowProblem& problem);
+
+/// Pores that fill and drain over a step.
+struct FlowStorage {
+    Scalars pores;      // of every node: n_d integrated over its function [m2]
+    Scalars saturation; // before the step [-]
+    double dt = 0.0;    // [s]
+};
+
+/// The flow at the end of a step; `before` is that at its start or near it, whose sets are tried first. No
+/// part of the mesh needs a head.
+SteadyFlow solve_flow_step(const SteadyFlowProblem& problem, const FlowStorage& storage,
+                           const SteadyFlow& before);
 
 } // namespace quicksand

@@ -1,6 +1,7 @@
 // Steady flow with a free surface on meshes of rectangles cut in halves, against closed forms.
 #include "solver/seepage/flow_field.hpp"
 #include "solver/seepage/steady_flow.hpp"
+#include "tests/fixtures/seepage_rectangle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,53 +12,7 @@
 namespace quicksand {
 namespace {
 
-/// A rectangle from the origin, with one conductivity left of `border` and one right of it, or below and
-/// above.
-struct Rectangle {
-    Vector2 size = {16.0, 24.0}; // [m]
-    int columns = 16, rows = 24;
-    std::function<double(const Vector2&)> conductivity = [](const Vector2&) { return 1e-4; }; // [m/s]
-};
-
-SteadyFlowProblem mesh_of(const Rectangle& box)
-{
-    SteadyFlowProblem flow;
-    for (int j = 0; j <= box.rows; ++j)
-        for (int i = 0; i <= box.columns; ++i)
-            flow.mesh.nodes.emplace_back(box.size.x() * i / box.columns, box.size.y() * j / box.rows);
-    for (int j = 0; j < box.rows; ++j) {
-        for (int i = 0; i < box.columns; ++i) {
-            const auto a = static_cast<std::size_t>(j * (box.columns + 1) + i), b = a + 1,
-                       d = a + static_cast<std::size_t>(box.columns) + 1, c = d + 1;
-            const bool rising = (i + j) % 2 == 0;
-            flow.mesh.triangles.push_back(rising ? std::array{a, b, c} : std::array{a, b, d});
-            flow.mesh.triangles.push_back(rising ? std::array{a, c, d} : std::array{b, c, d});
-            const double k = box.conductivity(
-                0.25 * (flow.mesh.nodes[a] + flow.mesh.nodes[b] + flow.mesh.nodes[c] + flow.mesh.nodes[d]));
-            flow.conductivity.insert(flow.conductivity.end(), {k, k});
-        }
-    }
-    flow.mesh.region.assign(flow.mesh.triangles.size(), 0);
-    flow.water.assign(flow.mesh.nodes.size(), NodeWater::closed);
-    flow.given_head.assign(flow.mesh.nodes.size(), 0.0);
-    return flow;
-}
-
-/// Water up to `left` and `right` beside a dam on an impervious base [m].
-SteadyFlowProblem dam(const Rectangle& box, double left, double right)
-{
-    SteadyFlowProblem flow = mesh_of(box);
-    for (std::size_t i = 0; i < flow.water.size(); ++i) {
-        const Vector2& x = flow.mesh.nodes[i];
-        const bool at_left = x.x() == 0.0, at_right = x.x() == box.size.x();
-        if (!at_left && !at_right && x.y() < box.size.y()) continue;
-        const double head = at_left ? left : right;
-        const bool wet = (at_left || at_right) && head > 0.0 && x.y() <= head;
-        flow.water[i] = wet ? NodeWater::head : NodeWater::open;
-        flow.given_head[i] = head;
-    }
-    return flow;
-}
+using namespace fixtures;
 
 double highest_exit(const SteadyFlowProblem& flow, const SteadyFlow& solution)
 {
