@@ -46,21 +46,37 @@ std::string describe_line(const AssembledCase& assembled, const FlowField& field
     return line;
 }
 
+/// What the search for the line has cost, and what has flowed.
+std::string describe_search(const InitialFlow& flow)
+{
+    std::string text =
+        fmt::format("  {} triangles with edges up to {} m; the phreatic line is found in {} iterations",
+                    grouped(static_cast<long long>(flow.field.mesh().triangles.size())),
+                    short_number(flow.triangle_size), flow.iterations);
+    if (!flow.flowed)
+        return text + fmt::format(", the flow balanced to {} of it\n", short_number(flow.imbalance, 2));
+    const FlowedWater& flowed = *flow.flowed;
+    text += fmt::format(", the water balanced to {} of what has passed the faces\n",
+                        short_number(flowed.imbalance, 2));
+    return text + fmt::format("  the soil {} {} m3 per m of water in that time\n",
+                              flowed.stored > 0.0 ? "takes up" : "loses",
+                              short_number(std::abs(flowed.stored), 4));
+}
+
 } // namespace
 
 std::string describe_initial_flow(const AssembledCase& assembled)
 {
     if (!assembled.scene.starts_seeping) return "";
-    std::string text = "Steady flow at the start\n";
+    const bool in_time = assembled.initial_flow && assembled.initial_flow->flowed;
+    std::string text =
+        in_time ? fmt::format("Flow after {} s\n", short_number(assembled.initial_flow->flowed->duration, 4))
+                : "Steady flow at the start\n";
     if (!assembled.initial_flow)
         return text + fmt::format("  none: no water stands above the level, {} m\n",
                                   short_number(assembled.problem.water->level));
     const InitialFlow& flow = *assembled.initial_flow;
-    text += fmt::format(
-        "  {} triangles with edges up to {} m; the phreatic line is found in {} iterations, the flow "
-        "balanced to {} of it\n",
-        grouped(static_cast<long long>(flow.field.mesh().triangles.size())), short_number(flow.triangle_size),
-        flow.iterations, short_number(flow.imbalance, 2));
+    text += describe_search(flow);
     text += fmt::format("  discharge {} m3/s per m, {} m3 a day\n", short_number(flow.discharge, 4),
                         short_number(86400.0 * flow.discharge, 4));
     for (const FaceFlow& face : flow.faces)
@@ -72,8 +88,12 @@ std::string summarise_initial_flow(const AssembledCase& assembled)
 {
     if (!assembled.initial_flow) return "";
     const InitialFlow& flow = *assembled.initial_flow;
-    std::string line =
-        fmt::format("The water flows steadily at the start, {} m3/s per m", short_number(flow.discharge, 4));
+    std::string line = flow.flowed ? fmt::format("The water has flowed for {} s: the soil {} {} m3 per m",
+                                                 short_number(flow.flowed->duration, 4),
+                                                 flow.flowed->stored > 0.0 ? "has taken up" : "has lost",
+                                                 short_number(std::abs(flow.flowed->stored), 4))
+                                   : fmt::format("The water flows steadily at the start, {} m3/s per m",
+                                                 short_number(flow.discharge, 4));
     for (const FaceFlow& face : flow.faces)
         if (face.exit) line += fmt::format("; it leaves {} up to {}", name_of(face), text(*face.exit));
     return line;

@@ -248,22 +248,69 @@ void cut_columns(AssembledCase& assembled)
     throw_errors(assembled.warnings, assembled.scene);
 }
 
-/// The steady flows of earlier stages, which have wetted soil. What is wrong with them was told there.
-std::vector<FlowField> flows_before(const std::vector<Scene>& stages, const Section& drawn,
-                                    const AssembledCase& assembled)
+/// What a flow in time begins with after the flows of these stages.
+FlowStart start_after(const std::vector<Scene>& stages, const std::vector<std::optional<InitialFlow>>& flows,
+                      const Problem& problem)
 {
-    std::vector<FlowField> flows;
+    if (!problem.water) return {};
+    if (flows.empty()) return {nullptr, problem.water->level};
+    const std::optional<InitialFlow>& last = flows.back();
+    return {last ? &*last : nullptr, stages[flows.size() - 1].water->level};
+}
+
+/// The flows of earlier stages, one after the other; none of those whose water is still. What is wrong with
+/// them was told there.
+std::vector<std::optional<InitialFlow>> flows_before(const std::vector<Scene>& stages, const Section& drawn,
+                                                     const AssembledCase& assembled)
+{
+    std::vector<std::optional<InitialFlow>> flows;
     for (const Scene& scene : stages) {
         AssembledCase before;
         before.scene = scene;
         before.section = assembled.section;
         before.problem = make_problem(scene, before.section);
         check_case(drawn, before);
-        if (auto flow = find_initial_flow(scene, before.section, materials_of_regions(scene, before.section),
-                                          before.problem, before.warnings))
-            flows.push_back(std::move(flow->field));
+        const FlowStart start = start_after(stages, flows, before.problem);
+        flows.push_back(find_initial_flow(scene, before.section, materials_of_regions(scene, before.section),
+                                          before.problem, start, before.warnings));
     }
     return flows;
+}
+
+/// The earlier stages whose flows the stage needs: all for one in time, else those that have wetted its soil.
+std::vector<Scene> needed_flows(const SceneReading& reading, const Scene& scene)
+{
+    if (reading.keeps_flow || (scene.stage && scene.stage->flow_duration)) return reading.flows;
+    return {reading.flows.end() - static_cast<std::ptrdiff_t>(reading.wetting), reading.flows.end()};
+}
+
+/// The flow that the stage begins with; after one in time heads no longer change until it has ended.
+void find_flow(const SceneReading& reading, const std::vector<std::int32_t>& of_region,
+               std::vector<std::optional<InitialFlow>>& flows, AssembledCase& assembled)
+{
+    if (reading.keeps_flow) {
+        assembled.initial_flow = std::move(flows.back());
+        flows.pop_back();
+        return;
+    }
+    const Scene& scene = assembled.scene;
+    assembled.initial_flow =
+        find_initial_flow(scene, assembled.section, of_region, assembled.problem,
+                          start_after(reading.flows, flows, assembled.problem), assembled.warnings);
+    if (!scene.stage || !scene.stage->flow_duration) return;
+    for (Boundary& boundary : assembled.problem.boundaries)
+        hold_water(boundary.water, *scene.stage->flow_duration);
+}
+
+/// Where water has wetted the soil since it settled.
+std::vector<const FlowField*> wetting_fields(const SceneReading& reading,
+                                             const std::vector<std::optional<InitialFlow>>& flows)
+{
+    std::vector<const FlowField*> fields;
+    const std::size_t count = reading.wetting - (reading.keeps_flow ? 1 : 0); // its own flow wets as well
+    for (std::size_t k = flows.size() - count; k < flows.size(); ++k)
+        if (flows[k]) fields.push_back(&flows[k]->field);
+    return fields;
 }
 
 } // namespace
@@ -286,16 +333,16 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     const std::vector<std::int32_t> numbers =
         keep_present(absent, assembled.problem.grid, assembled.sampling);
     const auto of_region = materials_of_regions(assembled.scene, assembled.section);
-    assembled.initial_flow = find_initial_flow(assembled.scene, assembled.section, of_region,
-                                               assembled.problem, assembled.warnings);
+    auto flows = flows_before(needed_flows(reading, assembled.scene), section, assembled);
+    find_flow(reading, of_region, flows, assembled);
     const FlowField* flow = assembled.initial_flow ? &assembled.initial_flow->field : nullptr;
     throw_errors(assembled.warnings, assembled.scene);
     auto of_domain = lay_interfaces(assembled.section, assembled.sampling, of_region, assembled.scene,
                                     assembled.problem, assembled.interfaces, assembled.warnings);
     assembled.warnings.accept(assembled.scene.accepted);
     throw_errors(assembled.warnings, assembled.scene);
-    const std::vector<FlowField> earlier = flows_before(reading.wetting, section, assembled);
-    divide_materials(assembled.scene, flow, earlier, assembled.sampling, of_domain, assembled.problem);
+    divide_materials(assembled.scene, flow, wetting_fields(reading, flows), assembled.sampling, of_domain,
+                     assembled.problem);
     check_outer_water(assembled.scene, assembled.problem, assembled.warnings);
     throw_errors(assembled.warnings, assembled.scene);
     Particles& particles = assembled.state.particles;

@@ -136,7 +136,7 @@ void check_phreatic_line(const Scene& scene, Diagnostics& findings)
     }
 }
 
-void divide_materials(const Scene& scene, const FlowField* flow, const std::vector<FlowField>& earlier,
+void divide_materials(const Scene& scene, const FlowField* flow, const std::vector<const FlowField*>& earlier,
                       const Sampling& sampling, std::vector<std::int32_t>& of_domain, Problem& problem)
 {
     if (!problem.water) return;
@@ -148,8 +148,7 @@ void divide_materials(const Scene& scene, const FlowField* flow, const std::vect
         const auto is_wet_by = [&](const FlowField* water) {
             return GroundWater{scene, water}.saturates(domain.centre, tolerance);
         };
-        if (is_wet_by(flow) || std::any_of(earlier.begin(), earlier.end(),
-                                           [&](const FlowField& before) { return is_wet_by(&before); })) {
+        if (is_wet_by(flow) || std::any_of(earlier.begin(), earlier.end(), is_wet_by)) {
             problem.water->rises_above_level =
                 problem.water->rises_above_level || flows || y > problem.water->level + tolerance;
             continue;

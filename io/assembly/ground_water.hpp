@@ -41,7 +41,7 @@ struct GroundWater {
 /// domain of the sampling lies there, give them to `of_domain`, which holds the material of every domain, and
 /// note whether the water of saturated soil rises above the level, or flows. Soil that an earlier flow has
 /// wetted is saturated. Pre: the problem has the materials of the scene.
-void divide_materials(const Scene& scene, const FlowField* flow, const std::vector<FlowField>& earlier,
+void divide_materials(const Scene& scene, const FlowField* flow, const std::vector<const FlowField*>& earlier,
                       const Sampling& sampling, std::vector<std::int32_t>& of_domain, Problem& problem);
 
 /// Drained soil has no pressure that a head or pore pressure beyond a curve could balance, but for that of a

@@ -5,6 +5,7 @@
 #include "io/keys/scene_schema.hpp"
 #include "io/keys/scene_units.hpp"
 #include "io/tables/scene_boundaries.hpp"
+#include "solver/seepage/transient_flow.hpp"
 
 #include <fmt/format.h>
 
@@ -20,15 +21,8 @@ namespace {
 constexpr double rounding = 1e-6;      // a head so little above the level is that of the level [cells]
 constexpr double triangle_share = 0.3; // area of a triangle over its longest edge squared, as meshed [-]
 constexpr double fewest = 16'000, most = 60'000; // triangles, whatever the cells [-]
-constexpr double least_outflow = 1e-9;           // of the discharge, that counts as water leaving [-]
-
-/// An edge of the mesh at which water may pass, with the face it belongs to.
-struct OpenEdge {
-    std::size_t a = 0, b = 0;
-    std::size_t face = 0;                      // index into the faces
-    double pressure_a = 0.0, pressure_b = 0.0; // of the water beyond [m of head]
-    bool is_wet = false;                       // below the water beyond
-};
+constexpr double fewest_in_time = 12'000;        // [-]
+constexpr int steps_in_time = 40;                // [-]
 
 class FlowSection {
 public:
@@ -41,6 +35,8 @@ public:
 
     bool check();
     std::optional<InitialFlow> solve(const std::vector<std::int32_t>& of_region);
+    std::optional<InitialFlow> follow(const std::vector<std::int32_t>& of_region, double duration,
+                                      const FlowStart& start);
 
 private:
     struct Face {
@@ -50,17 +46,20 @@ private:
 
     double unit_weight() const { return problem_.water->density * problem_.gravity; }
     double level() const { return problem_.water->level; }
-    double head_beyond(const Boundary& boundary, const Vector2& point) const;
+    double head_beyond(const Boundary& boundary, const Vector2& point, double time) const;
     void check_boundary(const Boundary& boundary);
     void check_sides(const FlowField& field);
-    double triangle_size() const;
+    double triangle_size(double least_number) const;
+    SteadyFlowProblem mesh_flow(double size, const std::vector<std::int32_t>& of_region) const;
+    Scalars drainable_porosity(const TriangleMesh& mesh, const std::vector<std::int32_t>& of_region) const;
+    void fail_to_find(int iterations);
+    InitialFlow found(const SteadyFlowProblem& flow, const std::vector<OpenEdge>& edges,
+                      const SteadyFlow& solution, double size);
     std::vector<Vector2> water_lines() const;
     std::vector<OpenEdge> open_edges(const TriangleMesh& mesh) const;
+    void place_water(double time, const TriangleMesh& mesh, std::vector<OpenEdge>& edges) const;
     void set_conditions(const std::vector<OpenEdge>& edges, SteadyFlowProblem& flow) const;
     void fill_parts_without_head(SteadyFlowProblem& flow) const;
-    std::vector<FaceFlow> face_flows(const std::vector<OpenEdge>& edges, const SteadyFlowProblem& flow,
-                                     const SteadyFlow& solution) const;
-
     const Scene& scene_;
     const Section& section_;
     const Problem& problem_;
@@ -68,10 +67,11 @@ private:
     std::vector<Face> faces_;
 };
 
-/// Pressure head of the water beyond at the start, of the still water where the boundary has none [m].
-double FlowSection::head_beyond(const Boundary& boundary, const Vector2& point) const
+/// Pressure head of the water beyond at a time, of the still water where the boundary has none [m].
+double FlowSection::head_beyond(const Boundary& boundary, const Vector2& point, double time) const
 {
-    const double excess = outer_excess_pressure(problem_, boundary, point, outer_factor(boundary.water, 0.0));
+    const double excess =
+        outer_excess_pressure(problem_, boundary, point, outer_factor(boundary.water, time));
     return (excess + static_water_pressure(problem_, point.y())) / unit_weight();
 }
 
@@ -94,7 +94,7 @@ void FlowSection::check_boundary(const Boundary& boundary)
     if (std::holds_alternative<Impervious>(boundary.water)) return;
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : {segment.start, segment.end}) {
-            const double pressure = head_beyond(boundary, point);
+            const double pressure = head_beyond(boundary, point, 0.0);
             const double lowest = std::max(0.0, level() - point.y()) - rounding * problem_.grid.cell_size;
             if (pressure >= lowest || written == nullptr) continue;
             findings_.add(error_at(
@@ -138,12 +138,13 @@ void FlowSection::check_sides(const FlowField& field)
         "the same height at both"));
 }
 
-double FlowSection::triangle_size() const
+/// Of the cells' size, with at least so many triangles [m].
+double FlowSection::triangle_size(double least_number) const
 {
     double soil = 0.0;
     for (const Region& region : section_.regions) soil += area(region);
     return std::clamp(problem_.grid.cell_size, std::sqrt(soil / (triangle_share * most)),
-                      std::sqrt(soil / (triangle_share * fewest)));
+                      std::sqrt(soil / (triangle_share * least_number)));
 }
 
 /// Where the water beyond meets the curves.
@@ -179,18 +180,23 @@ std::vector<OpenEdge> FlowSection::open_edges(const TriangleMesh& mesh) const
         std::size_t face = 0;
         for (std::size_t f = 1; f < faces_.size() && face == 0; ++f)
             if (any_along(faces_[f].segments, segment)) face = f;
-        const Boundary& boundary = faces_[face].boundary;
-        if (std::holds_alternative<Impervious>(boundary.water)) continue;
-        OpenEdge edge{nodes.first,
-                      nodes.second,
-                      face,
-                      head_beyond(boundary, segment.start),
-                      head_beyond(boundary, segment.end),
-                      false};
-        edge.is_wet = head_beyond(boundary, 0.5 * (segment.start + segment.end)) > 0.0;
-        edges.push_back(edge);
+        if (std::holds_alternative<Impervious>(faces_[face].boundary.water)) continue;
+        edges.push_back({nodes.first, nodes.second, face});
     }
+    place_water(0.0, mesh, edges);
     return edges;
+}
+
+/// The water beyond the edges at a time.
+void FlowSection::place_water(double time, const TriangleMesh& mesh, std::vector<OpenEdge>& edges) const
+{
+    for (OpenEdge& edge : edges) {
+        const Boundary& boundary = faces_[edge.face].boundary;
+        const Vector2 &a = mesh.nodes[edge.a], &b = mesh.nodes[edge.b];
+        edge.pressure_a = head_beyond(boundary, a, time);
+        edge.pressure_b = head_beyond(boundary, b, time);
+        edge.is_wet = head_beyond(boundary, 0.5 * (a + b), time) > 0.0;
+    }
 }
 
 void FlowSection::set_conditions(const std::vector<OpenEdge>& edges, SteadyFlowProblem& flow) const
@@ -233,54 +239,63 @@ void FlowSection::fill_parts_without_head(SteadyFlowProblem& flow) const
     }
 }
 
-std::vector<FaceFlow> FlowSection::face_flows(const std::vector<OpenEdge>& edges,
-                                              const SteadyFlowProblem& flow, const SteadyFlow& solution) const
-{
-    std::vector<FaceFlow> flows(faces_.size());
-    for (std::size_t f = 0; f < flows.size(); ++f) flows[f].name = faces_[f].boundary.name;
-    std::vector<std::uint8_t> counted(flow.water.size(), 0); // a node between two faces belongs to one
-    std::vector<double> outflow(flows.size(), 0.0);          // at the exit found so far [m2/s]
-    const double same = rounding * problem_.grid.cell_size;
-    const auto raise_entry = [&](FaceFlow& face, const Vector2& place) {
-        if (!face.entry || place.y() > face.entry->y()) face.entry = place;
-    };
-    // on level ground water leaves everywhere: there the place of the most counts, the toe
-    const auto raise_exit = [&](std::size_t f, const Vector2& place, double leaves) {
-        std::optional<Vector2>& exit = flows[f].exit;
-        const bool level = exit && std::abs(place.y() - exit->y()) <= same;
-        if (exit && !(level ? leaves > outflow[f] : place.y() > exit->y())) return;
-        exit = place;
-        outflow[f] = leaves;
-    };
-    for (const bool wet : {true, false}) {
-        for (const OpenEdge& edge : edges) {
-            if (edge.is_wet != wet) continue;
-            for (const std::size_t node : {edge.a, edge.b}) {
-                FaceFlow& face = flows[edge.face];
-                if (wet) raise_entry(face, flow.mesh.nodes[node]);
-                if (counted[node] != 0) continue;
-                counted[node] = 1;
-                face.inflow += solution.inflow[node];
-                const double leaves = -solution.inflow[node];
-                if (!wet && leaves > least_outflow * solution.discharge)
-                    raise_exit(edge.face, flow.mesh.nodes[node], leaves);
-            }
-        }
-    }
-    std::erase_if(flows, [](const FaceFlow& face) { return !face.entry && !face.exit; });
-    return flows;
-}
-
-std::optional<InitialFlow> FlowSection::solve(const std::vector<std::int32_t>& of_region)
+/// The soil in triangles; what its nodes are to the water is not known.
+SteadyFlowProblem FlowSection::mesh_flow(double size, const std::vector<std::int32_t>& of_region) const
 {
     SteadyFlowProblem flow;
-    const double size = triangle_size();
     flow.mesh = mesh_section(section_, size, water_lines());
     for (const std::size_t region : flow.mesh.region) {
         const Material& material = problem_.materials[static_cast<std::size_t>(of_region[region])];
         flow.conductivity.push_back(material.hydraulic_conductivity * problem_.gravity /
                                     material.conductivity_gravity);
     }
+    return flow;
+}
+
+/// Of every triangle: the pores that are not filled above the water.
+Scalars FlowSection::drainable_porosity(const TriangleMesh& mesh,
+                                        const std::vector<std::int32_t>& of_region) const
+{
+    Scalars porosity;
+    for (const std::size_t region : mesh.region) {
+        const auto m = static_cast<std::size_t>(of_region[region]);
+        porosity.push_back(problem_.materials[m].porosity *
+                           (1.0 - scene_.materials[m].saturation_above_water));
+    }
+    return porosity;
+}
+
+void FlowSection::fail_to_find(int iterations)
+{
+    findings_.add(
+        error_at(scene_.flow_place, "initial-flow",
+                 fmt::format("the phreatic line of the flow is not found: after {} iterations it still moves",
+                             iterations),
+                 "a flow with a steady state",
+                 "look for a wrong conductivity, or draw the line with water.phreatic_line"));
+}
+
+InitialFlow FlowSection::found(const SteadyFlowProblem& flow, const std::vector<OpenEdge>& edges,
+                               const SteadyFlow& solution, double size)
+{
+    std::vector<std::string> names;
+    for (const Face& face : faces_) names.push_back(face.boundary.name);
+    InitialFlow result{FlowField(flow.mesh, solution.head),
+                       solution.saturation,
+                       size,
+                       solution.discharge,
+                       solution.imbalance,
+                       solution.iterations,
+                       std::nullopt,
+                       sum_face_flows(names, edges, flow, solution)};
+    check_sides(result.field);
+    return result;
+}
+
+std::optional<InitialFlow> FlowSection::solve(const std::vector<std::int32_t>& of_region)
+{
+    const double size = triangle_size(fewest);
+    SteadyFlowProblem flow = mesh_flow(size, of_region);
     const std::vector<OpenEdge> edges = open_edges(flow.mesh);
     set_conditions(edges, flow);
     const double still = rounding * problem_.grid.cell_size;
@@ -291,34 +306,57 @@ std::optional<InitialFlow> FlowSection::solve(const std::vector<std::int32_t>& o
     fill_parts_without_head(flow);
     const SteadyFlow solution = solve_steady_flow(flow);
     if (!solution.converged) {
-        findings_.add(
-            error_at(scene_.flow_place, "initial-flow",
-                     fmt::format("the phreatic line of the steady flow is not found: after {} iterations "
-                                 "it still moves",
-                                 solution.iterations),
-                     "a flow with a steady state",
-                     "look for a wrong conductivity, or draw the line with water.phreatic_line"));
+        fail_to_find(solution.iterations);
         return std::nullopt;
     }
-    InitialFlow found{FlowField(flow.mesh, solution.head),
-                      size,
-                      solution.discharge,
-                      solution.imbalance,
-                      solution.iterations,
-                      face_flows(edges, flow, solution)};
-    check_sides(found.field);
-    return found;
+    return found(flow, edges, solution, size);
+}
+
+std::optional<InitialFlow> FlowSection::follow(const std::vector<std::int32_t>& of_region, double duration,
+                                               const FlowStart& start)
+{
+    const double size = triangle_size(fewest_in_time);
+    SteadyFlowProblem flow = mesh_flow(size, of_region);
+    Scalars saturation;
+    for (const Vector2& node : flow.mesh.nodes) {
+        const double before = start.flow != nullptr
+                                  ? start.flow->field.interpolate(start.flow->saturation, node)
+                                  : (node.y() < start.level ? 1.0 : 0.0);
+        saturation.push_back(std::clamp(before, 0.0, 1.0));
+    }
+    std::vector<OpenEdge> edges = open_edges(flow.mesh);
+    const auto at_time = [&](double time) -> const SteadyFlowProblem& {
+        place_water(time, flow.mesh, edges);
+        set_conditions(edges, flow);
+        return flow;
+    };
+    const FlowHistory history =
+        follow_flow(at_time, pores_of_nodes(flow.mesh, drainable_porosity(flow.mesh, of_region)), saturation,
+                    duration, steps_in_time);
+    if (!history.converged) {
+        fail_to_find(history.iterations);
+        return std::nullopt;
+    }
+    InitialFlow flow_at_end = found(flow, edges, history.end, size);
+    const double lacking = std::abs(history.stored - history.inflow);
+    flow_at_end.iterations = history.iterations;
+    flow_at_end.flowed = {duration, history.stored,
+                          history.turnover > 0.0 ? lacking / history.turnover : 0.0};
+    return flow_at_end;
 }
 
 } // namespace
 
 std::optional<InitialFlow> find_initial_flow(const Scene& scene, const Section& section,
                                              const std::vector<std::int32_t>& of_region,
-                                             const Problem& problem, Diagnostics& findings)
+                                             const Problem& problem, const FlowStart& start,
+                                             Diagnostics& findings)
 {
     if (!scene.starts_seeping) return std::nullopt;
     FlowSection flow(scene, section, problem, findings);
     if (!flow.check()) return std::nullopt;
+    if (scene.stage && scene.stage->flow_duration)
+        return flow.follow(of_region, *scene.stage->flow_duration, start);
     return flow.solve(of_region);
 }
 

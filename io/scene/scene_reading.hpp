@@ -5,15 +5,20 @@
 #include "io/keys/scene_check.hpp"
 #include "io/tables/scene.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace quicksand {
 
 struct SceneReading {
     Scene scene;
-    /// The stages from the last that settled soil on, up to the one before, where their water flows: soil
-    /// that it has wetted stays wet.
-    std::vector<Scene> wetting;
+    /// Earlier stages whose water flows, and the one before that begins with still water, in their order:
+    /// what a flow in time begins with.
+    std::vector<Scene> flows;
+    /// How many of the last of them have wetted soil since soil settled: it stays wet.
+    std::size_t wetting = 0;
+    /// Whether the stage has the flow of the last of them: one in time, which no heads tell.
+    bool keeps_flow = false;
     std::vector<ResolvedKey> keys;
     Diagnostics warnings;
 };

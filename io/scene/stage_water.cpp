@@ -17,8 +17,8 @@ double head_at_end(const Scene& stage, const Boundary& boundary)
     const auto* head = water != nullptr ? std::get_if<WaterHead>(&water->value) : nullptr;
     if (head == nullptr) return level;
     const double at_rest = water->at_rest ? water->at_rest->points.front().y() : level;
-    const double end =
-        settles(stage.stage->kind) ? 0.0 : stage.end_time; // soil settles under what acts first
+    const bool in_time = stage.stage->kind == StageKind::shake || stage.stage->kind == StageKind::consolidate;
+    const double end = in_time ? stage.end_time : stage.stage->flow_duration.value_or(0.0);
     return at_rest + outer_factor(boundary.water, end) * (head->head - at_rest);
 }
 
@@ -37,17 +37,37 @@ void begin_ramps(const Scene& before, Scene& stage)
     }
 }
 
+/// Whether the flow of a stage is that after a time.
+bool flows_in_time(const Scene& scene)
+{
+    return scene.stage->flow_duration.has_value();
+}
+
+/// The flows that the stage after `before` follows, its own among them.
+void append_flow(const SceneReading& before, SceneReading& stage)
+{
+    const bool has_time_to_wet = before.scene.stage->kind != StageKind::stability;
+    stage.flows = before.flows;
+    stage.wetting = before.wetting;
+    if (before.keeps_flow || !has_time_to_wet || !before.scene.water) return;
+    stage.flows.push_back(before.scene);
+    if (before.scene.starts_seeping) ++stage.wetting;
+}
+
 } // namespace
 
 void carry_water_on(std::vector<SceneReading>& stages)
 {
     for (std::size_t k = 1; k < stages.size(); ++k) {
-        const SceneReading& before = stages[k - 1];
-        begin_ramps(before.scene, stages[k].scene);
-        if (settles(stages[k].scene.stage->kind)) continue;
-        stages[k].wetting = before.wetting;
-        const bool has_time_to_wet = before.scene.stage->kind != StageKind::stability;
-        if (before.scene.starts_seeping && has_time_to_wet) stages[k].wetting.push_back(before.scene);
+        SceneReading& stage = stages[k];
+        begin_ramps(stages[k - 1].scene, stage.scene);
+        append_flow(stages[k - 1], stage);
+        if (settles(stage.scene.stage->kind)) {
+            stage.wetting = 0;
+            if (!flows_in_time(stage.scene)) stage.flows.clear();
+        } else {
+            stage.keeps_flow = !stage.flows.empty() && flows_in_time(stage.flows.back());
+        }
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "io/keys/source_place.hpp"
 
+#include <optional>
 #include <string>
 
 namespace quicksand {
@@ -24,11 +25,12 @@ inline bool settles(StageKind kind)
 struct SceneStage {
     std::string name; // of its results folder, within that of the run
     StageKind kind = StageKind::shake;
-    bool zero_displacements = false;  // displacements count from its start
-    bool zero_pressures = false;      // ru and excess pore pressures count from its start
-    double residual_strength = 0.0;   // S_r / sigma'_v0 of liquefied sand, 0: as its stresses allow [-]
-    double liquefied_ru = 0.8;        // least ru of liquefied sand [-]
-    double seismic_coefficient = 0.0; // k_h [-]
+    std::optional<double> flow_duration; // of seepage: the flow after it, none: the steady one [s]
+    bool zero_displacements = false;     // displacements count from its start
+    bool zero_pressures = false;         // ru and excess pore pressures count from its start
+    double residual_strength = 0.0;      // S_r / sigma'_v0 of liquefied sand, 0: as its stresses allow [-]
+    double liquefied_ru = 0.8;           // least ru of liquefied sand [-]
+    double seismic_coefficient = 0.0;    // k_h [-]
     SourcePlace place;
 };
 

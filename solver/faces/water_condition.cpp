@@ -73,6 +73,13 @@ double outer_factor(const WaterCondition& water, double time)
     return prescribed != nullptr ? history_value(prescribed->history, time) : 1.0;
 }
 
+void hold_water(WaterCondition& water, double time)
+{
+    auto* given = std::get_if<PrescribedWater>(&water);
+    if (given != nullptr)
+        given->history = {SampledHistory{{0.0}, {history_value(given->history, time)}}, 0.0};
+}
+
 double outer_excess(const WaterCondition& water, const StillWater& still, const Vector2& point, double factor)
 {
     return std::visit(

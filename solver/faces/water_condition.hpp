@@ -65,6 +65,9 @@ bool has_outer_water(const WaterCondition& water);
 /// The history of the water beyond at a time: a factor [-].
 double outer_factor(const WaterCondition& water, double time);
 
+/// Keep the water beyond as it is at a time.
+void hold_water(WaterCondition& water, double time);
+
 /// The still water that excess pressures count from.
 struct StillWater {
     double unit_weight = 0.0; // rho_w g [N/m3]

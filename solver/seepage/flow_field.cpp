@@ -109,7 +109,7 @@ std::optional<std::size_t> FlowField::find(const Vector2& point, std::size_t col
     return found;
 }
 
-double FlowField::head(const Vector2& point) const
+double FlowField::interpolate(const Scalars& of_nodes, const Vector2& point) const
 {
     constexpr double outside = 1e-6; // a point so little outside counts as inside [-]
     double best = -std::numeric_limits<double>::infinity();
@@ -120,7 +120,7 @@ double FlowField::head(const Vector2& point) const
     ENSURE(triangle.has_value());
     const auto share = shares(corners_of(mesh_, *triangle), point);
     double sum = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) sum += share[k] * head_[mesh_.triangles[*triangle][k]];
+    for (std::size_t k = 0; k < 3; ++k) sum += share[k] * of_nodes[mesh_.triangles[*triangle][k]];
     return sum;
 }
 

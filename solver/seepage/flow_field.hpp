@@ -17,7 +17,10 @@ public:
     FlowField(TriangleMesh mesh, Scalars head);
 
     /// The head at a point of the section; just outside it that of the nearest triangle, continued [m].
-    double head(const Vector2& point) const;
+    double head(const Vector2& point) const { return interpolate(head_, point); }
+
+    /// The same of any values of the nodes.
+    double interpolate(const Scalars& of_nodes, const Vector2& point) const;
 
     /// Height to which the water of the highest wet soil at x stands: the free surface in the soil, or the
     /// level of open water above it; none where the soil at x is dry [m].
