@@ -69,9 +69,9 @@ std::string describe_initial_flow(const AssembledCase& assembled)
 {
     if (!assembled.scene.starts_seeping) return "";
     const bool in_time = assembled.initial_flow && assembled.initial_flow->flowed;
-    std::string text =
-        in_time ? fmt::format("Flow after {} s\n", short_number(assembled.initial_flow->flowed->duration, 4))
-                : "Steady flow at the start\n";
+    std::string text = in_time
+                           ? "Flow after " + duration_text(assembled.initial_flow->flowed->duration) + '\n'
+                           : "Steady flow at the start\n";
     if (!assembled.initial_flow)
         return text + fmt::format("  none: no water stands above the level, {} m\n",
                                   short_number(assembled.problem.water->level));
@@ -88,8 +88,8 @@ std::string summarise_initial_flow(const AssembledCase& assembled)
 {
     if (!assembled.initial_flow) return "";
     const InitialFlow& flow = *assembled.initial_flow;
-    std::string line = flow.flowed ? fmt::format("The water has flowed for {} s: the soil {} {} m3 per m",
-                                                 short_number(flow.flowed->duration, 4),
+    std::string line = flow.flowed ? fmt::format("The water has flowed for {}: the soil {} {} m3 per m",
+                                                 duration_text(flow.flowed->duration),
                                                  flow.flowed->stored > 0.0 ? "has taken up" : "has lost",
                                                  short_number(std::abs(flow.flowed->stored), 4))
                                    : fmt::format("The water flows steadily at the start, {} m3/s per m",

@@ -157,6 +157,20 @@ TEST(CheckMessages, TellTheSteadyFlowAtTheStart)
     EXPECT_NE(still.find("  none: no water stands above the level, 0 m\n"), std::string::npos) << still;
 }
 
+TEST(CheckMessages, TellTheFlowInTime)
+{
+    const WorkFolder folder;
+    const std::string scene = example("river_dike/drawdown.toml") +
+                              " --set grid.cell_size=1 --set relaxation.tolerance=0.01 -o " + folder.string();
+    const std::string check = run_program("check " + scene + "/check").output;
+    for (const char* line :
+         {"Flow after 24h00m\n  [0-9,]+ triangles .* in [0-9]+ iterations, the water balanced to [0-9.e-]+ "
+          "of what "
+          "has passed the faces\n  the soil loses [0-9.]+ m3 per m of water in that time\n",
+          "  river           gives off [0-9.e-]+ m3/s per m, water leaves into the air up to \\[-1"})
+        EXPECT_TRUE(std::regex_search(check, std::regex(line))) << line << '\n' << check;
+}
+
 } // namespace
 
 } // namespace quicksand
