@@ -18,7 +18,7 @@ using namespace fixtures;
 constexpr double flood = 3.0; // head on the left slope [m]
 
 /// A dike 5 m high on 2 m of ground; the last stage has these keys, and these of the left slope.
-std::string scene_of(const std::string& stage, const std::string& river)
+std::string drawdown_scene(const std::string& stage, const std::string& river)
 {
     return R"(scene_version = 1
 [geometry]
@@ -55,7 +55,7 @@ name = "fall"
            "[stages.boundaries.river]\n" + river;
 }
 
-Section dike()
+Section drawdown_dike()
 {
     return polygon_section({{{-15.0, -2.0}, "base"},
                             {{15.0, -2.0}, "right"},
@@ -74,7 +74,7 @@ std::vector<AssembledCase> assembled_stages(const std::string& scene)
     std::ofstream(folder / "scene.toml") << scene;
     std::vector<AssembledCase> stages;
     for (SceneReading& reading : read_scene_stages(folder / "scene.toml", {}))
-        stages.push_back(assemble_case(std::move(reading), dike()));
+        stages.push_back(assemble_case(std::move(reading), drawdown_dike()));
     return stages;
 }
 
@@ -96,21 +96,22 @@ const Boundary& river_of(const AssembledCase& stage)
 
 TEST(Drawdown, LeavesSoilWetThatWasUnderWater)
 {
-    const auto stages = assembled_stages(scene_of("kind = \"shake\"\nduration = 0.1\n", "head = 0.0\n"));
+    const auto stages =
+        assembled_stages(drawdown_scene("kind = \"shake\"\nduration = 0.1\n", "head = 0.0\n"));
     EXPECT_GT(wet_volume(stages[1]), wet_volume(stages[0]) + 5.0);
     EXPECT_EQ(wet_volume(stages[2]), wet_volume(stages[1]));
 }
 
 TEST(Drawdown, SoilSettlesAnewWithTheWaterOfItsStage)
 {
-    const auto stages = assembled_stages(scene_of("kind = \"seepage\"\n", "head = 0.0\n"));
+    const auto stages = assembled_stages(drawdown_scene("kind = \"seepage\"\n", "head = 0.0\n"));
     EXPECT_NEAR(wet_volume(stages[2]), wet_volume(stages[0]), 1e-9);
 }
 
 TEST(Drawdown, RampsFromTheHeadOfTheStageBefore)
 {
-    const auto stages =
-        assembled_stages(scene_of("kind = \"shake\"\nduration = 4.0\n", "head = 1.0\nramp_time = 4.0\n"));
+    const auto stages = assembled_stages(
+        drawdown_scene("kind = \"shake\"\nduration = 4.0\n", "head = 1.0\nramp_time = 4.0\n"));
     const AssembledCase& fall = stages[2];
     const Vector2 toe(-12.0, 0.0);
     const auto head_at = [&](double time) {
@@ -128,9 +129,9 @@ TEST(Drawdown, RampsFromTheHeadOfTheStageBefore)
 TEST(Drawdown, KeepsItsEnergyWhenTheWaterFallsAtOnce)
 {
     for (const std::string scheme : {"semi_implicit", "implicit"}) {
-        auto stages = assembled_stages(
-            scene_of("kind = \"shake\"\nduration = 0.5\n[stages.analysis]\nscheme = \"" + scheme + "\"\n",
-                     "head = 0.0\n"));
+        auto stages = assembled_stages(drawdown_scene(
+            "kind = \"shake\"\nduration = 0.5\n[stages.analysis]\nscheme = \"" + scheme + "\"\n",
+            "head = 0.0\n"));
         State state;
         for (std::size_t k = 0; k < stages.size(); ++k) {
             const bool settles = k < 2;
