@@ -55,8 +55,8 @@ double largest_error(const VerificationRun& run)
 }
 
 /// Why a setting cannot be had, in one line; "" when it could.
-std::string measure(const std::string& problem, const Setting& setting, const BenchChoice& choice,
-                    Journal& journal, std::vector<WorkPoint>& points)
+std::string measure_setting(const std::string& problem, const Setting& setting, const BenchChoice& choice,
+                            Journal& journal, std::vector<WorkPoint>& points)
 {
     VerifyChoice verify;
     verify.problems = {problem};
@@ -131,7 +131,7 @@ Measurement measure_problem(const std::string& problem, const BenchChoice& choic
     Measurement measured;
     for (const Setting& setting : settings()) {
         journal.say(fmt::format("\n{}, {}", problem, setting.name));
-        const std::string refusal = measure(problem, setting, choice, journal, measured.points);
+        const std::string refusal = measure_setting(problem, setting, choice, journal, measured.points);
         if (!refusal.empty()) journal.say("  left out: " + refusal);
     }
     return measured;
@@ -205,7 +205,7 @@ std::vector<std::vector<WorkPoint>> by_problem(const std::vector<WorkPoint>& poi
     return parts;
 }
 
-std::string csv_of(const std::vector<WorkPoint>& points)
+std::string error_csv(const std::vector<WorkPoint>& points)
 {
     std::string text = "# " + machine_text() + "\nproblem,setting,cells,largest_error,seconds\n";
     for (const WorkPoint& point : points)
@@ -239,7 +239,7 @@ ExitCode measure_all(const BenchChoice& choice, Journal& journal)
             for (const double wanted : {0.05, 0.01, 0.001}) advice += '\n' + recommendation(part, wanted);
         }
         all.insert(all.end(), measured.points.begin(), measured.points.end());
-        write_atomically(choice.directory / "error.csv", csv_of(all)); // what is done is not lost
+        write_atomically(choice.directory / "error.csv", error_csv(all)); // what is done is not lost
     }
     journal.say("\nThe cheapest settings" + advice);
     journal.say("\nTable and figures: " + choice.directory.string());

@@ -146,7 +146,7 @@ std::string table_of(const std::vector<GridRun>& runs)
     return text;
 }
 
-std::string csv_of(const std::vector<GridRun>& runs)
+std::string grid_csv(const std::vector<GridRun>& runs)
 {
     std::string text = "# " + machine_text() +
                        "\n# late mean: over the last fifth of the run\n"
@@ -202,7 +202,7 @@ void report(const std::string& title, const std::vector<GridRun>& runs, const fs
         for (const HistoryError& error : history_errors(run.probes, finest->probes))
             journal.say(run.setting.name + ": " + text_of(error));
     }
-    write_atomically(folder / "grid.csv", csv_of(runs));
+    write_atomically(folder / "grid.csv", grid_csv(runs));
     std::vector<Drawing> drawings;
     for (const ComparedQuantity& quantity : compared_quantities) {
         const LinePlot plot = histories_of(quantity, title, runs);

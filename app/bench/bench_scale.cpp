@@ -33,7 +33,7 @@ std::vector<int> thread_counts(int most)
     return counts;
 }
 
-std::string row_of(const ScalePoint& point)
+std::string scale_row(const ScalePoint& point)
 {
     const auto particles = static_cast<double>(point.particles);
     return fmt::format("{:>12}{:>9}{:>12.3f}{:>12.1f}{:>20}{:>18.0f}",
@@ -42,7 +42,7 @@ std::string row_of(const ScalePoint& point)
                        point.bytes / particles);
 }
 
-std::string csv_of(const std::vector<ScalePoint>& points)
+std::string scale_csv(const std::vector<ScalePoint>& points)
 {
     std::string text = "# " + machine_text() + "\nparticles,threads,cell_size_m,step_s,bytes\n";
     for (const ScalePoint& point : points)
@@ -78,10 +78,10 @@ ExitCode measure_scale(const BenchChoice& choice)
             point.seconds = cost.total;
             point.bytes = std::max(0.0, cost.resident - before);
             points.push_back(point);
-            journal.say(row_of(point));
+            journal.say(scale_row(point));
         }
     }
-    write_atomically(choice.directory / "scale.csv", csv_of(points));
+    write_atomically(choice.directory / "scale.csv", scale_csv(points));
     journal.say("The table is in " + (choice.directory / "scale.csv").string());
     return ExitCode::good;
 }

@@ -48,7 +48,7 @@ SkipPoint measure_body(const std::string& name, std::size_t particles, const Pro
 }
 
 /// The scene, and the one column of it that a run computes, if there is one; all per particle of the body.
-std::vector<SkipPoint> measure(const BenchChoice& choice, const fs::path& scene, Journal& journal)
+std::vector<SkipPoint> measure_skipping(const BenchChoice& choice, const fs::path& scene, Journal& journal)
 {
     SceneSetup setup = set_up_body(choice, scene, {}, journal);
     AssembledCase& body = setup.assembled;
@@ -76,7 +76,7 @@ double each_second(const SkipPoint& point)
     return each(point) / point.cost.time_step;
 }
 
-std::string row_of(const SkipPoint& point, const SkipPoint& first)
+std::string skip_row(const SkipPoint& point, const SkipPoint& first)
 {
     return fmt::format("{:<36}{:>12}{:>10.1f}{:>8.0f} %{:>12.3g}{:>12.0f} %{:>16.0f}",
                        point.name.substr(0, 35), grouped(static_cast<long long>(point.particles)),
@@ -97,9 +97,9 @@ ExitCode measure_skips(const BenchChoice& choice)
     std::string csv = "# " + machine_text() + "\nscene,particles,step_s,time_step_s,bytes\n";
     std::optional<SkipPoint> first;
     for (const fs::path& scene : scenes_of(choice)) {
-        for (const SkipPoint& point : measure(choice, scene, journal)) {
+        for (const SkipPoint& point : measure_skipping(choice, scene, journal)) {
             if (!first) first = point;
-            journal.say(row_of(point, *first));
+            journal.say(skip_row(point, *first));
             csv += fmt::format("{},{},{:.6g},{:.6g},{:.0f}\n", csv_text(point.name), point.particles,
                                point.cost.total, point.cost.time_step, point.bytes);
         }

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* report_file = "compare.txt";
+constexpr const char* comparison_file = "compare.txt";
 
 std::string number_cell(double value)
 {
@@ -76,9 +76,9 @@ ExitCode compare_results(const CompareChoice& choice)
     const std::vector<ComparedRun> runs = read_compared_runs(folders);
     const std::vector<ComparedValue> values = compare_runs(runs);
     if (values.empty()) throw InputError("the runs have no column of history.csv or of a probe in common");
-    make_output_folder(choice.directory, report_file);
+    make_output_folder(choice.directory, comparison_file);
     Journal journal;
-    journal.keep(choice.directory / report_file);
+    journal.keep(choice.directory / comparison_file);
     std::size_t name_width = 0;
     for (const ComparedRun& run : runs) name_width = std::max(name_width, run.name.size());
     journal.say(describe(values, name_width));

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t all_rows = 1000; // that the terminal shows
+constexpr std::size_t most_rows = 1000; // that the terminal shows
 
 fs::path find_test_file(const fs::path& file)
 {
@@ -82,7 +82,7 @@ void report(const ElementOutcome& outcome, Journal& journal)
 {
     journal.say("Test " + outcome.test.name);
     for (const std::string& line : describe_conditions(outcome)) journal.say("  " + line);
-    for (const std::string& line : result_table(outcome, all_rows)) journal.say("    " + line);
+    for (const std::string& line : result_table(outcome, most_rows)) journal.say("    " + line);
     journal.say("");
 }
 

@@ -32,7 +32,7 @@ void add_verify(CLI::App& program, Commands& commands)
     parser
         ->add_option("--threads", choice->threads,
                      "Runs at the same time; all of the machine's when not given")
-        ->check(number_in(thread_number))
+        ->check(number_in(allowed_thread_count))
         ->type_name("N");
     parser
         ->add_option("-o,--output", choice->directory,
@@ -74,7 +74,7 @@ void add_bench(CLI::App& program, Commands& commands)
         ->type_name("N")
         ->capture_default_str();
     parser->add_option("--threads", choice->threads, "Threads; kernel measures 1 and 2 when not given")
-        ->check(number_in(thread_number))
+        ->check(number_in(allowed_thread_count))
         ->type_name("N");
     commands.push_back({parser, [subject, choice] { return subjects.at(*subject)(*choice); }});
 }
@@ -107,7 +107,7 @@ void add_stress(CLI::App& program, Commands& commands)
     parser
         ->add_option("--threads", choice->threads,
                      "Rows at the same time; all of the machine's when not given")
-        ->check(number_in(thread_number))
+        ->check(number_in(allowed_thread_count))
         ->type_name("N");
     parser
         ->add_option("-o,--output", choice->directory,

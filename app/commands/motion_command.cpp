@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* report_file = "motion.txt";
+constexpr const char* motion_file = "motion.txt";
 
 /// "0.3 g" or "2.9 m/s2" in m/s2. Throws InputError.
 double parse_peak(const std::string& text)
@@ -160,8 +160,8 @@ ExitCode examine_motion(const MotionChoice& choice)
     const fs::path folder = choice.directory.empty()
                                 ? fs::path("results") / (choice.file.stem().string() + "-motion")
                                 : choice.directory;
-    make_output_folder(folder, report_file);
-    journal.keep(folder / report_file);
+    make_output_folder(folder, motion_file);
+    journal.keep(folder / motion_file);
     journal.say(choice.file.string());
     for (const std::string& step : processed.steps) journal.say("  " + step);
     journal.say(describe_motion_measures(processed.motion, "--baseline linear or --low-cut") +

@@ -55,12 +55,12 @@ void add_sweep(CLI::App& program, Commands& commands)
                      "Begin all runs with the end of another one, or of one of its stages: settled once")
         ->type_name("RESULTS[:STAGE]");
     parser->add_option("--jobs", choice->jobs, "Runs at a time; 1 when not given")
-        ->check(number_in(thread_number))
+        ->check(number_in(allowed_thread_count))
         ->type_name("N");
     parser
         ->add_option("--threads", choice->threads,
                      "Threads of a run; when not given the machine's over --jobs, with slurm and snakemake 1")
-        ->check(number_in(thread_number))
+        ->check(number_in(allowed_thread_count))
         ->type_name("N");
     parser
         ->add_option("--engine", choice->engine,
@@ -208,7 +208,7 @@ void add_calibrate(CLI::App& program, Commands& commands)
 void add_threads(CLI::App& parser, int& threads)
 {
     parser.add_option("--threads", threads, "Threads; all of the machine's when not given")
-        ->check(number_in(thread_number))
+        ->check(number_in(allowed_thread_count))
         ->type_name("N");
 }
 

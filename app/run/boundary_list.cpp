@@ -22,7 +22,7 @@ namespace quicksand {
 
 namespace {
 
-std::string_view name_of(const WaterCondition& water)
+std::string_view water_name(const WaterCondition& water)
 {
     return std::visit(Overload{[](const Drained&) { return "drained"; },
                                [](const Impervious&) { return "impervious"; },
@@ -212,7 +212,7 @@ std::string describe_boundaries(const AssembledCase& assembled, const std::vecto
         }
         text += fmt::format("  {:<16}{:.4g} m, {}{}{}\n", boundary.name, length_of(boundary),
                             kind_of(boundary.soil).word, problem.water ? ", water " : "",
-                            problem.water ? name_of(boundary.water) : "");
+                            problem.water ? water_name(boundary.water) : "");
         const std::string of_kind =
             std::visit([&](const auto& kind) { return describe(kind, assembled, boundary); }, boundary.soil);
         if (!of_kind.empty()) add(of_kind);

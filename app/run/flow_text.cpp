@@ -17,7 +17,7 @@ std::string text(const Vector2& point)
     return fmt::format("[{:.4g}, {:.4g}]", point.x(), point.y());
 }
 
-std::string name_of(const FaceFlow& face)
+std::string curve_name(const FaceFlow& face)
 {
     return face.name.empty() ? "edges without a name" : face.name;
 }
@@ -80,7 +80,7 @@ std::string describe_initial_flow(const AssembledCase& assembled)
     text += fmt::format("  discharge {} m3/s per m, {} m3 a day\n", short_number(flow.discharge, 4),
                         short_number(86400.0 * flow.discharge, 4));
     for (const FaceFlow& face : flow.faces)
-        text += fmt::format("  {:<16}{}\n", name_of(face), describe_face(face));
+        text += fmt::format("  {:<16}{}\n", curve_name(face), describe_face(face));
     return text + "  phreatic line   " + describe_line(assembled, flow.field) + '\n';
 }
 
@@ -95,7 +95,7 @@ std::string summarise_initial_flow(const AssembledCase& assembled)
                                    : fmt::format("The water flows steadily at the start, {} m3/s per m",
                                                  short_number(flow.discharge, 4));
     for (const FaceFlow& face : flow.faces)
-        if (face.exit) line += fmt::format("; it leaves {} up to {}", name_of(face), text(*face.exit));
+        if (face.exit) line += fmt::format("; it leaves {} up to {}", curve_name(face), text(*face.exit));
     return line;
 }
 

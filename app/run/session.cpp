@@ -130,14 +130,14 @@ void begin_unsettled(Session& session)
 void settle(Session& session, const RelaxationControls& controls)
 {
     ProgressLine progress(0.0, session.scene.end_time, session.run.state().particles.size(), session.journal);
-    using Clock = std::chrono::steady_clock;
+    using WallClock = std::chrono::steady_clock;
     const std::chrono::duration<double> interval(session.scene.output.checkpoint_interval);
-    auto last = Clock::now();
+    auto last = WallClock::now();
     const auto look_on = [&](const SettlingProgress& settling) {
         progress.show_relaxation(settling, controls.tolerance);
-        if (Clock::now() - last <= interval) return;
+        if (WallClock::now() - last <= interval) return;
         keep_state(session);
-        last = Clock::now();
+        last = WallClock::now();
     };
     const RelaxationReport report = session.run.settle(controls, look_on, StopSignal::received);
     progress.clear();

@@ -11,7 +11,7 @@ namespace quicksand {
 namespace {
 
 /// Where the ends of soil's edges divide the segment: fractions of its length, from 0 to 1.
-std::vector<double> divisions(const std::vector<Segment>& edges, const Segment& segment)
+std::vector<double> divisions_by_edges(const std::vector<Segment>& edges, const Segment& segment)
 {
     constexpr double on_segment = 1e-9; // distance from the segment over its length [-]
     const Vector2 along = segment.end - segment.start;
@@ -33,7 +33,7 @@ void keep_beside_soil(const std::vector<Segment>& edges, const RegionLocator& so
                       std::vector<Segment>& kept)
 {
     if (segment.start == segment.end) return;
-    const std::vector<double> fractions = divisions(edges, segment);
+    const std::vector<double> fractions = divisions_by_edges(edges, segment);
     const auto point = [&](double fraction) -> Vector2 {
         return fraction < 1.0 ? segment.start + fraction * (segment.end - segment.start) : segment.end;
     };

@@ -24,7 +24,7 @@ void for_each_region_edge(const Section& section, Visit&& visit)
 }
 
 /// Where a neighbour's vertices divide the edge between two points: fractions of its length, from 0 to 1.
-std::vector<double> divisions(const Section& section, const Vector2& start, const Vector2& end)
+std::vector<double> divisions_by_vertices(const Section& section, const Vector2& start, const Vector2& end)
 {
     constexpr double on_edge = 1e-9; // distance from the edge over its length [-]
     const Vector2 along = end - start;
@@ -47,7 +47,7 @@ std::vector<Segment> divided_edges(const Section& section)
     std::vector<Segment> edges;
     for_each_region_edge(section, [&](const Vector2& start, const Vector2& end) {
         if (start == end) return;
-        const std::vector<double> fractions = divisions(section, start, end);
+        const std::vector<double> fractions = divisions_by_vertices(section, start, end);
         for (std::size_t k = 0; k + 1 < fractions.size(); ++k)
             edges.push_back({start + fractions[k] * (end - start), start + fractions[k + 1] * (end - start)});
     });

@@ -8,8 +8,8 @@ namespace quicksand {
 
 namespace {
 
-constexpr double least_outflow = 1e-9; // of all that leaves, that counts as water leaving [-]
-constexpr double rounding = 1e-6;      // of the section's height [-]
+constexpr double least_outflow = 1e-9;   // of all that leaves, that counts as water leaving [-]
+constexpr double height_rounding = 1e-6; // of the section's height [-]
 
 /// All that leaves through faces [m3/s per m].
 double outflow_of(const SteadyFlow& solution)
@@ -35,7 +35,7 @@ std::vector<FaceFlow> sum_face_flows(const std::vector<std::string>& names,
 {
     std::vector<FaceFlow> flows(names.size());
     for (std::size_t f = 0; f < flows.size(); ++f) flows[f].name = names[f];
-    const double same_height = rounding * height_of(flow.mesh);
+    const double same_height = height_rounding * height_of(flow.mesh);
     const double least = least_outflow * outflow_of(solution);
     std::vector<std::uint8_t> counted(flow.water.size(), 0); // a node between two faces belongs to one
     std::vector<double> outflow(flows.size(), 0.0);          // at the exit found so far [m2/s]

@@ -14,17 +14,17 @@ namespace quicksand {
 
 namespace {
 
-constexpr double rounding = 1e-6; // a point so little below the water lies at its edge [cells]
-constexpr double slack = 0.1;     // by which drawn lines and heads may disagree [cells]
+constexpr double edge_rounding = 1e-6; // a point so little below the water lies at its edge [cells]
+constexpr double slack = 0.1;          // by which drawn lines and heads may disagree [cells]
 
-std::string number_text(double value)
+std::string five_digits(double value)
 {
     return fmt::format("{:.5g}", value);
 }
 
 std::string text(const Vector2& point)
 {
-    return "[" + number_text(point.x()) + ", " + number_text(point.y()) + "]";
+    return "[" + five_digits(point.x()) + ", " + five_digits(point.y()) + "]";
 }
 
 /// Smallest and largest of some numbers.
@@ -82,7 +82,7 @@ bool lies_on(const Vector2& point, const Segment& segment)
     const Vector2 along = segment.end - segment.start, from = point - segment.start;
     const double length = along.norm(), fraction = from.dot(along) / (length * length);
     const double aside = std::abs(along.x() * from.y() - along.y() * from.x()) / length;
-    return fraction > -rounding && fraction < 1.0 + rounding && aside < rounding * length;
+    return fraction > -edge_rounding && fraction < 1.0 + edge_rounding && aside < edge_rounding * length;
 }
 
 class FaceWater {
@@ -134,7 +134,7 @@ bool FaceWater::is_under_water(const Segment& segment) const
 {
     const auto marks = marks_along(scene_, segment);
     return std::any_of(marks.begin(), marks.end(),
-                       [&](const Vector2& point) { return depth(scene_, point) > rounding * cell(); });
+                       [&](const Vector2& point) { return depth(scene_, point) > edge_rounding * cell(); });
 }
 
 void FaceWater::put_water_at_rest(Boundary& boundary) const
@@ -168,8 +168,8 @@ void FaceWater::refuse_slope(const Boundary& boundary, const std::vector<Vector2
     }
     if (stretch.empty() || heights.width() <= slack * std::max(cell(), depths.most)) return;
     refuse_line("above the curve \"" + boundary.name + "\" the phreatic line varies from " +
-                    number_text(heights.least) + " to " + number_text(heights.most) +
-                    " m, between x = " + number_text(places.least) + " and " + number_text(places.most) +
+                    five_digits(heights.least) + " to " + five_digits(heights.most) +
+                    " m, between x = " + five_digits(places.least) + " and " + five_digits(places.most) +
                     " m: water outside the soil stands level",
                 "a line that is level above the ground, and in the soil elsewhere",
                 "let it enter the soil where the water meets the slope");
@@ -181,12 +181,12 @@ void FaceWater::check_open_water(const Boundary& boundary)
     const auto is_open = [&](const Vector2& point) {
         double above = 0.0;
         for (const double thickness : thickness_above(section_, point)) above += thickness;
-        return above < rounding * cell();
+        return above < edge_rounding * cell();
     };
     std::vector<Vector2> stretch;
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : marks_along(scene_, segment)) {
-            if (depth(scene_, point) >= -rounding * cell() && is_open(point)) {
+            if (depth(scene_, point) >= -edge_rounding * cell() && is_open(point)) {
                 stretch.push_back(point);
                 continue;
             }
@@ -219,8 +219,8 @@ void FaceWater::check_tied_sides()
                  right = phreatic_elevation(scene_, problem_.tied_sides->x_right);
     if (std::abs(left - right) <= slack * cell()) return;
     findings_.add(warning_at(scene_.phreatic_place, "water.phreatic_line", "phreatic-line",
-                             "the phreatic line is " + number_text(left) + " m high at the tied side \"" +
-                                 problem_.tied_sides->left + "\" and " + number_text(right) + " m at \"" +
+                             "the phreatic line is " + five_digits(left) + " m high at the tied side \"" +
+                                 problem_.tied_sides->left + "\" and " + five_digits(right) + " m at \"" +
                                  problem_.tied_sides->right + "\": a common side has one pore water pressure",
                              "the same height at both"));
 }
@@ -231,15 +231,15 @@ void FaceWater::check_extent(const Range& heights)
     const double first = scene_.phreatic_line.front().x(), last = scene_.phreatic_line.back().x();
     const bool drawn_level =
         std::all_of(scene_.phreatic_line.begin(), scene_.phreatic_line.end(), [&](const Vector2& point) {
-            return std::abs(point.y() - heights.most) <= rounding * cell();
+            return std::abs(point.y() - heights.most) <= edge_rounding * cell();
         });
     if (drawn_level || (first < section_.upper.x() && last > section_.lower.x())) return;
     findings_.add(warning_at(scene_.phreatic_place, "water.phreatic_line", "phreatic-line",
-                             "the phreatic line, from x = " + number_text(first) + " to " +
-                                 number_text(last) + " m, lies beside the soil: its end, " +
-                                 number_text(heights.most) + " m, counts everywhere",
-                             "points across the section, x = " + number_text(section_.lower.x()) + " to " +
-                                 number_text(section_.upper.x()) + " m"));
+                             "the phreatic line, from x = " + five_digits(first) + " to " +
+                                 five_digits(last) + " m, lies beside the soil: its end, " +
+                                 five_digits(heights.most) + " m, counts everywhere",
+                             "points across the section, x = " + five_digits(section_.lower.x()) + " to " +
+                                 five_digits(section_.upper.x()) + " m"));
 }
 
 void FaceWater::refuse_given_water(const SourcePlace& where, const Boundary& boundary,
@@ -249,20 +249,20 @@ void FaceWater::refuse_given_water(const SourcePlace& where, const Boundary& bou
     const auto* head = std::get_if<WaterHead>(&water.value);
     const std::string given =
         join_path({"boundaries", boundary.name, head != nullptr ? "head" : "pore_pressure"}) + ", " +
-        (head != nullptr ? number_text(head->head) + " m"
-                         : number_text(std::get<PorePressure>(water.value).pressure) + " Pa");
+        (head != nullptr ? five_digits(head->head) + " m"
+                         : five_digits(std::get<PorePressure>(water.value).pressure) + " Pa");
     const std::string place = "at " + text(point);
     const std::string hint = "a variable head begins with the water at rest: give it a ramp_time";
     if (scene_.phreatic_line.empty()) {
         findings_.add(error_at(where, "boundary",
                                given + ", stands against soil " + place +
-                                   " that is dry: the water level is " + number_text(height) + " m",
+                                   " that is dry: the water level is " + five_digits(height) + " m",
                                "no head above the level where there is soil above it",
                                "raise water.level, or draw water.phreatic_line; " + hint));
         return;
     }
     findings_.add(error_at(where, "boundary",
-                           given + ", contradicts the phreatic line, which is " + number_text(height) +
+                           given + ", contradicts the phreatic line, which is " + five_digits(height) +
                                " m high " + place,
                            "the height of the line, or no head: the curve then takes the line's", hint));
 }
@@ -282,11 +282,11 @@ void FaceWater::check_given_water(const SourcePlace& place, const Boundary& boun
         if (head != nullptr)
             marks = with_zeros(marks, [&](const Vector2& point) { return head->head - point.y(); });
         const bool wet = std::all_of(marks.begin(), marks.end(), [&](const Vector2& point) {
-            return depth(scene_, point) >= -rounding * cell();
+            return depth(scene_, point) >= -edge_rounding * cell();
         });
         for (const Vector2& point : marks) {
             const double below = depth(scene_, point);
-            if (!line && (wet || below > rounding * cell())) continue; // a pressure that comes suddenly
+            if (!line && (wet || below > edge_rounding * cell())) continue; // a pressure that comes suddenly
             const double at_rest = pressure_below(problem_, point.y() + below, point.y());
             const double given = outer_excess_pressure(problem_, boundary, point, factor) +
                                  static_water_pressure(problem_, point.y());
@@ -304,7 +304,7 @@ void FaceWater::set()
         const Range heights = heights_of_line();
         check_extent(heights);
         problem_.water->level = std::max(problem_.water->level, heights.least);
-        if (heights.width() > rounding * cell()) {
+        if (heights.width() > edge_rounding * cell()) {
             check_unnamed_edges();
             check_tied_sides();
             for (Boundary& boundary : problem_.boundaries) {
@@ -343,7 +343,7 @@ std::optional<std::pair<double, double>> heads_of_line(const Scene& scene, const
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : marks_along(scene, segment)) {
             const double below = depth(scene, point);
-            if (below > rounding * grid.cell_size) heads.include(point.y() + below);
+            if (below > edge_rounding * grid.cell_size) heads.include(point.y() + below);
         }
     }
     if (heads.width() < 0.0) return std::nullopt;

@@ -18,7 +18,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double rounding = 1e-6;      // a head so little above the level is that of the level [cells]
+constexpr double head_rounding = 1e-6; // a head so little above the level is that of the level [cells]
 constexpr double triangle_share = 0.3; // area of a triangle over its longest edge squared, as meshed [-]
 constexpr double fewest = 16'000, most = 60'000; // triangles, whatever the cells [-]
 constexpr double fewest_in_time = 12'000;        // [-]
@@ -95,7 +95,8 @@ void FlowSection::check_boundary(const Boundary& boundary)
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : {segment.start, segment.end}) {
             const double pressure = head_beyond(boundary, point, 0.0);
-            const double lowest = std::max(0.0, level() - point.y()) - rounding * problem_.grid.cell_size;
+            const double lowest =
+                std::max(0.0, level() - point.y()) - head_rounding * problem_.grid.cell_size;
             if (pressure >= lowest || written == nullptr) continue;
             findings_.add(error_at(
                 written->water_place, "initial-flow",
@@ -298,7 +299,7 @@ std::optional<InitialFlow> FlowSection::solve(const std::vector<std::int32_t>& o
     SteadyFlowProblem flow = mesh_flow(size, of_region);
     const std::vector<OpenEdge> edges = open_edges(flow.mesh);
     set_conditions(edges, flow);
-    const double still = rounding * problem_.grid.cell_size;
+    const double still = head_rounding * problem_.grid.cell_size;
     bool flows = false;
     for (std::size_t i = 0; i < flow.water.size(); ++i)
         flows = flows || (flow.water[i] == NodeWater::head && std::abs(flow.given_head[i] - level()) > still);

@@ -3,8 +3,7 @@
 #include "geometry/drawing/nearest_name.hpp"
 #include "io/element/element_keys.hpp"
 #include "io/keys/scene_value_reader.hpp"
-
-#include <algorithm>
+#include "io/keys/scene_words.hpp"
 
 namespace quicksand {
 
@@ -16,15 +15,10 @@ std::vector<std::string> numbers_of(std::string_view table_pattern, const std::s
     std::vector<std::string> names;
     for (const SceneKey* key : keys_of_table(element_key_table(), table_pattern)) {
         const std::vector<std::string_view>& laws = key->when.words;
-        const bool known = law.empty() || std::find(laws.begin(), laws.end(), law) != laws.end();
+        const bool known = law.empty() || contains(laws, law);
         if (key->type == ValueType::number && known) names.emplace_back(last_part(key->pattern));
     }
     return names;
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 DocumentNode& child_of(DocumentNode& node, const std::string& name)

@@ -52,7 +52,7 @@ Renumbering add_cells(const BackgroundGrid& grid, const Scalars& volume, Frame& 
 }
 
 /// The values of a quantity at the nodes that are used; vectors have z = 0.
-FrameArray array_of(const NodalField& field, const std::vector<std::size_t>& nodes)
+FrameArray nodal_array(const NodalField& field, const std::vector<std::size_t>& nodes)
 {
     FrameArray array = frame_array(*field.quantity);
     const std::size_t width = array.component_count();
@@ -83,7 +83,7 @@ Frame grid_frame(const Problem& problem, const NodalFields& fields, double time)
         frame.points.push_back(problem.grid.node_position(node));
         identifiers.push_back(static_cast<std::int32_t>(node));
     }
-    for (const NodalField& field : fields.fields) frame.point_data.push_back(array_of(field, nodes));
+    for (const NodalField& field : fields.fields) frame.point_data.push_back(nodal_array(field, nodes));
     frame.point_data.push_back(volume_array(fields.volume, nodes));
     frame.point_data.push_back({"node_id", "-", {}, std::move(identifiers)});
     return frame;

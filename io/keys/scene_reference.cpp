@@ -90,7 +90,7 @@ std::string use_text(const SceneKey& key)
 }
 
 template <class Number>
-std::string list_of(const std::vector<Number>& numbers)
+std::string list_text(const std::vector<Number>& numbers)
 {
     std::string list;
     for (const Number value : numbers) {
@@ -172,11 +172,11 @@ std::string value_text(const SceneValue& value)
         {
             std::string text;
             for (const auto& [name, numbers] : lists) {
-                text += (text.empty() ? " " : ", ") + join_path({name}) + " = " + list_of(numbers);
+                text += (text.empty() ? " " : ", ") + join_path({name}) + " = " + list_text(numbers);
             }
             return text.empty() ? "{}" : "{" + text + " }";
         }
-        std::string operator()(const std::vector<int>& counts) const { return list_of(counts); }
+        std::string operator()(const std::vector<int>& counts) const { return list_text(counts); }
         std::string operator()(const std::vector<std::string>& texts) const
         {
             std::string list;

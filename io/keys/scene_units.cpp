@@ -2,6 +2,8 @@
 
 #include "solver/base/conventions.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -99,6 +101,11 @@ std::string number_text(double number)
     const auto format = far_from_one ? std::chars_format::scientific : std::chars_format::fixed;
     const std::string text(begin, std::to_chars(begin, begin + buffer.size(), number, format).ptr);
     return far_from_one ? shorten_exponent(text) : text;
+}
+
+std::string three_digits(double number)
+{
+    return fmt::format("{:.3g}", number);
 }
 
 std::string quantity_text(double number, Dimension dimension)

@@ -38,6 +38,9 @@ std::optional<double> to_si(const WrittenQuantity& quantity, Dimension dimension
 /// The shortest text that reads back as the same number: 0.45, 2.2e9.
 std::string number_text(double number);
 
+/// Three significant digits, for numbers that are told but not read back: 0.45, 2.2e+09.
+std::string three_digits(double number);
+
 /// The number with its SI unit: "2.2e9 Pa".
 std::string quantity_text(double number, Dimension dimension);
 

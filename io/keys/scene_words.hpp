@@ -3,6 +3,7 @@
 
 #include "solver/base/failure.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string>
@@ -24,6 +25,12 @@ Word word_of(const WordList<Word, count>& words, const std::string& text)
     }
     if (!text.empty()) throw InternalError("the word " + text + " stands for nothing");
     return words.front().second;
+}
+
+/// Whether the word is in the list.
+bool contains(const auto& words, std::string_view word)
+{
+    return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 } // namespace quicksand

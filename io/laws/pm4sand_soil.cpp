@@ -1,5 +1,6 @@
 #include "io/laws/pm4sand_soil.hpp"
 
+#include "io/keys/scene_units.hpp"
 #include "io/laws/ubcsand_keys.hpp"
 #include "solver/element/cyclic_laboratory.hpp"
 
@@ -12,11 +13,6 @@
 namespace quicksand {
 
 namespace {
-
-std::string three_digits(double number)
-{
-    return fmt::format("{:.3g}", number);
-}
 
 bool check_density(const LawSource& source)
 {

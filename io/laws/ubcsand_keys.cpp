@@ -23,7 +23,7 @@ constexpr Interval friction{.lower = 0.0, .upper = 60.0, .lower_open = true, .up
 using Parameter = double UbcSandParameters::*;
 
 /// Those whose standard value is that of the key, or of the generic set.
-constexpr std::array<std::pair<const char*, Parameter>, 18> parameters = {{
+constexpr std::array<std::pair<const char*, Parameter>, 18> parameters_of_keys = {{
     {"elastic_shear_number", &UbcSandParameters::elastic_shear_number},
     {"elastic_bulk_number", &UbcSandParameters::elastic_bulk_number},
     {"elastic_shear_exponent", &UbcSandParameters::elastic_shear_exponent},
@@ -361,7 +361,8 @@ UbcSandParameters resolve_ubcsand(const NamedTable& material, SceneValues& value
         if (const auto value = given(key)) set.*parameter = *value;
         if (std::isfinite(set.*parameter)) show(material.path + "." + key, set.*parameter, values);
     }
-    for (const auto& [key, parameter] : parameters) { // those of the generic set have no value of their own
+    for (const auto& [key, parameter] :
+         parameters_of_keys) { // those of the generic set have no value of their own
         if (const auto value = values.find<double>(material.path + "." + key)) set.*parameter = *value;
         show(material.path + "." + key, set.*parameter, values);
     }

@@ -1,5 +1,6 @@
 #include "io/laws/ubcsand_soil.hpp"
 
+#include "io/keys/scene_units.hpp"
 #include "solver/element/cyclic_laboratory.hpp"
 #include "solver/ubcsand/ubcsand.hpp"
 
@@ -13,11 +14,6 @@
 namespace quicksand {
 
 namespace {
-
-std::string three_digits(double number)
-{
-    return fmt::format("{:.3g}", number);
-}
 
 /// K0 outside ((1 - sin phi_f)/(1 + sin phi_f), its inverse) is a stress that sand without cohesion cannot
 /// bear.

@@ -21,8 +21,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t isochrone_count = 8;
-
 /// What a length, velocity or acceleration is multiplied by in the figure.
 double factor_of(const SceneFigure& figure)
 {
@@ -36,7 +34,7 @@ std::vector<double> times(double factor, const std::vector<double>& values)
     return result;
 }
 
-std::string note_of(const SceneFigure& figure)
+std::string scale_note(const SceneFigure& figure)
 {
     return figure.scale == 1.0
                ? ""
@@ -113,7 +111,7 @@ Drawing field_figure(const fs::path& results, const SceneFigure& figure, const f
     return result_drawings(results, request).front();
 }
 
-std::vector<FigureProbe> read_probes(const fs::path& results, const SceneFigure& figure)
+std::vector<FigureProbe> read_figure_probes(const fs::path& results, const SceneFigure& figure)
 {
     std::vector<FigureProbe> probes;
     for (const std::string& name : figure.probes) {
@@ -130,7 +128,7 @@ std::vector<FigureProbe> read_probes(const fs::path& results, const SceneFigure&
 
 std::optional<LinePlot> line_figure(const fs::path& results, const SceneFigure& figure)
 {
-    const std::vector<FigureProbe> probes = read_probes(results, figure);
+    const std::vector<FigureProbe> probes = read_figure_probes(results, figure);
     return figure.kind == FigureKind::history ? history_figure(figure, probes)
                                               : isochrone_figure(figure, probes.front());
 }
@@ -175,7 +173,7 @@ std::optional<LinePlot> history_figure(const SceneFigure& figure, const std::vec
                                 scaled(level, unit),
                                 CurveStyle::dashed});
     }
-    return LinePlot{figure.title, note_of(figure), {std::move(panel)}, PlotArrangement::stacked};
+    return LinePlot{figure.title, scale_note(figure), {std::move(panel)}, PlotArrangement::stacked};
 }
 
 std::optional<LinePlot> isochrone_figure(const SceneFigure& figure, const FigureProbe& profile)
@@ -210,7 +208,7 @@ std::optional<LinePlot> isochrone_figure(const SceneFigure& figure, const Figure
         panel.curves.push_back(std::move(curve));
     }
     if (!upright) std::swap(panel.x_label, panel.y_label);
-    return LinePlot{figure.title, note_of(figure), {std::move(panel)}, PlotArrangement::side_by_side};
+    return LinePlot{figure.title, scale_note(figure), {std::move(panel)}, PlotArrangement::side_by_side};
 }
 
 std::vector<fs::path> draw_figures(const fs::path& results, const std::vector<SceneFigure>& figures,

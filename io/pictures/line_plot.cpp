@@ -8,13 +8,13 @@ namespace {
 // Sizes of the sheet and its margins [pixel].
 constexpr double stack_width = 1200.0, stack_panel = 170.0, stack_alone = 430.0, stack_gap = 46.0;
 constexpr double beside_width = 600.0, beside_panel = 560.0;
-constexpr double left_margin = 112.0, right_margin = 36.0, top_margin = 120.0, bottom_margin = 76.0;
+constexpr double left_of_axes = 112.0, right_of_axes = 36.0, above_axes = 120.0, below_axes = 76.0;
 // Right of the axes where the key stands beside them: its samples, and a letter of a name.
 constexpr double key_samples = 76.0, key_letter = 8.3, least_key = 210.0;
 
 double margin_for_keys(const LinePlot& plot)
 {
-    double margin = right_margin;
+    double margin = right_of_axes;
     for (const PlotPanel& panel : plot.panels) {
         if (panel.key != KeyPlace::beside) continue;
         margin = std::max(margin, least_key);
@@ -29,7 +29,7 @@ double margin_for_keys(const LinePlot& plot)
 void draw_stacked(const LinePlot& plot, Drawing& drawing)
 {
     const auto count = static_cast<double>(plot.panels.size());
-    PixelBox box{left_margin, top_margin, stack_width - left_margin - margin_for_keys(plot),
+    PixelBox box{left_of_axes, above_axes, stack_width - left_of_axes - margin_for_keys(plot),
                  count > 1.0 ? stack_panel : stack_alone};
     std::vector<PlotCurve> curves;
     for (const PlotPanel& panel : plot.panels)
@@ -44,18 +44,18 @@ void draw_stacked(const LinePlot& plot, Drawing& drawing)
         drawing.commands += panel_commands(panel, box);
     }
     drawing.width = stack_width;
-    drawing.height = box.top - stack_gap + bottom_margin;
+    drawing.height = box.top - stack_gap + below_axes;
 }
 
 void draw_side_by_side(const LinePlot& plot, Drawing& drawing)
 {
-    PixelBox box{left_margin, top_margin, beside_width - left_margin - right_margin, beside_panel};
+    PixelBox box{left_of_axes, above_axes, beside_width - left_of_axes - right_of_axes, beside_panel};
     for (const PlotPanel& panel : plot.panels) {
         drawing.commands += panel_commands(panel, box);
         box.left += beside_width;
     }
-    drawing.width = box.left - left_margin + margin_for_keys(plot) - right_margin;
-    drawing.height = box.bottom() + bottom_margin;
+    drawing.width = box.left - left_of_axes + margin_for_keys(plot) - right_of_axes;
+    drawing.height = box.bottom() + below_axes;
 }
 
 } // namespace
@@ -64,8 +64,8 @@ Drawing plot_drawing(const LinePlot& plot, const std::filesystem::path& png)
 {
     Drawing drawing;
     drawing.png = png;
-    drawing.commands = "set multiplot\n" + label_at(left_margin, 34.0, plot.title, "font ':Bold,16'") +
-                       label_at(left_margin, 62.0, plot.note, "font ',11' textcolor rgb '#606060'");
+    drawing.commands = "set multiplot\n" + label_at(left_of_axes, 34.0, plot.title, "font ':Bold,16'") +
+                       label_at(left_of_axes, 62.0, plot.note, "font ',11' textcolor rgb '#606060'");
     if (plot.arrangement == PlotArrangement::stacked) {
         draw_stacked(plot, drawing);
     } else {

@@ -9,8 +9,6 @@
 namespace quicksand {
 namespace {
 
-constexpr std::size_t isochrone_count = 8;
-
 /// The place along the profile: the height of a steep one, the distance along a flat one.
 struct PlaceColumn {
     const std::vector<double>* values = nullptr; // [m]
@@ -46,8 +44,8 @@ struct ProfileQuantity {
     const char* unit;
 };
 
-std::optional<PlotPanel> make_panel(const ProfileQuantity& quantity, const PictureTable& table,
-                                    const std::vector<ProfileRows>& profiles)
+std::optional<PlotPanel> make_isochrone_panel(const ProfileQuantity& quantity, const PictureTable& table,
+                                              const std::vector<ProfileRows>& profiles)
 {
     const std::vector<double>* values = table.find(quantity.column);
     if (values == nullptr || largest_of(*values) < 0.0) return std::nullopt;
@@ -106,7 +104,8 @@ std::optional<LinePlot> isochrone_plot(const PictureTable& table, const std::str
                   PlotArrangement::side_by_side};
     plot.note = plot.note.substr(0, plot.note.find(", interpolated"));
     for (const ProfileQuantity& quantity : table.find(wet[0].column) != nullptr ? wet : dry)
-        if (auto panel = make_panel(quantity, table, profiles)) plot.panels.push_back(std::move(*panel));
+        if (auto panel = make_isochrone_panel(quantity, table, profiles))
+            plot.panels.push_back(std::move(*panel));
     if (plot.panels.empty()) return std::nullopt;
 
     // One key for all panels, beside the last.

@@ -18,6 +18,9 @@ struct ProfileRows {
     std::size_t begin = 0, end = 0;
 };
 
+/// Curves of a plot, at most.
+inline constexpr std::size_t isochrone_count = 8;
+
 /// At most `count` profiles at about even times, the first and the last among them.
 std::vector<ProfileRows> choose_profiles(const std::vector<double>& times, std::size_t count);
 

@@ -105,7 +105,7 @@ double rms_difference(const Series& first, const Series& other)
 }
 
 /// Peak and final value of a series, which has finite ones.
-void measure(const Series& series, ComparedValue& value)
+void measure_series(const Series& series, ComparedValue& value)
 {
     double largest = -1.0;
     for (std::size_t k = 0; k < series.values->size(); ++k) {
@@ -129,7 +129,7 @@ std::vector<ComparedValue> compare_column(const std::vector<ComparedRun>& runs, 
         const Series series = series_of(run, table, column);
         if (!series) continue;
         ComparedValue row{table, column, run.name};
-        measure(series, row);
+        measure_series(series, row);
         row.peak_change = row.final_change = row.rms_difference = no_value;
         if (rows.empty()) {
             first = series;

@@ -18,8 +18,8 @@ std::vector<std::string> column_names(const Problem& problem, const State& state
     return names;
 }
 
-CsvFile open_file(const Problem& problem, const State& state, const RunLabel& label,
-                  const std::filesystem::path& path, bool resume)
+CsvFile open_history_file(const Problem& problem, const State& state, const RunLabel& label,
+                          const std::filesystem::path& path, bool resume)
 {
     std::vector<std::string> comments = run_comments(label);
     comments.emplace_back("sums and energies are per metre of thickness");
@@ -42,7 +42,7 @@ std::vector<std::int32_t> reference_crest(const Particles& particles)
 HistoryWriter::HistoryWriter(const Scene& scene, const Problem& problem, const State& state,
                              const RunLabel& label, const std::filesystem::path& path, bool resume)
     : clock_(scene.output.history_interval, scene.end_time),
-      file_(open_file(problem, state, label, path, resume)), crest_(reference_crest(state.particles))
+      file_(open_history_file(problem, state, label, path, resume)), crest_(reference_crest(state.particles))
 {
     clock_.go_on(state.time, file_.last_time());
 }

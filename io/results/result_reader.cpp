@@ -72,7 +72,7 @@ std::vector<FieldComponent> select(const std::vector<FrameArray>& arrays,
 }
 
 /// "displacement_y_m", "ru": the unit as part of a column's name.
-std::string column_name(const FieldComponent& field)
+std::string field_column(const FieldComponent& field)
 {
     return field.name + unit_suffix(field.unit);
 }
@@ -102,8 +102,8 @@ struct Box {
 }
 
 /// Values of the axis-parallel cell around the point, bilinear.
-std::optional<std::vector<double>> interpolate(const Frame& frame, const std::vector<FieldComponent>& fields,
-                                               const Vector2& at)
+std::optional<std::vector<double>>
+interpolate_at(const Frame& frame, const std::vector<FieldComponent>& fields, const Vector2& at)
 {
     for (std::size_t cell = 0; cell < frame.cells.size(); ++cell) {
         const std::span<const std::int64_t> quad = frame.cells[cell];
@@ -202,7 +202,7 @@ HistoryTable extract(const std::filesystem::path& index, std::vector<FrameArray>
         const Frame frame = read_frame(index.parent_path() / entry.file);
         const std::vector<FieldComponent> fields = select(frame.*arrays, request.fields);
         if (table.rows.empty())
-            for (const FieldComponent& field : fields) table.columns.push_back(column_name(field));
+            for (const FieldComponent& field : fields) table.columns.push_back(field_column(field));
         box.include(frame);
         const auto values = take(frame, fields);
         ever_inside = ever_inside || values.has_value();
@@ -250,7 +250,7 @@ HistoryTable extract_history(const std::filesystem::path& results, const Extract
     if (request.kind == ProbeKind::fixed)
         return extract(folder.grid_series(), &Frame::point_data, request,
                        [&](const Frame& frame, const std::vector<FieldComponent>& fields) {
-                           return interpolate(frame, fields, request.at);
+                           return interpolate_at(frame, fields, request.at);
                        });
     if (request.kind == ProbeKind::material)
         return extract(folder.particle_series(), &Frame::cell_data, request, Rider(request.at));

@@ -59,7 +59,7 @@ std::string table_of(const auto& rows, std::string_view first, std::string_view 
 }
 
 /// "ux_m, uy_m"; "" where probes do not have the quantity.
-std::string probe_columns(const Quantity& quantity)
+std::string probe_column_list(const Quantity& quantity)
 {
     std::string text;
     for (std::size_t c = 0; (quantity.places & at_probes) != 0 && c < component_count(quantity.form); ++c)
@@ -83,7 +83,7 @@ std::string in_code(const std::string& text)
 }
 
 /// With the bars escaped that would end the cell of a table.
-std::string cell_of(std::string_view text)
+std::string markdown_cell(std::string_view text)
 {
     std::string cell;
     for (const char letter : text) {
@@ -108,7 +108,7 @@ std::string point_quantities()
     for (const Quantity& quantity : all_quantities())
         text += fmt::format("| {} | {} | {} | {} | {} | {} | {} |\n", quantity.label, quantity.symbol,
                             quantity.unit, array_of(quantity, on_particles), array_of(quantity, on_nodes),
-                            in_code(probe_columns(quantity)), meaning_of(quantity));
+                            in_code(probe_column_list(quantity)), meaning_of(quantity));
     return text;
 }
 
@@ -144,7 +144,7 @@ std::string body_columns()
 {
     std::string text = "| column | meaning |\n|---|---|\n";
     for (const BodyQuantity& quantity : all_body_quantities())
-        text += fmt::format("| `{}` | {}{} |\n", column_name(quantity), cell_of(quantity.meaning),
+        text += fmt::format("| `{}` | {}{} |\n", column_name(quantity), markdown_cell(quantity.meaning),
                             use_of(quantity.of));
     return text;
 }
@@ -182,7 +182,7 @@ std::string describe_quantities(std::string_view pattern)
     std::string text;
     const auto holds = [&](std::string_view where) { return where.find(pattern) != std::string_view::npos; };
     for (const Quantity& quantity : all_quantities()) {
-        const std::string columns = probe_columns(quantity);
+        const std::string columns = probe_column_list(quantity);
         if (!holds(quantity.name) && !holds(columns) && !holds(quantity.meaning)) continue;
         text += fmt::format("{}\n    {}\n    symbol   {}\n    unit     {}\n", quantity.name,
                             meaning_of(quantity), quantity.symbol, quantity.unit);

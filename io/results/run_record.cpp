@@ -26,7 +26,7 @@ double number_of(const Json& json, const char* name)
 }
 
 /// The values of tables; what is largest in the last frame is none.
-std::vector<SummaryValue> summary_of(const Json& json)
+std::vector<SummaryValue> read_summary(const Json& json)
 {
     std::vector<SummaryValue> values;
     const auto summary = json.find("summary");
@@ -66,7 +66,7 @@ RunRecord read_run_record(const std::filesystem::path& manifest)
     record.particles = number_of(json, "particles");
     record.threads = number_of(json, "threads");
     record.step_halvings = number_of(json, "step_halvings");
-    record.summary = summary_of(json);
+    record.summary = read_summary(json);
     if (json.contains("overrides") && json["overrides"].is_array())
         for (const auto& word : json["overrides"])
             if (word.is_string()) record.overrides.push_back(word.get<std::string>());

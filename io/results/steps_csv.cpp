@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::string_view max_ru = "max_ru";
 
-constexpr std::array columns = {
+constexpr std::array all_columns = {
     DocumentedName{"time_s", "time since the shaking began: the end of a step"},
     DocumentedName{"step", "steps since the shaking began or the run was resumed"},
     DocumentedName{"dt_s", "the last time step that was not shortened to hit an output time"},
@@ -41,13 +41,13 @@ constexpr std::array columns = {
 /// Those of the scene.
 std::vector<DocumentedName> columns_of(const Problem& problem)
 {
-    std::vector<DocumentedName> found(columns.begin(), columns.end());
+    std::vector<DocumentedName> found(all_columns.begin(), all_columns.end());
     if (!problem.water) std::erase_if(found, [](const auto& column) { return column.name == max_ru; });
     return found;
 }
 
 /// A name as a cell: what would break the row or the line is replaced, since rows are read by their commas.
-std::string cell_of(std::string name)
+std::string csv_cell(std::string name)
 {
     const auto breaks = [](char letter) {
         return letter == ',' || letter == '"' || static_cast<unsigned char>(letter) < 0x20U;
@@ -56,8 +56,8 @@ std::string cell_of(std::string name)
     return name;
 }
 
-CsvFile open_file(const Problem& problem, double time, const RunLabel& label,
-                  const std::filesystem::path& path, bool resume)
+CsvFile open_steps_file(const Problem& problem, double time, const RunLabel& label,
+                        const std::filesystem::path& path, bool resume)
 {
     std::vector<std::string> comments = run_comments(label);
     comments.emplace_back("sums are per metre of thickness");
@@ -73,13 +73,13 @@ CsvFile open_file(const Problem& problem, double time, const RunLabel& label,
 
 std::vector<DocumentedName> step_columns()
 {
-    return {columns.begin(), columns.end()};
+    return {all_columns.begin(), all_columns.end()};
 }
 
 StepsWriter::StepsWriter(const Scene& scene, const Problem& problem, const State& state,
                          const RunLabel& label, const std::filesystem::path& path, bool resume)
     : clock_(scene.output.history_interval, scene.end_time),
-      file_(open_file(problem, state.time, label, path, resume)), start_time_(state.time),
+      file_(open_steps_file(problem, state.time, label, path, resume)), start_time_(state.time),
       end_time_(scene.end_time), began_(std::chrono::steady_clock::now())
 {
     clock_.go_on(state.time, file_.last_time());
@@ -115,7 +115,7 @@ void StepsWriter::observe(const Problem& problem, const State& state, const Step
     CsvRow row{csv_number(state.time), std::to_string(report.step)};
     row.push_back(natural_step_ ? csv_number(natural_step_->dt) : "");
     row.emplace_back(natural_step_ ? name_of(natural_step_->limiter) : "");
-    row.push_back(natural_step_ ? cell_of(natural_step_->material) : "");
+    row.push_back(natural_step_ ? csv_cell(natural_step_->material) : "");
     row.emplace_back(natural_step_ ? name_of(natural_step_->scheme) : "");
     row.push_back(natural_step_ && natural_step_->replaced > 0.0 ? csv_number(natural_step_->replaced) : "");
     for (const double value : {earlier_wall_time_ + wall_time(), time_left(state.time), mass,

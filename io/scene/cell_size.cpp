@@ -17,7 +17,6 @@ namespace {
 constexpr double cells_through_layer = 4.0, cells_through_body = 16.0, cells_per_wave = 10.0;
 constexpr double most_particles = 1e5;
 constexpr double largest_change = 1.15, smallest_change = 0.8; // of the size, to meet lines [-]
-constexpr double on_line = 1e-6;                               // a place this close lies on a line [cells]
 constexpr double flat = 1e-9; // of the section's size: how little a straight line along the grid rises
 
 double extent(const Section& section)
@@ -87,7 +86,7 @@ double particles_per_cell(const Scene& scene)
 bool meets_line(double coordinate, double anchor, double h)
 {
     const double cells = (coordinate - anchor) / h;
-    return std::abs(cells - std::round(cells)) <= on_line * std::max(1.0, std::abs(cells));
+    return std::abs(cells - std::round(cells)) <= on_grid_line * std::max(1.0, std::abs(cells));
 }
 
 /// Sum of the weights of the places on grid lines.

@@ -11,6 +11,9 @@
 
 namespace quicksand {
 
+/// A place this close to a grid line lies on it [cells].
+inline constexpr double on_grid_line = 1e-6;
+
 /// The curve of a name with what the scene says of the soil at it; unnamed edges and curves are free.
 const SoilCondition& soil_at(const Scene& scene, const NamedCurve& curve);
 

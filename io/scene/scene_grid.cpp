@@ -16,8 +16,6 @@ constexpr double room_above = 0.15;  // of the section's height [-]
 constexpr double room_to_flow = 1.0; // beyond a side where slopes can run out, of the section's height [-]
 constexpr double least_room = 4.0;   // [cells]
 constexpr double most_cells = 2e8;   // far beyond any machine that runs this program [-]
-constexpr double on_line =
-    1e-6; // a section that ends this close to a grid line needs no further cell [cells]
 
 /// What lies along one edge of the section's bounding box.
 struct Edge {
@@ -59,9 +57,9 @@ Edge edge_at(int axis, double coordinate, const Scene& scene, const Section& sec
 /// Room beyond one side of the section [cells].
 double room_beside(const Edge& edge, double cells_high)
 {
-    const bool closed = edge.soil > 0.0 && edge.wall >= (1.0 - on_line) * edge.soil;
+    const bool closed = edge.soil > 0.0 && edge.wall >= (1.0 - on_grid_line) * edge.soil;
     if (closed) return edge.has_moving_wall ? least_room : 0.0;
-    return std::max(least_room, std::ceil(room_to_flow * cells_high - on_line));
+    return std::max(least_room, std::ceil(room_to_flow * cells_high - on_grid_line));
 }
 
 struct Room {
@@ -77,14 +75,14 @@ Room find_room(const Scene& scene, const Section& section, double h)
     const Edge base = edge_at(1, section.lower.y(), scene, section);
     room.below = !base.meets_wall || base.has_moving_wall ? least_room : 0.0;
     room.above =
-        std::max(scene.cell_size > 0.0 ? 2.0 : least_room, std::ceil(room_above * cells_high - on_line));
+        std::max(scene.cell_size > 0.0 ? 2.0 : least_room, std::ceil(room_above * cells_high - on_grid_line));
     return room;
 }
 
 /// The last grid line counted from `anchor` that lies `room` cells beyond `coordinate` or just farther [m].
 double line_before(double coordinate, double anchor, double room, double h)
 {
-    return anchor - h * (std::ceil((anchor - coordinate) / h - on_line) + room);
+    return anchor - h * (std::ceil((anchor - coordinate) / h - on_grid_line) + room);
 }
 
 Vector2 choose_origin(const Scene& scene, const Section& section, const Room& room, double h)
@@ -126,8 +124,8 @@ std::optional<GridChoice> choose_grid(const Scene& scene, const Section& section
     const Room room = find_room(scene, section, h);
     const Vector2 origin = scene.grid_origin.value_or(choose_origin(scene, section, room, h));
     const Vector2 covered = section.upper - origin;
-    double cells_x = std::max(1.0, std::ceil(covered.x() / h - on_line)) + room.right;
-    double cells_y = std::max(1.0, std::ceil(covered.y() / h - on_line)) + room.above;
+    double cells_x = std::max(1.0, std::ceil(covered.x() / h - on_grid_line)) + room.right;
+    double cells_y = std::max(1.0, std::ceil(covered.y() / h - on_grid_line)) + room.above;
     if (scene.grid_cells) {
         cells_x = scene.grid_cells->first;
         cells_y = scene.grid_cells->second;

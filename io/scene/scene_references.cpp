@@ -3,6 +3,7 @@
 #include "geometry/drawing/lower_case.hpp"
 #include "geometry/drawing/nearest_name.hpp"
 #include "io/keys/scene_value_reader.hpp"
+#include "io/keys/scene_words.hpp"
 
 #include <algorithm>
 
@@ -21,11 +22,6 @@ std::string did_you_mean(const std::string& name, const std::vector<std::string>
 {
     const std::string nearest = nearest_name(name, known);
     return nearest.empty() ? "" : "did you mean \"" + nearest + "\"?";
-}
-
-bool contains(const std::vector<std::string>& list, const std::string& name)
-{
-    return std::find(list.begin(), list.end(), name) != list.end();
 }
 
 void check_materials(const SceneValues& values, Diagnostics& findings)

@@ -3,6 +3,8 @@
 #include "geometry/drawing/nearest_name.hpp"
 #include "io/keys/scene_schema.hpp"
 #include "io/keys/scene_value_reader.hpp"
+#include "io/keys/scene_words.hpp"
+#include "io/scene/cell_size.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +13,6 @@
 namespace quicksand {
 
 namespace {
-
-constexpr double on_line = 1e-6; // a point this close to a grid line lies on it [cells]
 
 template <class Named>
 std::vector<std::string> names_of(const std::vector<Named>& list)
@@ -27,11 +27,6 @@ std::vector<std::string> names_of(const std::vector<SceneBoundary>& list)
     std::vector<std::string> names;
     for (const SceneBoundary& item : list) names.push_back(item.boundary.name);
     return names;
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// An error for a name that the drawing does not know.
@@ -123,7 +118,8 @@ std::optional<UprightSide> find_upright_side(const SceneBoundary& boundary, cons
                                              const BackgroundGrid& grid, const std::string& kind,
                                              Diagnostics& findings)
 {
-    const double tolerance = on_line * grid.cell_size, infinite = std::numeric_limits<double>::infinity();
+    const double tolerance = on_grid_line * grid.cell_size,
+                 infinite = std::numeric_limits<double>::infinity();
     const std::string name = "the " + kind + " curve \"" + curve.name + "\"";
     UprightSide side{0.0, infinite, -infinite};
     bool vertical = !curve.segments.empty();
@@ -203,7 +199,7 @@ void check_free_field_sides(const Scene& scene, const Section& section, const Ba
         const Boundary& boundary = condition.boundary;
         const NamedCurve* curve = find_curve(section, boundary.name);
         if (!std::holds_alternative<FreeFieldSide>(boundary.soil) || curve == nullptr) continue;
-        for (const NamedCurve& side : by_place(*curve, on_line * grid.cell_size))
+        for (const NamedCurve& side : by_place(*curve, on_grid_line * grid.cell_size))
             find_upright_side(condition, side, grid, "free-field", findings);
         if (any_tied)
             findings.add(
@@ -242,7 +238,7 @@ std::optional<TiedSides> find_tied_sides(const Scene& scene, const Section& sect
                               expected));
         return std::nullopt;
     };
-    const double tolerance = on_line * grid.cell_size;
+    const double tolerance = on_grid_line * grid.cell_size;
     if (std::abs(first->lower - second->lower) > tolerance ||
         std::abs(first->upper - second->upper) > tolerance) {
         return refuse("reach from y = " + number_text(first->lower) + " to " + number_text(first->upper) +

@@ -1,6 +1,7 @@
 #include "io/scene/scene_variant.hpp"
 
 #include "io/keys/scene_schema.hpp"
+#include "io/keys/scene_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -21,11 +22,6 @@ const SceneKey* row_of(const KeyPath& path, const std::string& name)
     KeyPath key(path.begin() + (is_within_stage ? 2 : 0), path.end());
     key.push_back(name);
     return find_key(scene_key_table(), key);
-}
-
-bool contains(const auto& words, std::string_view word)
-{
-    return std::find(words.begin(), words.end(), word) != words.end();
 }
 
 /// Ways to say the same, each with its keys. A scene takes one of them.

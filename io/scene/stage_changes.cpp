@@ -84,7 +84,7 @@ void check_stage(const SceneReading& before, const SceneReading& now, Diagnostic
 }
 
 /// The keys that are given of the soil of a region, by their names; what its law derives follows from them.
-std::map<std::string, std::string> soil_of(const Keys& keys, const std::string& region)
+std::map<std::string, std::string> given_soil_keys(const Keys& keys, const std::string& region)
 {
     const std::string material = value_of(values_of(keys), join_path({"regions", region, "material"}));
     const std::string table = join_path({"materials", material}) + ".";
@@ -138,7 +138,7 @@ std::vector<bool> changed_soils(const Keys& before, const Keys& now, const std::
 {
     std::vector<bool> changed;
     for (const std::string& region : regions)
-        changed.push_back(soil_of(before, region) != soil_of(now, region));
+        changed.push_back(given_soil_keys(before, region) != given_soil_keys(now, region));
     return changed;
 }
 

@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr WordList<FigureKind, 3> kind_words = {{
+constexpr WordList<FigureKind, 3> figure_kind_words = {{
     {"history", FigureKind::history},
     {"isochrones", FigureKind::isochrones},
     {"field", FigureKind::field},
@@ -104,7 +104,7 @@ std::vector<SceneFigure> read_figures(const SceneValues& values, Diagnostics& fi
         const auto key = [&](const char* name) { return table.path + "." + name; };
         SceneFigure figure;
         figure.name = table.name;
-        figure.kind = word_of(kind_words, values.text(key("kind")));
+        figure.kind = word_of(figure_kind_words, values.text(key("kind")));
         figure.title = values.text(key("title"));
         figure.probes =
             values.find<std::vector<std::string>>(key("probes")).value_or(std::vector<std::string>());

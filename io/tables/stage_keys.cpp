@@ -11,7 +11,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr WordList<StageKind, 5> kind_words = {{
+constexpr WordList<StageKind, 5> stage_kind_words = {{
     {"settle", StageKind::settle},
     {"seepage", StageKind::seepage},
     {"shake", StageKind::shake},
@@ -73,7 +73,7 @@ std::optional<SceneStage> read_stage(const SceneValues& values)
     SceneStage stage;
     stage.name = table.name;
     stage.place = table.place;
-    stage.kind = word_of(kind_words, values.text(table.path + ".kind"));
+    stage.kind = word_of(stage_kind_words, values.text(table.path + ".kind"));
     if (stage.kind == StageKind::seepage) stage.flow_duration = values.find<double>(table.path + ".duration");
     stage.zero_displacements = values.text(table.path + ".displacements") == "zero";
     stage.residual_strength = values.number(table.path + ".residual_strength");
@@ -85,15 +85,15 @@ std::optional<SceneStage> read_stage(const SceneValues& values)
 
 std::optional<StageKind> stage_kind(std::string_view word)
 {
-    const auto found = std::find_if(kind_words.begin(), kind_words.end(),
+    const auto found = std::find_if(stage_kind_words.begin(), stage_kind_words.end(),
                                     [&](const auto& entry) { return entry.first == word; });
-    if (found == kind_words.end()) return std::nullopt;
+    if (found == stage_kind_words.end()) return std::nullopt;
     return found->second;
 }
 
 std::string_view word_of_kind(StageKind kind)
 {
-    const auto found = std::find_if(kind_words.begin(), kind_words.end(),
+    const auto found = std::find_if(stage_kind_words.begin(), stage_kind_words.end(),
                                     [&](const auto& entry) { return entry.second == kind; });
     return found->first;
 }

@@ -72,7 +72,8 @@ void add_to(SinglePhaseSums& node, const GroundForce& ground)
 }
 
 template <class Sums>
-void scatter(const Problem& problem, const State& state, ParticlePlaces& places, std::vector<Sums>& sums)
+void scatter_ground_forces(const Problem& problem, const State& state, ParticlePlaces& places,
+                           std::vector<Sums>& sums)
 {
     if (state.free_fields.empty() || state.stage != Stage::shaking) return;
     for (const GroundForce& ground : free_field_forces(problem, state, places))
@@ -108,13 +109,13 @@ std::vector<GroundForce> free_field_forces(const Problem& problem, const State& 
 void scatter_free_fields(const Problem& problem, const State& state, ParticlePlaces& places,
                          std::vector<TwoPhaseSums>& sums)
 {
-    scatter(problem, state, places, sums);
+    scatter_ground_forces(problem, state, places, sums);
 }
 
 void scatter_free_fields(const Problem& problem, const State& state, ParticlePlaces& places,
                          std::vector<SinglePhaseSums>& sums)
 {
-    scatter(problem, state, places, sums);
+    scatter_ground_forces(problem, state, places, sums);
 }
 
 } // namespace quicksand

@@ -6,7 +6,7 @@ namespace quicksand {
 
 namespace {
 
-void seal(std::size_t node, NodeConditions& conditions)
+void seal_node(std::size_t node, NodeConditions& conditions)
 {
     constexpr unsigned water_held = fluid_x_fixed | fluid_y_fixed, seals = seal_x | seal_y;
     std::uint8_t& held = conditions.of_node[conditions.master[node]];
@@ -28,7 +28,7 @@ void seal_by_solids(const Problem& problem, const Particles& particles, const Ce
         const auto cell = static_cast<std::size_t>(lists.cell_of_slot[slot]);
         const std::size_t first = cell / row * nodes + cell % row;
         for (const std::size_t node : {first, first + 1, first + nodes, first + nodes + 1})
-            seal(node, conditions);
+            seal_node(node, conditions);
     }
 }
 

@@ -54,8 +54,8 @@ void for_each_nodal_water(const Problem& problem, double time, const Particles& 
 }
 
 template <class Sums>
-void scatter(const Problem& problem, double time, const Particles& particles, ParticlePlaces& places,
-             std::vector<Sums>& sums)
+void scatter_nodal_loads(const Problem& problem, double time, const Particles& particles,
+                         ParticlePlaces& places, std::vector<Sums>& sums)
 {
     for_each_nodal_load(problem, time, particles, places, [&](std::size_t i, const Vector2& force) {
         sums[i].stress_force_x += force.x();
@@ -68,13 +68,13 @@ void scatter(const Problem& problem, double time, const Particles& particles, Pa
 void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
                            ParticlePlaces& places, std::vector<TwoPhaseSums>& sums)
 {
-    scatter(problem, time, particles, places, sums);
+    scatter_nodal_loads(problem, time, particles, places, sums);
 }
 
 void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
                            ParticlePlaces& places, std::vector<SinglePhaseSums>& sums)
 {
-    scatter(problem, time, particles, places, sums);
+    scatter_nodal_loads(problem, time, particles, places, sums);
 }
 
 void scatter_outer_water(const Problem& problem, double time, const Particles& particles,

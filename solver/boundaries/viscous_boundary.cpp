@@ -58,7 +58,8 @@ void brake(const NodeConditions& conditions, double dt, const std::vector<Dashpo
 }
 
 template <class Sums>
-void scatter(const Problem& problem, const State& state, ParticlePlaces& places, std::vector<Sums>& sums)
+void scatter_nodal_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
+                             std::vector<Sums>& sums)
 {
     for_each_nodal_reaction(problem, state, places, [&](std::size_t i, const Vector2& force) {
         sums[i].stress_force_x += force.x();
@@ -141,13 +142,13 @@ void brake_by_dashpots(const NodeConditions& conditions, double dt, const std::v
 void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
                        std::vector<TwoPhaseSums>& sums)
 {
-    scatter(problem, state, places, sums);
+    scatter_nodal_reactions(problem, state, places, sums);
 }
 
 void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
                        std::vector<SinglePhaseSums>& sums)
 {
-    scatter(problem, state, places, sums);
+    scatter_nodal_reactions(problem, state, places, sums);
 }
 
 } // namespace quicksand

@@ -16,7 +16,7 @@ static_assert(BackgroundGrid::domain_reach == 2.5, "the row of limited_domains s
 
 // One row, one quantity: the formatter would make it four lines.
 // clang-format off
-constexpr std::array table = {
+constexpr std::array body_quantity_table = {
     BodyQuantity{"time", "s", "time since the shaking began", any_body,
         [](const MeasuredBody& body) { return body.state.time; }},
     BodyQuantity{"base_acceleration", "m/s2", "acceleration of the base", any_body,
@@ -116,13 +116,13 @@ MeasuredBody measure_body(const Problem& problem, const State& state, const std:
 
 std::span<const BodyQuantity> all_body_quantities()
 {
-    return table;
+    return body_quantity_table;
 }
 
 std::vector<const BodyQuantity*> body_quantities(const Problem& problem, const State& state)
 {
     std::vector<const BodyQuantity*> found;
-    for (const BodyQuantity& quantity : table)
+    for (const BodyQuantity& quantity : body_quantity_table)
         if (has(problem, state, quantity.of)) found.push_back(&quantity);
     return found;
 }

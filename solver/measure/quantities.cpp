@@ -27,7 +27,7 @@ constexpr std::uint8_t everywhere = on_particles | on_nodes | at_probes;
 
 // A row as it is read: what it is called, what it means, where it is, how it is found.
 // clang-format off
-constexpr std::array table = {
+constexpr std::array quantity_table = {
     Quantity{.name = "position", .symbol = "", .unit = "m", .label = "Position",
         .meaning = "place of the point", .form = QuantityForm::vector, .places = at_probes,
         .value = [](const Problem&, const Particles& particles, std::size_t p) { return of_vector(particles.position[p]); },
@@ -121,22 +121,22 @@ std::string lower_first(std::string_view text)
 
 std::span<const Quantity> all_quantities()
 {
-    return table;
+    return quantity_table;
 }
 
 std::vector<const Quantity*> quantities_of(QuantityPlace place)
 {
     std::vector<const Quantity*> found;
-    for (const Quantity& quantity : table)
+    for (const Quantity& quantity : quantity_table)
         if ((quantity.places & place) != 0) found.push_back(&quantity);
     return found;
 }
 
 const Quantity& quantity_named(std::string_view name)
 {
-    const auto found = std::find_if(table.begin(), table.end(),
+    const auto found = std::find_if(quantity_table.begin(), quantity_table.end(),
                                     [&](const Quantity& quantity) { return quantity.name == name; });
-    ENSURE(found != table.end());
+    ENSURE(found != quantity_table.end());
     return *found;
 }
 
@@ -170,7 +170,7 @@ std::string_view component_suffix(QuantityForm form, std::size_t component)
 
 QuantityComponent find_component(std::string_view name)
 {
-    for (const Quantity& quantity : table)
+    for (const Quantity& quantity : quantity_table)
         for (std::size_t c = 0; c < component_count(quantity.form); ++c)
             if (component_name(quantity, c) == name) return {&quantity, c};
     return {};

@@ -16,8 +16,8 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::int64_t steps_between_checks = 50;
-constexpr double growth = 1.25; // of the factor while the bracket is open
+constexpr std::int64_t steps_between_judgements = 50;
+constexpr double factor_growth = 1.25; // of the factor while the bracket is open
 
 /// Time of the slowest shear wave along the width and the height of the grid [s].
 double shear_crossing_time(const Problem& problem)
@@ -54,7 +54,7 @@ public:
         trial.factor = factor;
         const auto most_steps = static_cast<std::int64_t>(controls_.crossings * crossing_time_ / dt);
         while (trial.steps < most_steps && trial.displacement < largest_displacement_ && !trial.stands) {
-            for (std::int64_t step = 0; step < steps_between_checks; ++step, ++trial.steps)
+            for (std::int64_t step = 0; step < steps_between_judgements; ++step, ++trial.steps)
                 advance_held_shape(weaker, dt, controls_.damping, acceleration, trial_particles, trial_shape);
             trial.displacement = largest_displacement(problem_, trial_shape);
             trial.out_of_balance = out_of_balance(problem_, acceleration, trial_shape);
@@ -127,12 +127,12 @@ SafetyFactor safety_factor(const Problem& problem, const StrengthReductionContro
         if (progress) progress(trial);
         (trial.stands ? result.stands : result.fails) = factor;
         if (result.stands == 0.0) {
-            factor /= growth;
+            factor /= factor_growth;
             if (factor * controls.greatest_factor < 1.0)
                 reduction.fail(trial, 0.0, "the body does not come to rest at any strength of its soil");
         } else if (std::isinf(result.fails)) {
             if (factor >= controls.greatest_factor) break;
-            factor = std::min(growth * factor, controls.greatest_factor);
+            factor = std::min(factor_growth * factor, controls.greatest_factor);
         } else {
             factor = 0.5 * (result.stands + result.fails);
             if (result.fails - result.stands <= controls.tolerance * factor) break;

@@ -21,7 +21,7 @@ namespace {
 constexpr double most_steps_of_sound = 16.0;                  // in an implicit one
 constexpr double energy_damped = 0.02, damped_at_once = 5e-4; // of the energy turned over
 constexpr double energy_made = 0.1;                           // of the energy turned over
-constexpr double growth = 4.0; // of the kinetic energy from one restart point to the next
+constexpr double most_growth = 4.0; // of the kinetic energy from one restart point to the next
 // Of the energy put in: sound runs lose up to 0.8 of it from their start to their end.
 constexpr double energy_lost = 2.0, lost_at_once = 0.1;
 
@@ -74,7 +74,7 @@ void Watchdog::keep(const Problem& problem, State& state)
 
 void Watchdog::check_growth(const EnergyBalance& energy, double dt, const State& state) const
 {
-    if (energy.kinetic <= growth * energy_.kinetic || energy.error() <= energy_made) return;
+    if (energy.kinetic <= most_growth * energy_.kinetic || energy.error() <= energy_made) return;
     fail("the steps have made energy, " + percentage(energy.error()) +
              " of what was turned over, and the motion grows",
          dt, state);

@@ -24,8 +24,8 @@ bool is_undrained(const Problem& problem, const State& state)
 }
 
 /// The velocities at the end of the step that the forces give.
-void solve_velocities(const Problem& problem, double velocity_dt, double acceleration, double damping,
-                      SinglePhaseWorkspace& work)
+void solve_single_phase_velocities(const Problem& problem, double velocity_dt, double acceleration,
+                                   double damping, SinglePhaseWorkspace& work)
 {
     solve_single_phase_momentum(problem, work.conditions, velocity_dt, acceleration, damping, work.sums,
                                 work.motion);
@@ -53,7 +53,7 @@ void damp_accelerations(double damping, double velocity_dt, SinglePhaseWorkspace
 void solve_resisted(const Problem& problem, double dt, double velocity_dt, double acceleration,
                     double damping, const State& state, SinglePhaseWorkspace& work)
 {
-    const auto solve = [&] { solve_velocities(problem, velocity_dt, acceleration, 0.0, work); };
+    const auto solve = [&] { solve_single_phase_velocities(problem, velocity_dt, acceleration, 0.0, work); };
     sum_moduli(problem, dt, state.particles, work);
     choose_resistance(problem, state, *work.inertia);
     if (damping == 0.0 && is_long_step(problem, dt, work.sums, *work.inertia)) {
@@ -142,7 +142,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
             solve_resisted(problem, dt, velocity_dt, acceleration, damping, state, work);
         } else {
             if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
-            solve_velocities(problem, velocity_dt, acceleration, damping, work);
+            solve_single_phase_velocities(problem, velocity_dt, acceleration, damping, work);
         }
         if (state.balance_terms)
             enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, work.sums, work.outer,

@@ -27,7 +27,8 @@ namespace quicksand {
 namespace {
 
 /// `velocity_dt` is the time over which the forces act, see velocity_interval [s].
-void solve_velocities(const Problem& problem, double velocity_dt, const State& state, TwoPhaseWorkspace& work)
+void solve_two_phase_velocities(const Problem& problem, double velocity_dt, const State& state,
+                                TwoPhaseWorkspace& work)
 {
     const double acceleration = base_acceleration(problem.base_motion, state.time);
     solve_two_phase_momentum(problem, work.conditions, velocity_dt, acceleration, work.sums, work.motion);
@@ -154,7 +155,8 @@ void find_increments(const Problem& problem, double dt, double velocity_dt, cons
 void answer(const Problem& problem, double dt, double velocity_dt, State& state, SemiImplicitWorkspace& work)
 {
     timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
-    timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
+    timed(work.timers, Phase::momentum,
+          [&] { solve_two_phase_velocities(problem, velocity_dt, state, work); });
 }
 
 /// The stiffness of the cells for the preconditioner of the pressure: where grains resist a change of volume
@@ -181,7 +183,8 @@ void answer_with_inertia(const Problem& problem, double dt, double velocity_dt, 
 {
     const auto resist = [&] {
         timed(work.timers, Phase::inertia, [&] { resist_acceleration(dt, velocity_dt, work); });
-        timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
+        timed(work.timers, Phase::momentum,
+              [&] { solve_two_phase_velocities(problem, velocity_dt, state, work); });
     };
     timed(work.timers, Phase::inertia, [&] {
         set_up_inertia(problem, dt, velocity_dt, work);
@@ -323,7 +326,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
         const double velocity_dt = velocity_interval(state, dt);
         centre_drag(velocity_dt, explicit_strong_drag, work.sums);
         assemble_walls(problem, velocity_dt, work.sums, work);
-        solve_velocities(problem, velocity_dt, state, work);
+        solve_two_phase_velocities(problem, velocity_dt, state, work);
         enter_works(problem, velocity_dt, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
@@ -362,7 +365,8 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     if (together) {
         answer_together(problem, dt, velocity_dt, state, work);
     } else {
-        timed(work.timers, Phase::momentum, [&] { solve_velocities(problem, velocity_dt, state, work); });
+        timed(work.timers, Phase::momentum,
+              [&] { solve_two_phase_velocities(problem, velocity_dt, state, work); });
         if (work.inertia)
             answer_with_inertia(problem, dt, velocity_dt, state, work);
         else

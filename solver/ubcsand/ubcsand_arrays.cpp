@@ -136,7 +136,7 @@ inline void try_plastically(const UbcSand& law, Block& block, const TrialBlock& 
 
 /// Try a substep of second order in every lane, and take the strain off that it has used.
 template <ElasticForm form, Round round>
-inline void try_substep(const UbcSand& law, Block& block)
+inline void try_block_substep(const UbcSand& law, Block& block)
 {
     TrialBlock trials;
     VerdictBlock verdicts;
@@ -162,7 +162,7 @@ inline void take_substep(const UbcSand& law, Block& block)
     if constexpr (order == Integration::first_order) {
         step_in_first_order<form>(law, block);
     } else {
-        try_substep<form, round>(law, block);
+        try_block_substep<form, round>(law, block);
     }
 }
 

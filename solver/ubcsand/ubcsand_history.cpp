@@ -15,7 +15,7 @@ constexpr double least_distance = 0.02;  // of root s to root s_0, over the latt
 constexpr double rising_exponent = 1.0;  // of ru until the sand has liquefied [-] [Sha12]
 constexpr double falling_exponent = 8.9; // and from then on [-] [Sha12]
 
-double mean_stress(const UbcSand& law, const Particles& particles, std::size_t p)
+double mean_stress_of(const UbcSand& law, const Particles& particles, std::size_t p)
 {
     return std::max(law.s_min, -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]));
 }
@@ -68,7 +68,7 @@ void advance_history(const UbcSand& law, double dt, std::size_t first, std::size
 {
     const Gradients& L = particles.velocity_gradient_solid;
     for (std::size_t p = first; p < last; ++p) {
-        const double s = mean_stress(law, particles, p);
+        const double s = mean_stress_of(law, particles, p);
         note_shear(dt * (L.xx[p] - L.yy[p]), dt * (L.xy[p] + L.yx[p]), s, law.s_min, p, history);
         const double strain = -dt * (L.xx[p] + L.yy[p]);
         const double compaction = compaction_of(law, strain, s, p, history);

@@ -12,8 +12,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::size_t components = 2; // of a node
-constexpr double any_step = 1.0;      // [s]
+constexpr double any_step = 1.0; // [s]
 
 } // namespace
 

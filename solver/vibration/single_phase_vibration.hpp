@@ -6,6 +6,7 @@
 #include "solver/vibration/nodal_equations.hpp"
 #include "solver/vibration/small_motion.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace quicksand {
@@ -21,6 +22,7 @@ public:
     void respond(const Scalars& force, Scalars& velocity) override;
 
 private:
+    static constexpr std::size_t components = 2; // of a node
     /// Velocities of the nodes that follow from the forces and momenta of the sums.
     void solve_velocities();
     /// Leave as the only load the momenta of the motion that the particles do not give back, R (1 - F) v.

@@ -12,8 +12,6 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::size_t components = 4; // of a node: grains and flux, or stress and pressure
-
 /// The drag C' - C'' that acts on a motion which changes its sign in every step, see centre_drag.
 void set_alternating_drag(double dt, double strong, std::vector<TwoPhaseSums>& sums)
 {

@@ -6,6 +6,7 @@
 #include "solver/vibration/nodal_equations.hpp"
 #include "solver/vibration/small_motion.hpp"
 
+#include <cstddef>
 #include <vector>
 
 namespace quicksand {
@@ -21,6 +22,7 @@ public:
     void respond(const Scalars& force, Scalars& velocity) override;
 
 private:
+    static constexpr std::size_t components = 4; // of a node: grains and flux, or stress and pressure
     bool is_semi_implicit() const { return problem_.scheme == TimeScheme::semi_implicit; }
     /// Velocities of the nodes that follow from the forces and momenta of the sums.
     void solve_velocities();

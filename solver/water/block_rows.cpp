@@ -72,8 +72,8 @@ struct Response {
     std::vector<float> y;
 };
 
-Response respond(const BandedCholesky& factor, const std::vector<BlockRows::Part>& parts,
-                 std::vector<float>& work)
+Response response_to(const BandedCholesky& factor, const std::vector<BlockRows::Part>& parts,
+                     std::vector<float>& work)
 {
     constexpr float least = 1e-5f; // of a row scaled to one: a mirrored drawing has mirrored answers
     for (const BlockRows::Part& part : parts) work[part.row] = part.value;
@@ -117,7 +117,7 @@ void set_up_rows(double dt, const std::vector<HeldRow>& held, const NodeTouches&
     std::fill(solution.begin(), solution.end(), 0.0f);
     std::vector<Response> responses;
     for (const std::vector<BlockRows::Part>& parts : rows.parts)
-        responses.push_back(respond(factor, parts, solution));
+        responses.push_back(response_to(factor, parts, solution));
     subtract_products(responses, matrix);
     // rows may repeat each other at corners; a preconditioner may have softer ones
     for (float softness = 1e-3f;; softness *= 10.0f) {

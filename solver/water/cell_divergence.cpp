@@ -30,11 +30,11 @@ struct CellParticles {
 };
 
 /// The first `count` lanes, the others zero.
-inline Lanes first_lanes(const Lanes& lanes, int count)
+inline Lanes first_lanes(const Lanes& all, int count)
 {
     using Bits = std::int64_t __attribute__((vector_size(32)));
     const Bits keep = Bits{0, 1, 2, 3} < Bits{count, count, count, count};
-    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(lanes) & keep);
+    return reinterpret_cast<Lanes>(reinterpret_cast<Bits>(all) & keep);
 }
 
 /// target += factor row, for `width` numbers; zero is added to what follows up to a multiple of four.

@@ -93,7 +93,7 @@ void respond_by_nodes(PressureSolve& solve)
 }
 
 /// flux = W force at the nodes, tied nodes with the flux of their masters; the forces are zero afterwards.
-void respond(const NodeConditions& conditions, PressureSolve& solve)
+void respond_to_forces(const NodeConditions& conditions, PressureSolve& solve)
 {
     gather_tied_forces(conditions, solve);
     if (solve.stiff_response) {
@@ -125,7 +125,7 @@ double multiply(const BackgroundGrid& grid, const CellLists& lists, const NodeCo
 {
     copy_from_roots(solve, pressure);
     scatter_pressure(grid, lists, pressure, solve);
-    respond(conditions, solve);
+    respond_to_forces(conditions, solve);
     const double square = sum_over_tiles(lists, solve, [&](const Tile& tile) {
         const TileDivergence& divergence = solve.divergence[static_cast<std::size_t>(tile.number)];
         outflows(divergence, grid.nodes_x(), solve.flux_x, solve.flux_y, solve.product);

@@ -29,7 +29,7 @@ Physical Curve("sides") = {10, 11, 12, 20, 21, 22};
 Physical Curve("crest") = {4};
 )";
 
-const std::string scene = R"(scene_version = 1
+const std::string fill_scene = R"(scene_version = 1
 [geometry]
 file = "fill.geo"
 [grid]
@@ -86,7 +86,7 @@ protected:
     LayerRun()
     {
         std::ofstream(folder / "fill.geo") << drawing;
-        std::ofstream(folder / "fill.toml") << scene;
+        std::ofstream(folder / "fill.toml") << fill_scene;
     }
     std::string words(const std::string& results, const std::string& more = "") const
     {
@@ -146,7 +146,7 @@ TEST_F(LayerRun, ShakesWithTheSoilThatHasSettled)
 {
     ASSERT_EQ(run_program(words("whole")).code, 0);
     std::ofstream(folder / "plain.toml")
-        << scene.substr(0, scene.find("[[stages]]")) << "[run]\nend_time = 0.01\n";
+        << fill_scene.substr(0, fill_scene.find("[[stages]]")) << "[run]\nend_time = 0.01\n";
     const Outcome outcome =
         run_program("run " + (folder / "plain.toml").string() + " -o " + (folder / "plain").string() +
                     " --from " + (folder / "whole").string() + ":ground");

@@ -3,6 +3,7 @@
 
 #include "tests/fixtures/checkout.hpp"
 
+#include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -80,6 +81,11 @@ inline std::string header_of(const std::filesystem::path& file)
         if (!line.starts_with('#')) return line;
     }
     return "";
+}
+
+inline void expect_mention(const Outcome& outcome, const std::string& text)
+{
+    EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n" << outcome.output;
 }
 
 inline std::string example(const std::string& name)

@@ -16,10 +16,10 @@ namespace {
 using namespace testing_program;
 
 constexpr double scale = 120.0;
-constexpr double tolerance = 0.01; // of a history's largest value
+constexpr double scaling_tolerance = 0.01; // of a history's largest value
 
 /// What the model's value is multiplied by to be that in full scale.
-double factor_of(const std::string& column)
+double scale_of(const std::string& column)
 {
     static const std::map<std::string, double> factors = {
         {"time_s", scale}, {"distance_m", scale}, {"x_m", scale},           {"y_m", scale},
@@ -67,7 +67,7 @@ TEST(ShakeTable, IsTheSameInModelScaleAndInFullScale)
         ASSERT_EQ(model.values.front().size(), full.values.front().size());
         for (std::size_t c = 0; c < model.columns.size(); ++c) {
             const std::string& column = model.columns[c];
-            EXPECT_LT(difference(model.values[c], full.values[c], factor_of(column)), tolerance)
+            EXPECT_LT(difference(model.values[c], full.values[c], scale_of(column)), scaling_tolerance)
                 << probe << ' ' << column;
         }
     }

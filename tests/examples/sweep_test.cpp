@@ -14,11 +14,6 @@ using namespace testing_program;
 
 namespace fs = std::filesystem;
 
-void expect_mention(const Outcome& outcome, const std::string& text)
-{
-    EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n" << outcome.output;
-}
-
 std::vector<std::string> lines_of(const fs::path& file)
 {
     std::ifstream stream(file);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double height = 1.0, end_time = 4e-3; // [m], [s]
+constexpr double wet_height = 1.0, run_duration = 4e-3; // [m], [s]
 
 /// A soft saturated column that is torn upward at 1/s: what holds it is the water's tension.
 struct TornColumn {
@@ -28,21 +28,21 @@ TornColumn tear(TimeScheme scheme, std::optional<double> cavitation_pressure, do
     problem.grid = {{0.0, 0.0}, 0.05, 1, 24};
     problem.materials = {stiff_sand()};
     problem.materials[0].law = LinearElastic{1e5, 0.3};
-    problem.water = water_to(height);
+    problem.water = water_to(wet_height);
     problem.water->cavitation_pressure = cavitation_pressure;
     problem.gravity = 0.0;
     problem.scheme = scheme;
     problem.step_fraction = step_fraction;
-    problem.boundaries = rectangle(0.0, 0.0, 0.05, height, FixedWall{}, RollerWall{}, FreeFace{});
+    problem.boundaries = rectangle(0.0, 0.0, 0.05, wet_height, FixedWall{}, RollerWall{}, FreeFace{});
     State& state = column.state;
-    state = fill(problem, 2, [](const Vector2& x) { return x.y() < height; });
+    state = fill(problem, 2, [](const Vector2& x) { return x.y() < wet_height; });
     Particles& particles = state.particles;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         particles.velocity_solid.y[p] = particles.velocity_fluid.y[p] = particles.position.y[p];
         particles.affine_velocity_solid.yy[p] = particles.affine_velocity_fluid.yy[p] = 1.0;
     }
     if (has_balances) open_balances(problem, state);
-    run(problem, end_time, {}, state);
+    run(problem, run_duration, {}, state);
     return column;
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using namespace fixtures;
 
-struct Consolidation {
+struct ConsolidatedColumn {
     double pressure_error = 0.0;   // L2 over the particles, relative to p0 [-]
     double settlement_error = 0.0; // of the topmost particle, relative to the final settlement [-]
 };
@@ -19,8 +19,8 @@ struct Consolidation {
 constexpr double small_pressure = 10.0; // the series knows no change of geometry [Pa]
 
 /// A layer of 1 m with excess pressure p0 everywhere that its total stress of zero leaves to the skeleton.
-Consolidation consolidate(int cells, double time_factor, double p0 = small_pressure,
-                          StrainForm strain = StrainForm::large)
+ConsolidatedColumn consolidate_column(int cells, double time_factor, double p0 = small_pressure,
+                                      StrainForm strain = StrainForm::large)
 {
     Problem problem;
     problem.grid = {{0.0, 0.0}, 1.0 / cells, 1, cells + 1};
@@ -43,7 +43,7 @@ Consolidation consolidate(int cells, double time_factor, double p0 = small_press
     run(problem, time_factor / c_v, {}, state);
 
     double top = 0.0, highest = 0.0, volume = 0.0;
-    Consolidation result;
+    ConsolidatedColumn result;
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
         const double y = state.particles.reference_position.y[p], V = state.particles.volume[p];
         const double difference =
@@ -61,7 +61,7 @@ Consolidation consolidate(int cells, double time_factor, double p0 = small_press
 TEST(Terzaghi, PressureAndSettlementAgreeWithTheSeriesAt20Cells)
 {
     for (const double time_factor : {0.1, 0.2, 0.5, 1.0}) {
-        const Consolidation result = consolidate(20, time_factor);
+        const ConsolidatedColumn result = consolidate_column(20, time_factor);
         EXPECT_LT(result.pressure_error, 0.0012) << "T = " << time_factor;
         EXPECT_LT(result.settlement_error, 0.0006) << "T = " << time_factor;
     }
@@ -69,16 +69,18 @@ TEST(Terzaghi, PressureAndSettlementAgreeWithTheSeriesAt20Cells)
 
 TEST(Terzaghi, ALoadOfAThousandTimesIsAsGoodInSmallStrain)
 {
-    const Consolidation large = consolidate(20, 0.2), small = consolidate(20, 0.2, 10e3, StrainForm::small);
+    const ConsolidatedColumn large = consolidate_column(20, 0.2),
+                             small = consolidate_column(20, 0.2, 10e3, StrainForm::small);
     EXPECT_NEAR(small.pressure_error, large.pressure_error, 1e-5);
     EXPECT_NEAR(small.settlement_error, large.settlement_error, 1e-5);
-    EXPECT_GT(std::abs(consolidate(20, 0.2, 10e3).pressure_error - small.pressure_error), 1e-4)
+    EXPECT_GT(std::abs(consolidate_column(20, 0.2, 10e3).pressure_error - small.pressure_error), 1e-4)
         << "large strain sees the strain of 0.1 %";
 }
 
 TEST(Terzaghi, PressureConvergesFasterThanFirstOrderOnceTheFirstWavesAreGone)
 {
-    const double coarse = consolidate(10, 0.5).pressure_error, fine = consolidate(20, 0.5).pressure_error;
+    const double coarse = consolidate_column(10, 0.5).pressure_error,
+                 fine = consolidate_column(20, 0.5).pressure_error;
     EXPECT_GT(std::log2(coarse / fine), 1.6);
 }
 

@@ -23,7 +23,7 @@ Problem shaken_block()
     return problem;
 }
 
-State block(const Problem& problem)
+State block_state(const Problem& problem)
 {
     return fill(problem, 3, [](const Vector2& x) { return x.x() > 0.1 && x.x() < 1.1 && x.y() < 0.6; });
 }
@@ -33,11 +33,11 @@ TEST(Determinism, OneTwoAndFourThreadsGiveTheSameBits)
     const Problem problem = shaken_block();
     const int threads_before = thread_count();
     set_thread_count(1);
-    State reference = block(problem);
+    State reference = block_state(problem);
     run(problem, 0.004, {}, reference);
     for (const int threads : {2, 4}) {
         set_thread_count(threads);
-        State state = block(problem);
+        State state = block_state(problem);
         run(problem, 0.004, {}, state);
         EXPECT_EQ(state.step, reference.step);
         expect_same_bits(state.particles, reference.particles);
@@ -48,7 +48,7 @@ TEST(Determinism, OneTwoAndFourThreadsGiveTheSameBits)
 TEST(Determinism, ACopyTakenInMidRunGoesOnWithTheSameBits)
 {
     const Problem problem = shaken_block();
-    State uninterrupted = block(problem);
+    State uninterrupted = block_state(problem);
     State interrupted = uninterrupted;
     run(problem, 0.004, {}, uninterrupted);
 

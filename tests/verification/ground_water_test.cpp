@@ -72,7 +72,7 @@ Material with_porosity(double porosity, bool saturated)
     return material;
 }
 
-double largest_speed(const Particles& particles)
+double largest_speed_of_phases(const Particles& particles)
 {
     double largest = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p)
@@ -87,10 +87,10 @@ double speed_at_rest(const LayeredColumn& column, int steps)
     State state = layered_state(column);
     const double dt = stable_time_step(column.problem, state.particles).dt;
     run(column.problem, steps * dt, {}, state);
-    return largest_speed(state.particles) / std::sqrt(column.problem.gravity * column_height);
+    return largest_speed_of_phases(state.particles) / std::sqrt(column.problem.gravity * column_height);
 }
 
-constexpr int rest_steps = 5000; // for 100 000 see examples/verification/README.md
+constexpr int level_rest_steps = 5000; // for 100 000 see examples/verification/README.md
 
 class RestOfLevelGround : public testing::TestWithParam<TimeScheme> {};
 
@@ -101,7 +101,7 @@ TEST_P(RestOfLevelGround, OneSoil)
 {
     LayeredColumn column{column_problem(column_height), {0.0}};
     column.problem.scheme = GetParam();
-    EXPECT_LT(speed_at_rest(column, rest_steps), 1e-8);
+    EXPECT_LT(speed_at_rest(column, level_rest_steps), 1e-8);
 }
 
 TEST_P(RestOfLevelGround, LayersOfDifferentPorosity)
@@ -111,7 +111,7 @@ TEST_P(RestOfLevelGround, LayersOfDifferentPorosity)
     column.problem.materials = {with_porosity(0.5, true), with_porosity(0.35, true),
                                 with_porosity(0.45, true)};
     column.problem.scheme = GetParam();
-    EXPECT_LT(speed_at_rest(column, rest_steps), 1e-8);
+    EXPECT_LT(speed_at_rest(column, level_rest_steps), 1e-8);
 }
 
 /// How a scene solves for its water.
@@ -142,7 +142,7 @@ INSTANTIATE_TEST_SUITE_P(Solutions, RestWithAPhreaticLine,
 
 TEST_P(RestWithAPhreaticLine, LevelColumnStaysAtRest)
 {
-    EXPECT_LT(speed_at_rest(column(3.0), rest_steps / 2), 1e-8);
+    EXPECT_LT(speed_at_rest(column(3.0), level_rest_steps / 2), 1e-8);
 }
 
 TEST_P(RestWithAPhreaticLine, WaterStandsAboveTheLevelOfTheScene)
@@ -158,9 +158,9 @@ TEST_P(RestWithAPhreaticLine, WaterStandsAboveTheLevelOfTheScene)
     EXPECT_LT(out_of_balance(column.problem, state), 1e-12);
     const double dt = stable_time_step(column.problem, state.particles).dt;
     open_balances(column.problem, state);
-    run(column.problem, rest_steps / 2 * dt, {}, state);
+    run(column.problem, level_rest_steps / 2 * dt, {}, state);
     // the pressure's slope has a kink at the level, which the cells see rounded: 4e-7 measured
-    EXPECT_LT(largest_speed(state.particles), 1e-6 * std::sqrt(standard_gravity * column_height));
+    EXPECT_LT(largest_speed_of_phases(state.particles), 1e-6 * std::sqrt(standard_gravity * column_height));
     const BalanceErrors balances = balance(column.problem, state);
     double mass = 0.0;
     for (const double m : state.particles.mass_solid) mass += m;

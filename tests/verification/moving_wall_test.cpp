@@ -25,7 +25,7 @@ Problem column_under_platen(const WallMotion& motion)
     return problem;
 }
 
-State column_state(const Problem& problem)
+State walled_column_state(const Problem& problem)
 {
     return fill(problem, 2, [](const Vector2& x) { return x.x() < 0.2 && x.y() < 1.0; });
 }
@@ -46,7 +46,7 @@ TEST(MovingWall, PressesTheSoilThroughThreeRowsOfNodesByItsDisplacement)
     const double end = 0.1; // 50 times the time a wave needs from the top to the base
     motion.history.ramp_time = end;
     Problem problem = column_under_platen(motion);
-    State state = column_state(problem);
+    State state = walled_column_state(problem);
     run(problem, end, {}, state);
 
     EXPECT_NEAR(surface(state.particles), 1.0 - pushed, 1e-12);
@@ -64,7 +64,7 @@ TEST(MovingWall, WithAVelocityComesToTheSamePlace)
     const double pushed = 0.08, end = 0.05;
     const WallMotion motion{MotionQuantity::velocity, WallGrip::rough, {0.0, -pushed / end}, 0.0, {}};
     Problem problem = column_under_platen(motion);
-    State state = column_state(problem);
+    State state = walled_column_state(problem);
     run(problem, end, {}, state);
     EXPECT_NEAR(surface(state.particles), 1.0 - pushed, 1e-12);
 }
@@ -75,7 +75,7 @@ TEST(MovingWall, ShearsTheSoilWhenItIsRough)
     WallMotion motion{MotionQuantity::displacement, WallGrip::rough, {sheared, 0.0}, 0.0, {}};
     motion.history.ramp_time = end;
     Problem problem = column_under_platen(motion);
-    State state = column_state(problem);
+    State state = walled_column_state(problem);
     run(problem, end, {}, state);
     double mean = 0.0;
     for (const double xy : state.particles.stress.xy) mean += xy;
@@ -92,7 +92,7 @@ TEST(MovingWall, TakesTheWaterAlong)
     Problem problem = column_under_platen(motion);
     problem.water = water_to(1.0);
     problem.boundaries[2].water = Impervious{};
-    State state = column_state(problem);
+    State state = walled_column_state(problem);
     run(problem, end, {}, state);
     double pressure = 0.0;
     for (const double p : state.particles.pore_pressure) pressure += p;

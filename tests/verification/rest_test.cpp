@@ -20,7 +20,7 @@ public:
     std::int64_t steps = 0;
 };
 
-double largest_speed(const Particles& particles)
+double largest_speed_of_grains(const Particles& particles)
 {
     double largest = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p)
@@ -41,7 +41,7 @@ TEST(Rest, LevelColumnUnderK0StaysAtRestFor10000Steps)
 
     EXPECT_GE(steps.steps, 10'000);
     const double reference_speed = std::sqrt(problem.gravity * 0.3175);
-    EXPECT_LT(largest_speed(state.particles), 1e-8 * reference_speed);
+    EXPECT_LT(largest_speed_of_grains(state.particles), 1e-8 * reference_speed);
     // the pressure as a whole is the static pressure of the still water
     const double base_pressure = problem.water->density * problem.gravity * 0.3175;
     for (const double excess : state.particles.pore_pressure)
@@ -68,7 +68,7 @@ Problem submerged_dike()
     return problem;
 }
 
-constexpr int rest_steps = 500; // for 100 000 see examples/verification/README.md
+constexpr int slope_rest_steps = 500; // for 100 000 see examples/verification/README.md
 
 /// Elevation of the slope's surface at x [m].
 double slope_surface(double x)
@@ -97,8 +97,8 @@ TEST(Rest, DikeSettlesInTheGravityStageAndStaysAtRestAfterwards)
         const double dt = stable_time_step(problem, state.particles).dt;
         double fastest = 0.0;
         for (int part = 1; part <= 10; ++part) {
-            run(problem, part * rest_steps / 10 * dt, {}, shaken);
-            fastest = std::max(fastest, largest_speed(shaken.particles));
+            run(problem, part * slope_rest_steps / 10 * dt, {}, shaken);
+            fastest = std::max(fastest, largest_speed_of_grains(shaken.particles));
         }
         EXPECT_LT(fastest, 1e-5 * std::sqrt(problem.gravity * 0.25));
     }

@@ -13,7 +13,7 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double height = 2.0, level = 2.0, base_head = 3.0, top_head = 2.2; // [m]
+constexpr double seepage_height = 2.0, still_level = 2.0, base_head = 3.0, top_head = 2.2; // [m]
 
 /// A column of four by twenty cells of 0.1 m, or two by ten of 0.2 m: water enters through the base, which is
 /// held, and leaves at the top, which is free and has a head of its own.
@@ -25,9 +25,9 @@ Problem seeping_column(double cell_size)
     problem.materials = {stiff_sand()};
     problem.materials[0].law = LinearElastic{5e6, 0.2};
     problem.materials[0].hydraulic_conductivity = 1e-2;
-    problem.water = water_to(level);
+    problem.water = water_to(still_level);
     problem.gravity = standard_gravity;
-    problem.boundaries = rectangle(0.0, 0.0, 0.4, height, FixedWall{}, TiedSide{}, FreeFace{});
+    problem.boundaries = rectangle(0.0, 0.0, 0.4, seepage_height, FixedWall{}, TiedSide{}, FreeFace{});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 0.4};
     problem.boundaries[0].water = PrescribedWater{WaterHead{base_head}};
     problem.boundaries[2].water = PrescribedWater{WaterHead{top_head}};
@@ -37,25 +37,25 @@ Problem seeping_column(double cell_size)
 double excess_at(double y)
 {
     const double gamma = 1000.0 * standard_gravity;
-    return gamma * (base_head - level + (top_head - base_head) * y / height);
+    return gamma * (base_head - still_level + (top_head - base_head) * y / seepage_height);
 }
 
 double flux()
 {
-    return 1e-2 * (base_head - top_head) / height;
+    return 1e-2 * (base_head - top_head) / seepage_height;
 }
 
 /// The steady state: linear pressure, Darcy's velocity, grains at rest under their weight less the seepage
 /// force.
 State steady_state(Problem& problem)
 {
-    State state = fill(problem, 3, [](const Vector2& x) { return x.x() < 0.4 && x.y() < height; });
-    set_level_ground_stress(problem, height, 0.5, state);
+    State state = fill(problem, 3, [](const Vector2& x) { return x.x() < 0.4 && x.y() < seepage_height; });
+    set_level_ground_stress(problem, seepage_height, 0.5, state);
     Particles& particles = state.particles;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const double y = particles.position.y[p];
         particles.pore_pressure[p] = excess_at(y);
-        particles.stress.yy[p] += excess_at(y) - excess_at(height);
+        particles.stress.yy[p] += excess_at(y) - excess_at(seepage_height);
         particles.velocity_fluid.y[p] = flux() / problem.materials[0].porosity;
     }
     attach_boundaries(problem, particles);
@@ -97,11 +97,11 @@ TEST(Seepage, DevelopsFromRest)
         particles.pore_pressure[p] = 0.0;
         particles.velocity_fluid.y[p] = 0.0;
     }
-    set_level_ground_stress(problem, height, 0.5, state);
+    set_level_ground_stress(problem, seepage_height, 0.5, state);
     // c_v = k M / gamma_w (water far stiffer): the slowest mode decays as exp(-pi^2 c_v t / H^2)
     const double M = constrained_modulus(LinearElastic{5e6, 0.2});
     const double c_v = 1e-2 * M / (1000.0 * standard_gravity);
-    run(problem, 1.2 * height * height / c_v, {}, state);
+    run(problem, 1.2 * seepage_height * seepage_height / c_v, {}, state);
     double error = 0.0, flux_error = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         error = std::max(error, std::abs(particles.pore_pressure[p] - excess_at(particles.position.y[p])));

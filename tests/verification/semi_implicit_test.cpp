@@ -16,7 +16,7 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double h = 0.0075; // cell size of the patches [m]
+constexpr double patch_cell = 0.0075; // cell size of the patches [m]
 
 Problem semi_implicit_patch(double conductivity)
 {
@@ -25,7 +25,7 @@ Problem semi_implicit_patch(double conductivity)
     return problem;
 }
 
-double energy_growth(const Problem& problem, double fraction)
+double semi_implicit_growth(const Problem& problem, double fraction)
 {
     State state = restless(problem);
     const double dt = fraction * stable_time_step(problem, state.particles).dt;
@@ -42,7 +42,7 @@ double energy_growth(const Problem& problem, double fraction)
 TEST(SemiImplicitStep, RandomMotionDecaysForEveryPermeability)
 {
     for (const double conductivity : {1e-2, 1e-3, 1e-4, 1e-5, 1e-7})
-        EXPECT_LT(energy_growth(semi_implicit_patch(conductivity), 1.0), 1e-2) << conductivity;
+        EXPECT_LT(semi_implicit_growth(semi_implicit_patch(conductivity), 1.0), 1e-2) << conductivity;
 }
 
 TEST(SemiImplicitStep, AnUnsolvedPressureIsANumericalFailure)
@@ -94,7 +94,7 @@ TEST(SemiImplicitStep, AStiffParticleCountsByItsPartOfTheCell)
 
 TEST(SemiImplicitStep, RandomMotionGrowsFarBeyondTheStep)
 {
-    EXPECT_GT(energy_growth(semi_implicit_patch(1e-4), 1.6), 1.0);
+    EXPECT_GT(semi_implicit_growth(semi_implicit_patch(1e-4), 1.6), 1.0);
 }
 
 TEST(SemiImplicitStep, IsSeveralTimesTheExplicitStep)
@@ -107,20 +107,22 @@ TEST(SemiImplicitStep, IsSeveralTimesTheExplicitStep)
 }
 
 /// A saturated block on a base shaken at 180 Hz, its sides free: pressures, drag and slopes all at work.
-Problem shaken_block()
+Problem shaken_patch_block()
 {
     Problem problem = semi_implicit_patch(1e-4);
     problem.gravity = 1000.0;
     problem.base_motion = SineMotion{200.0, 180.0, 1e9, 2.0};
-    problem.boundaries = rectangle(h, 0.0, 8 * h, 0.0625, FixedWall{}, FreeFace{}, FreeFace{});
+    problem.boundaries =
+        rectangle(patch_cell, 0.0, 8 * patch_cell, 0.0625, FixedWall{}, FreeFace{}, FreeFace{});
     return problem;
 }
 
 /// State after `steps` steps of dt, at rest under no stress at first.
 State after(const Problem& problem, double dt, int steps)
 {
-    State state =
-        fill(problem, 3, [](const Vector2& x) { return x.x() > h && x.x() < 8 * h && x.y() < 0.0625; });
+    State state = fill(problem, 3, [](const Vector2& x) {
+        return x.x() > patch_cell && x.x() < 8 * patch_cell && x.y() < 0.0625;
+    });
     if (problem.scheme == TimeScheme::semi_implicit) {
         SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
         work.controls.tolerance = 1e-9;
@@ -145,7 +147,7 @@ double pressure_difference(const Particles& a, const Particles& reference)
 
 TEST(SemiImplicitStep, ConvergesToTheExplicitAnswerWithTheStep)
 {
-    Problem problem = shaken_block();
+    Problem problem = shaken_patch_block();
     const double end = 2e-4; // s: the water's sound crosses the block five times
     problem.scheme = TimeScheme::explicit_steps;
     const State reference = after(problem, end / 3200, 3200);
@@ -173,7 +175,7 @@ TEST(SemiImplicitStep, ALevelColumnStaysAtRest)
 
 TEST(SemiImplicitStep, GivesTheSameBitsForAnyNumberOfThreads)
 {
-    const Problem problem = shaken_block();
+    const Problem problem = shaken_patch_block();
     const int threads_before = thread_count();
     const double dt = 1e-5;
     set_thread_count(1);
@@ -187,7 +189,7 @@ TEST(SemiImplicitStep, GivesTheSameBitsForAnyNumberOfThreads)
 
 TEST(SemiImplicitStep, GoesOnFromARestartPointWithTheSameBits)
 {
-    Problem problem = shaken_block();
+    Problem problem = shaken_patch_block();
     problem.base_motion = SineMotion{200.0, 180.0, 1e9, 0.0};
     const double end = 2.4e-3;
     const State start = after(problem, 1e-5, 0);
@@ -298,9 +300,10 @@ int iterations(int cells_x, double tolerance, int steps)
     Problem problem = semi_implicit_patch(1e-5);
     problem.grid.cells_x = cells_x;
     problem.base_motion = SineMotion{200.0, 180.0, 1e9, 0.0};
-    problem.boundaries = rectangle(h, 0.0, (cells_x - 1) * h, 0.0625, FixedWall{}, FreeFace{}, FreeFace{});
+    problem.boundaries =
+        rectangle(patch_cell, 0.0, (cells_x - 1) * patch_cell, 0.0625, FixedWall{}, FreeFace{}, FreeFace{});
     State state = fill(problem, 2, [&](const Vector2& x) {
-        return x.x() > h && x.x() < (cells_x - 1) * h && x.y() < 0.0625;
+        return x.x() > patch_cell && x.x() < (cells_x - 1) * patch_cell && x.y() < 0.0625;
     });
     SemiImplicitWorkspace work = make_semi_implicit_workspace(problem);
     work.controls.tolerance = tolerance;

@@ -12,8 +12,9 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double slope = std::numbers::pi / 6.0;
-const Vector2 downhill(std::cos(slope), -std::sin(slope)), upward(std::sin(slope), std::cos(slope));
+constexpr double roller_slope = std::numbers::pi / 6.0;
+const Vector2 downhill(std::cos(roller_slope), -std::sin(roller_slope)),
+    upward(std::sin(roller_slope), std::cos(roller_slope));
 
 /// A roller that falls to the right from (0.3, 1.5), in cells of 0.1 m.
 Problem sloping_roller(bool saturated)
@@ -83,7 +84,7 @@ TEST(SlidingBlock, AcceleratesWithTheDownhillPartOfItsWeight)
         const Motion after = motion(problem, state.particles);
         const double middle_of_last_step = end - 0.5 * state.last_step;
         const double acceleration = after.momentum.dot(downhill) / after.mass / middle_of_last_step;
-        const double expected = before.weight / before.mass * 9.81 * std::sin(slope);
+        const double expected = before.weight / before.mass * 9.81 * std::sin(roller_slope);
         // the mass of the water follows the pores, which change a little under the weight; dry soil loses
         // null-space modes unevenly where it strains (8e-10 measured)
         EXPECT_NEAR(acceleration, expected, (saturated ? 1e-5 : 2e-9) * expected);

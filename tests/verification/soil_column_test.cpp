@@ -18,29 +18,32 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double cell = 0.02, height = 12.0 * cell + cell / 3.0; // the last cell is filled in part [m]
+constexpr double body_cell = 0.02,
+                 body_height = 12.0 * body_cell + body_cell / 3.0; // the last cell is filled in part [m]
 
 /// Sand at 120 g between tied sides, four cells wide, shaken by 24 g.
 Problem make_ground()
 {
     Problem problem = centrifuge_column();
-    problem.grid = {{-2.0 * cell, 0.0}, cell, 8, 15};
+    problem.grid = {{-2.0 * body_cell, 0.0}, body_cell, 8, 15};
     Material& sand = problem.materials[0];
     sand.law = make_ubcsand(sand_of_runs());
     sand.hydraulic_conductivity = 5.8e-5;
     problem.region_names = {"sand"};
-    problem.water = water_to(height);
-    problem.boundaries = rectangle(0.0, 0.0, 4.0 * cell, height, FixedWall{}, TiedSide{}, FreeFace{});
-    problem.tied_sides = TiedSides{"left", "right", 0.0, 4.0 * cell};
+    problem.water = water_to(body_height);
+    problem.boundaries =
+        rectangle(0.0, 0.0, 4.0 * body_cell, body_height, FixedWall{}, TiedSide{}, FreeFace{});
+    problem.tied_sides = TiedSides{"left", "right", 0.0, 4.0 * body_cell};
     problem.base_motion = SineMotion{24.0 * standard_gravity, 180.0, 50.0, 2.0};
     return problem;
 }
 
-State make_state(const Problem& problem)
+State body_state(const Problem& problem)
 {
-    State state = fill(problem, 3,
-                       [](const Vector2& x) { return x.x() > 0.0 && x.x() < 4.0 * cell && x.y() < height; });
-    set_level_ground_stress(problem, height, 0.5, state);
+    State state = fill(problem, 3, [](const Vector2& x) {
+        return x.x() > 0.0 && x.x() < 4.0 * body_cell && x.y() < body_height;
+    });
+    set_level_ground_stress(problem, body_height, 0.5, state);
     return state;
 }
 
@@ -105,7 +108,7 @@ void expect_same(const Particles& a, const Particles& b, double tolerance)
 TEST(SoilColumn, RunsAsAllColumnsDoExplicitly)
 {
     const Problem body = make_ground();
-    Pair runs(body, make_state(body), 2.0 / 180.0);
+    Pair runs(body, body_state(body), 2.0 / 180.0);
     const State& all = runs.all.state();
     ASSERT_NE(runs.one.column(), nullptr);
     EXPECT_EQ(runs.one.column()->columns, 4);
@@ -141,7 +144,7 @@ TEST(SoilColumn, RunsAsAllColumnsDoSemiImplicitly)
 {
     Problem body = make_ground();
     body.scheme = TimeScheme::semi_implicit;
-    State all = make_state(body);
+    State all = body_state(body);
     begin_shaking(body, all);
     SoilColumn column = *find_soil_column(body, all).column;
     const double dt = 0.8 * stable_time_step(body, all.particles).dt;
@@ -159,7 +162,7 @@ TEST(SoilColumn, RunsAsAllColumnsDoUnderALoadOnRock)
     Problem body = make_ground();
     body.boundaries[0].soil = ViscousFace{HalfSpace{2200.0, 760.0, 1500.0}};
     body.boundaries[2].soil = FreeFace{SurfaceLoad{{2e3, -2e4}, 0.0, {}}};
-    State all = make_state(body);
+    State all = body_state(body);
     ASSERT_TRUE(attach_boundaries(body, all.particles).empty());
     Pair runs(body, all, 0.5 / 180.0);
     ASSERT_NE(runs.one.column(), nullptr);
@@ -172,7 +175,7 @@ TEST(SoilColumn, SettlesAsAllColumnsDo)
 {
     Problem body = make_ground();
     body.materials[0].law = LinearElastic{20e6, 0.3};
-    State drawn = make_state(body);
+    State drawn = body_state(body);
     for (Scalars* stress :
          {&drawn.particles.stress.xx, &drawn.particles.stress.yy, &drawn.particles.stress.zz})
         std::fill(stress->begin(), stress->end(), 0.0);

@@ -27,7 +27,7 @@ Problem loaded_column(bool saturated)
     return problem;
 }
 
-State column_state(Problem& problem)
+State loaded_column_state(Problem& problem)
 {
     State state = fill(problem, 2, [](const Vector2& x) { return x.x() < 0.2 && x.y() < 2.0; });
     EXPECT_TRUE(attach_boundaries(problem, state.particles).empty());
@@ -37,7 +37,7 @@ State column_state(Problem& problem)
 TEST(SurfaceLoad, SendsAWaveOfTheVelocityPressureOverImpedance)
 {
     Problem problem = loaded_column(false);
-    State state = column_state(problem);
+    State state = loaded_column_state(problem);
     const Material& sand = problem.materials[0];
     const double density = (1.0 - sand.porosity) * sand.grain_density;
     const double speed = wave_speeds(sand, problem.water, sand.porosity).skeleton;
@@ -65,7 +65,7 @@ TEST(SurfaceLoad, SendsAWaveOfTheVelocityPressureOverImpedance)
 TEST(SurfaceLoad, GivesASaturatedBodyItsImpulse)
 {
     Problem problem = loaded_column(true);
-    State state = column_state(problem);
+    State state = loaded_column_state(problem);
     problem.boundaries[0].soil = FreeFace{};
     problem.boundaries[0].water = Drained{};
     TwoPhaseWorkspace work = make_two_phase_workspace(problem);

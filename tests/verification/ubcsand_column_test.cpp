@@ -15,13 +15,13 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double height = 0.3175, frequency = 180.0, cycles = 10.0; // [m, Hz, -]
+constexpr double model_height = 0.3175, shaking_frequency = 180.0, shaking_cycles = 10.0; // [m, Hz, -]
 constexpr int cells_of_height = 12;
 
 /// The column of the examples, two coarse cells wide, shaken by a sine without end.
 Problem make_column(double amplitude)
 {
-    const double cell = height / cells_of_height;
+    const double cell = model_height / cells_of_height;
     Problem problem = centrifuge_column();
     problem.grid = {{0.0, 0.0}, cell, 2, cells_of_height + 2};
     Material& sand = problem.materials[0];
@@ -29,9 +29,9 @@ Problem make_column(double amplitude)
     sand.grain_density = 2670.0;
     sand.porosity = 0.405;
     sand.hydraulic_conductivity = 5.8e-5;
-    problem.boundaries = rectangle(0.0, 0.0, 2.0 * cell, height, FixedWall{}, TiedSide{}, FreeFace{});
+    problem.boundaries = rectangle(0.0, 0.0, 2.0 * cell, model_height, FixedWall{}, TiedSide{}, FreeFace{});
     problem.tied_sides = TiedSides{"left", "right", 0.0, 2.0 * cell};
-    problem.base_motion = SineMotion{amplitude, frequency, 1e9, 2.0};
+    problem.base_motion = SineMotion{amplitude, shaking_frequency, 1e9, 2.0};
     return problem;
 }
 
@@ -89,11 +89,11 @@ double mean(const std::vector<double>& values)
 TEST(UbcSandColumn, CountsTheCyclesOfTheShaking)
 {
     const Problem problem = make_column(8.0 * standard_gravity);
-    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < height; });
-    set_level_ground_stress(problem, height, 0.5, state);
+    State state = fill(problem, 3, [](const Vector2& x) { return x.y() < model_height; });
+    set_level_ground_stress(problem, model_height, 0.5, state);
     begin_shaking(problem, state);
     StrainObserver strains(state);
-    run(problem, cycles / frequency, {&strains}, state);
+    run(problem, shaking_cycles / shaking_frequency, {&strains}, state);
 
     // liquefaction comes down from the surface; liquefied soil is shaken no more, and counts fewer
     const Particles& particles = state.particles;
@@ -104,7 +104,7 @@ TEST(UbcSandColumn, CountsTheCyclesOfTheShaking)
         const double ru = 1.0 + particles.stress.yy[p] / particles.initial_vertical_effective_stress[p];
         highest_ru = std::max(highest_ru, ru);
         all.push_back(counted);
-        if (particles.position.y[p] > 0.6 * height) continue;
+        if (particles.position.y[p] > 0.6 * model_height) continue;
         EXPECT_LT(ru, 0.95);
         deep.push_back(counted);
         worst_of_strain = std::max(worst_of_strain, std::abs(counted - strains.legs[p].turns()));
@@ -116,10 +116,10 @@ TEST(UbcSandColumn, CountsTheCyclesOfTheShaking)
     RecordProperty("mean_of_all", std::to_string(mean(all)));
     RecordProperty("highest_ru", std::to_string(highest_ru));
     RecordProperty("worst_of_strain", std::to_string(worst_of_strain));
-    EXPECT_NEAR(*least, 2.0 * cycles, 0.1 * 2.0 * cycles);
-    EXPECT_NEAR(*most, 2.0 * cycles, 0.1 * 2.0 * cycles);
+    EXPECT_NEAR(*least, 2.0 * shaking_cycles, 0.1 * 2.0 * shaking_cycles);
+    EXPECT_NEAR(*most, 2.0 * shaking_cycles, 0.1 * 2.0 * shaking_cycles);
     EXPECT_LE(worst_of_strain, 1.0);
-    EXPECT_NEAR(mean(all), 2.0 * cycles, 0.1 * 2.0 * cycles);
+    EXPECT_NEAR(mean(all), 2.0 * shaking_cycles, 0.1 * 2.0 * shaking_cycles);
     EXPECT_GT(highest_ru, 0.95); // liquefaction has begun
     EXPECT_LT(highest_ru, 1.0);
 }

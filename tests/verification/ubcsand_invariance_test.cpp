@@ -155,7 +155,7 @@ UbcSandState sheared(double k0, double gamma, int substeps, Integration integrat
     return state;
 }
 
-double order_of(Integration integration, double k0, double gamma)
+double integration_order(Integration integration, double k0, double gamma)
 {
     const UbcSandState exact = sheared(k0, gamma, 32768, Integration::second_order);
     const double coarse = distance(sheared(k0, gamma, 64, integration), exact);
@@ -166,8 +166,10 @@ TEST(UbcSandSubsteps, AreOfTheirOrder)
 {
     for (const double gamma : {3e-4, 1e-3}) { // at K0 = 0.5 the principal stresses turn
         for (const double k0 : {0.5, 1.0}) {
-            EXPECT_NEAR(order_of(Integration::first_order, k0, gamma), 1.0, 0.1) << k0 << " " << gamma;
-            EXPECT_NEAR(order_of(Integration::second_order, k0, gamma), 2.0, 0.2) << k0 << " " << gamma;
+            EXPECT_NEAR(integration_order(Integration::first_order, k0, gamma), 1.0, 0.1)
+                << k0 << " " << gamma;
+            EXPECT_NEAR(integration_order(Integration::second_order, k0, gamma), 2.0, 0.2)
+                << k0 << " " << gamma;
         }
     }
 }

@@ -7,7 +7,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double way = 0.05, duration = 0.3;              // how far a wall moves [m], and how long [s]
+constexpr double wall_way = 0.05, moving_time = 0.3;      // how far a wall moves [m], and how long [s]
 constexpr double fastest_side = 1.0, fastest_base = 0.05; // of the soil: several times the walls' [m/s]
 
 /// What the right side does: `sign` is 1 into the soil and -1 away from it.
@@ -15,11 +15,11 @@ void set_moving_side(const std::string& quantity, double sign, SceneDraft& scene
 {
     scene.set("boundaries.right.soil", "moving");
     const std::string key = "boundaries.right." + quantity;
-    if (quantity == "velocity") scene.set(key, -sign * way / duration, 0.0);
-    if (quantity == "normal_velocity") scene.set(key, sign * way / duration);
-    if (quantity == "displacement") scene.set(key, -sign * way, 0.0);
-    if (quantity == "normal_displacement") scene.set(key, sign * way);
-    scene.set("boundaries.right.ramp_time", duration);
+    if (quantity == "velocity") scene.set(key, -sign * wall_way / moving_time, 0.0);
+    if (quantity == "normal_velocity") scene.set(key, sign * wall_way / moving_time);
+    if (quantity == "displacement") scene.set(key, -sign * wall_way, 0.0);
+    if (quantity == "normal_displacement") scene.set(key, sign * wall_way);
+    scene.set("boundaries.right.ramp_time", moving_time);
 }
 
 /// The block with its right side moving, as drawn or with all walls between grid lines.

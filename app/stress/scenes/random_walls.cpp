@@ -50,8 +50,8 @@ void set_viscous(const std::string& table, RandomNumbers& random, SceneDraft& sc
     scene.set(table + ".rock_compression_wave_speed", shear * random.between(1.6, 3.0));
 }
 
-void set_water(const std::string& table, const RandomSection& section, const WallPurpose& purpose,
-               RandomNumbers& random, SceneDraft& scene)
+void set_wall_water(const std::string& table, const RandomSection& section, const WallPurpose& purpose,
+                    RandomNumbers& random, SceneDraft& scene)
 {
     if (!purpose.has_pressure || random.chance(0.5)) return;
     // A head or a pressure against dry soil is refused.
@@ -86,7 +86,7 @@ void set_wall(const std::string& curve, bool below, const RandomSection& section
     } else {
         scene.set(table + ".soil", "free");
     }
-    set_water(table, section, purpose, random, scene);
+    set_wall_water(table, section, purpose, random, scene);
 }
 
 void set_surface(const std::string& curve, const RandomSection& section, const WallPurpose& purpose,
@@ -102,7 +102,7 @@ void set_surface(const std::string& curve, const RandomSection& section, const W
         scene.set(table + ".traction", size * random.between(-0.5, 0.5), -size);
         set_course(table, purpose.duration, random, scene);
     }
-    set_water(table, section, purpose, random, scene);
+    set_wall_water(table, section, purpose, random, scene);
 }
 
 } // namespace

@@ -9,7 +9,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Poisson's ratio of a constrained and a shear modulus.
 double poisson_ratio_of(double M, double G)

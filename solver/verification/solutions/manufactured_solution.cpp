@@ -7,7 +7,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double phase[2] = {0.0, pi};
 
 /// alpha = A sin(c pi t) h(R) with its derivatives.

@@ -7,7 +7,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 // Below this time factor the images converge in a few terms, above it the sines do; at the limit both are
 // exact to rounding.
 constexpr double image_limit = 0.2;

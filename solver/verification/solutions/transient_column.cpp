@@ -10,7 +10,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// Laplace transform of the ramp of unit height: h(t) + h(t - t_r) with h = [1 - cos(pi t / t_r)] / 2.
 Complex ramp_transform(double duration, Complex s)

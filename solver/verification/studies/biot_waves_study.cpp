@@ -14,7 +14,8 @@ namespace {
 
 /// Complex frequency of the mode in a run over a period, or over its time of decay where that is shorter: of
 /// what has died away nothing can be measured.
-Complex measure(const Problem& problem, const Layer& layer, const ColumnMode& mode, const State& state)
+Complex measure_frequency(const Problem& problem, const Layer& layer, const ColumnMode& mode,
+                          const State& state)
 {
     constexpr double decay_times = 3.0; // to a twentieth
     const double duration =
@@ -22,7 +23,8 @@ Complex measure(const Problem& problem, const Layer& layer, const ColumnMode& mo
     return propagated_frequency(problem, layer, mode, state, duration);
 }
 
-void add_errors(const char* wave, const ColumnMode& mode, Complex measured, std::vector<StudyError>& errors)
+void add_wave_errors(const char* wave, const ColumnMode& mode, Complex measured,
+                     std::vector<StudyError>& errors)
 {
     // a wave that drag keeps from travelling has no speed; what is measured is then relative to its decay
     const bool travels = std::abs(mode.s.imag()) > 1e-9 * std::abs(mode.s);
@@ -46,7 +48,7 @@ std::vector<StudyError> biot_waves_study(const Problem& problem, State state)
     std::vector<StudyError> errors;
     for (const auto& [name, s] : {std::pair("fast", exact.fast), std::pair("slow", exact.slow)}) {
         const ColumnMode mode = column_mode(layer, xi, s);
-        add_errors(name, mode, measure(problem, layer, mode, state), errors);
+        add_wave_errors(name, mode, measure_frequency(problem, layer, mode, state), errors);
     }
     return errors;
 }

@@ -21,7 +21,8 @@ double consolidation_coefficient(const SaturatedSoil& soil)
            (soil.water_density * soil.conductivity_gravity);
 }
 
-LargeStrainConsolidation read_consolidation(const Problem& problem, const State& state, const Layer& layer)
+LargeStrainConsolidation read_large_strain_consolidation(const Problem& problem, const State& state,
+                                                         const Layer& layer)
 {
     const Material& material =
         problem.materials.at(static_cast<std::size_t>(state.particles.material.front()));
@@ -43,7 +44,7 @@ std::vector<StudyError> large_strain_consolidation_study(const Problem& problem,
     constexpr std::array<std::pair<double, const char*>, 3> time_factors = {
         {{0.1, "0.1"}, {0.3, "0.3"}, {1.0, "1"}}};
     const Layer layer = read_layer(problem, state);
-    const LargeStrainConsolidation exact = read_consolidation(problem, state, layer);
+    const LargeStrainConsolidation exact = read_large_strain_consolidation(problem, state, layer);
     const double H = layer.height(), c_v = consolidation_coefficient(layer.soil);
     const Particles& particles = state.particles;
     const auto depth = [&](std::size_t p) { return (layer.top - particles.reference_position.y[p]) / H; };

@@ -13,9 +13,9 @@ namespace quicksand {
 
 namespace {
 
-constexpr int samples = 64;       // of a period
-constexpr int most_periods = 200; // until the motion has become periodic
-constexpr double settled = 1e-4;  // largest change of an amplitude from period to period, of the largest [-]
+constexpr int samples_of_period = 64; // of a period
+constexpr int most_periods = 200;     // until the motion has become periodic
+constexpr double settled = 1e-4; // largest change of an amplitude from period to period, of the largest [-]
 
 /// Complex amplitudes of a field at every particle, over its lasting number.
 using Amplitudes = std::vector<Complex>;
@@ -63,9 +63,9 @@ PeriodicMotion measure_period(const Problem& problem, const PeriodicColumn& colu
     PeriodicMotion motion;
     motion.pressure.resize(state.particles.size());
     motion.displacement.resize(state.particles.size());
-    for (int k = 1; k <= samples; ++k) {
-        run(problem, start + k * period / samples, {}, state);
-        const Complex weight = 2.0 / samples * std::polar(1.0, -omega * state.time);
+    for (int k = 1; k <= samples_of_period; ++k) {
+        run(problem, start + k * period / samples_of_period, {}, state);
+        const Complex weight = 2.0 / samples_of_period * std::polar(1.0, -omega * state.time);
         const Particles& particles = state.particles;
         for (std::size_t p = 0; p < particles.size(); ++p) {
             const auto i = static_cast<std::size_t>(particles.identifier[p]);
@@ -102,8 +102,8 @@ PeriodicMotion measure_periodic(const Problem& problem, const PeriodicColumn& co
     return before;
 }
 
-void add_errors(const std::string& field, const Amplitudes& measured, const Amplitudes& exact,
-                std::vector<StudyError>& errors)
+void add_amplitude_errors(const std::string& field, const Amplitudes& measured, const Amplitudes& exact,
+                          std::vector<StudyError>& errors)
 {
     double largest = 0.0, amplitude = 0.0, phase = 0.0;
     for (const Complex& value : exact) largest = std::max(largest, std::abs(value));
@@ -146,8 +146,8 @@ std::vector<StudyError> periodic_column_study(const Problem& problem, State stat
     }
     const PeriodicMotion measured = measure_periodic(problem, column, state);
     std::vector<StudyError> errors;
-    add_errors("pressure", measured.pressure, exact.pressure, errors);
-    add_errors("displacement", measured.displacement, exact.displacement, errors);
+    add_amplitude_errors("pressure", measured.pressure, exact.pressure, errors);
+    add_amplitude_errors("displacement", measured.displacement, exact.displacement, errors);
     return errors;
 }
 

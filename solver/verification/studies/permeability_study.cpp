@@ -18,7 +18,7 @@ struct Decay {
     double pressure_error = 0.0; // L2 / p_0 [-]
 };
 
-Decay measure(Problem problem, State state, double conductivity, double duration)
+Decay measure_decay(Problem problem, State state, double conductivity, double duration)
 {
     for (Material& material : problem.materials) material.hydraulic_conductivity = conductivity;
     const Layer layer = read_layer(problem, state);
@@ -57,7 +57,7 @@ std::vector<StudyError> permeability_study(const Problem& problem, State state)
     std::vector<StudyError> errors;
     double largest = 0.0;
     for (const auto& [conductivity, text] : conductivities) {
-        const Decay decay = measure(problem, state, conductivity, duration);
+        const Decay decay = measure_decay(problem, state, conductivity, duration);
         errors.push_back({std::string("decay at k = ") + text, "relative", decay.rate_error});
         largest = std::max(largest, decay.pressure_error);
     }

@@ -71,7 +71,8 @@ Consolidation read_consolidation(const Problem& problem, const State& state)
     return consolidation;
 }
 
-std::vector<StudyError> measure(const Problem& problem, const Consolidation& consolidation, State state)
+std::vector<StudyError> measure_errors(const Problem& problem, const Consolidation& consolidation,
+                                       State state)
 {
     constexpr std::array<std::pair<double, const char*>, 4> time_factors = {
         {{0.02, "0.02"}, {0.1, "0.1"}, {0.5, "0.5"}, {1.0, "1"}}};
@@ -121,7 +122,7 @@ std::vector<StudyError> terzaghi_study(const Problem& problem, State state)
         stress.yy[p] = borne * n.y() * n.y();
         stress.xy[p] = borne * n.x() * n.y();
     }
-    return measure(problem, consolidation, std::move(state));
+    return measure_errors(problem, consolidation, std::move(state));
 }
 
 } // namespace quicksand

@@ -13,7 +13,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr int samples = 20; // times at which the motion is compared
+constexpr int compared_times = 20; // times at which the motion is compared
 
 /// The load's history as a polygon that starts from zero at t = 0. Throws InputError for another one.
 LoadPolygon read_polygon(const SurfaceLoad& load)
@@ -91,7 +91,7 @@ std::vector<StudyError> transient_column_study(const Problem& problem, State sta
     const LoadPolygon polygon = read_polygon(*load);
     const double end = 2.0 * layer.height() / undragged_speeds(layer.soil).slow;
     std::vector<double> times;
-    for (int k = 1; k <= samples; ++k) times.push_back(end * k / samples);
+    for (int k = 1; k <= compared_times; ++k) times.push_back(end * k / compared_times);
 
     const auto height_of = [&](std::size_t p) {
         return state.particles.reference_position.y[p] - layer.base;

@@ -10,11 +10,6 @@ namespace {
 
 using namespace testing_program;
 
-void expect_mention(const Outcome& outcome, const std::string& text)
-{
-    EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n" << outcome.output;
-}
-
 TEST(CommandLine, WithoutWordsShowsTheHelp)
 {
     const Outcome outcome = run_program("");

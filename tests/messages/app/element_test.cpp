@@ -23,11 +23,6 @@ void write(const std::filesystem::path& file, const std::string& text)
     std::ofstream(file, std::ios::binary) << text;
 }
 
-void expect_mention(const Outcome& outcome, const std::string& text)
-{
-    EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n" << outcome.output;
-}
-
 TEST(Element, AMissingFileIsNamed)
 {
     const Outcome outcome = run_program("element nowhere.toml");

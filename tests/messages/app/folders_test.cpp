@@ -9,11 +9,6 @@ namespace {
 
 using namespace testing_program;
 
-void expect_mention(const Outcome& outcome, const std::string& text)
-{
-    EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n" << outcome.output;
-}
-
 const std::string short_column = "run " + example("column") + " --until 5e-6 -o ";
 
 TEST(SceneFolder, AMissingSceneIsNamed)

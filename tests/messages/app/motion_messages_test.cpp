@@ -11,11 +11,6 @@ using namespace testing_program;
 
 constexpr const char* loma_prieta = "level_ground_motion/apeel2_loma_prieta_1989_133.AT2";
 
-void expect_mention(const Outcome& outcome, const std::string& text)
-{
-    EXPECT_NE(outcome.output.find(text), std::string::npos) << "no '" << text << "' in:\n" << outcome.output;
-}
-
 /// A record of two columns in a folder of its own.
 class Motion : public testing::Test {
 protected:

@@ -9,7 +9,7 @@ namespace {
 
 using namespace testing_program;
 
-void expect_refusal(const std::string& arguments, const std::string& what, const std::string& allowed)
+void expect_refused_number(const std::string& arguments, const std::string& what, const std::string& allowed)
 {
     const Outcome outcome = run_program(arguments);
     EXPECT_EQ(outcome.code, 2) << arguments << '\n' << outcome.output;
@@ -23,8 +23,9 @@ TEST(Numbers, AreFinite)
     const std::string output = " -o " + (folder / "out").string(), column = example("column");
     const auto refuse = [&](const std::string& command, const std::string& option, const std::string& word,
                             const std::string& allowed) {
-        expect_refusal(command + output + " " + option + " " + word,
-                       option + ": " + word.substr(0, word.find(',')) + " is not a finite number", allowed);
+        expect_refused_number(command + output + " " + option + " " + word,
+                              option + ": " + word.substr(0, word.find(',')) + " is not a finite number",
+                              allowed);
     };
     for (const std::string word : {"nan", "inf", "1e999"}) {
         refuse("run " + column, "--until", word, "more than 0");
@@ -43,10 +44,11 @@ TEST(Numbers, AreFinite)
 TEST(Numbers, HaveTheirRange)
 {
     const std::string column = example("column");
-    expect_refusal("run " + column + " --until 0", "--until: 0 is out of range", "more than 0");
-    expect_refusal("run " + column + " --threads 1025", "--threads: 1025 is out of range", "1 to 1024");
-    expect_refusal("stability " + column + " --tolerance 0.6", "--tolerance: 0.6 is out of range",
-                   "1e-4 to 0.5");
+    expect_refused_number("run " + column + " --until 0", "--until: 0 is out of range", "more than 0");
+    expect_refused_number("run " + column + " --threads 1025", "--threads: 1025 is out of range",
+                          "1 to 1024");
+    expect_refused_number("stability " + column + " --tolerance 0.6", "--tolerance: 0.6 is out of range",
+                          "1e-4 to 0.5");
 }
 
 TEST(Threads, ThatTheSystemDoesNotStartAreRefused)

@@ -44,7 +44,7 @@ Section single(const Polygon& polygon)
     return make_section({{"sand", {polygon}}});
 }
 
-struct Mistake {
+struct SectionMistake {
     const char* name;
     Section section;
     BackgroundGrid grid;
@@ -53,7 +53,7 @@ struct Mistake {
 
 const BackgroundGrid covering = make_grid(0, 0, 0.25, 8, 8);
 
-class SectionMessages : public testing::TestWithParam<Mistake> {};
+class SectionMessages : public testing::TestWithParam<SectionMistake> {};
 
 TEST_P(SectionMessages, NameTheGroupAndThePlace)
 {
@@ -70,50 +70,52 @@ TEST_P(SectionMessages, NameTheGroupAndThePlace)
 INSTANTIATE_TEST_SUITE_P(
     Sections, SectionMessages,
     testing::Values(
-        Mistake{"bow_tie",
-                single({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}),
-                covering,
-                {"region \"sand\": its outline meets itself at (1, 1)", "Curve Loop"}},
-        Mistake{"overlap",
-                two_layers(1.1, 1.0),
-                covering,
-                {"regions \"clay\" and \"sand\" overlap by 0.2 m2 between (0, 1) and (2, 1.1)"}},
-        Mistake{"overlap_in_one_region",
-                make_section({{"sand", {rectangle(0, 0, 2, 1.1), rectangle(0, 1, 2, 2)}}}),
-                covering,
-                {"two surfaces of region \"sand\" overlap by 0.2 m2 between (0, 1) and (2, 1.1)"}},
-        Mistake{"flat",
-                single({{{0, 0}, {2, 0}}, {}}),
-                covering,
-                {"region \"sand\" has an outline without area at (0, 0)"}},
-        Mistake{"gap",
-                make_section({{"clay", {{{{0, 0}, {2, 0}, {2, 1}, {1, 0.9}, {0, 1}}, {}}}},
-                              {"sand", {rectangle(0, 1, 2, 2)}}}),
-                covering,
-                {"between regions \"clay\" and \"sand\" is a gap of 0.1 m2", "(0, 0.9) and (2, 1)"}},
-        Mistake{"open_slit",
-                two_layers(1.0, 1.002),
-                covering,
-                {"regions \"clay\" and \"sand\" are a slit apart", "misses", "by 0.002 m"}},
-        Mistake{"stray_curve",
-                with_curve({{0, 0.1}, {2, 0.1}}),
-                covering,
-                {"curve \"base\" does not lie on the outline of any region from (0, 0.1) to (2, 0.1)"}},
-        Mistake{"curve_sticks_out", with_curve({{0, 0}, {2.5, 0}}), covering, {"curve \"base\"", "(2.5, 0)"}},
-        Mistake{"same_names", with_names("sand", "sand"), covering, {"2 regions are called \"sand\""}},
-        Mistake{"hole_outside",
-                single({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{{1, 1}, {1, 3}, {1.5, 3}, {1.5, 1}}}}),
-                covering,
-                {"region \"sand\": the hole between (1, 1) and (1.5, 3) leaves the region's outline"}},
-        Mistake{"small_grid",
-                two_layers(1, 1),
-                make_grid(0, 0, 0.25, 8, 7),
-                {"the grid from (0, 0) to (2, 1.75) does not cover region \"sand\"",
-                 "needs 8 x 8 cells of 0.25 m from (0, 0)"}},
-        Mistake{"shifted_grid",
-                two_layers(1, 1),
-                make_grid(0.25, 0, 0.25, 8, 8),
-                {"does not cover region \"clay\""}}),
+        SectionMistake{"bow_tie",
+                       single({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}, {}}),
+                       covering,
+                       {"region \"sand\": its outline meets itself at (1, 1)", "Curve Loop"}},
+        SectionMistake{"overlap",
+                       two_layers(1.1, 1.0),
+                       covering,
+                       {"regions \"clay\" and \"sand\" overlap by 0.2 m2 between (0, 1) and (2, 1.1)"}},
+        SectionMistake{"overlap_in_one_region",
+                       make_section({{"sand", {rectangle(0, 0, 2, 1.1), rectangle(0, 1, 2, 2)}}}),
+                       covering,
+                       {"two surfaces of region \"sand\" overlap by 0.2 m2 between (0, 1) and (2, 1.1)"}},
+        SectionMistake{"flat",
+                       single({{{0, 0}, {2, 0}}, {}}),
+                       covering,
+                       {"region \"sand\" has an outline without area at (0, 0)"}},
+        SectionMistake{"gap",
+                       make_section({{"clay", {{{{0, 0}, {2, 0}, {2, 1}, {1, 0.9}, {0, 1}}, {}}}},
+                                     {"sand", {rectangle(0, 1, 2, 2)}}}),
+                       covering,
+                       {"between regions \"clay\" and \"sand\" is a gap of 0.1 m2", "(0, 0.9) and (2, 1)"}},
+        SectionMistake{"open_slit",
+                       two_layers(1.0, 1.002),
+                       covering,
+                       {"regions \"clay\" and \"sand\" are a slit apart", "misses", "by 0.002 m"}},
+        SectionMistake{
+            "stray_curve",
+            with_curve({{0, 0.1}, {2, 0.1}}),
+            covering,
+            {"curve \"base\" does not lie on the outline of any region from (0, 0.1) to (2, 0.1)"}},
+        SectionMistake{
+            "curve_sticks_out", with_curve({{0, 0}, {2.5, 0}}), covering, {"curve \"base\"", "(2.5, 0)"}},
+        SectionMistake{"same_names", with_names("sand", "sand"), covering, {"2 regions are called \"sand\""}},
+        SectionMistake{"hole_outside",
+                       single({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{{1, 1}, {1, 3}, {1.5, 3}, {1.5, 1}}}}),
+                       covering,
+                       {"region \"sand\": the hole between (1, 1) and (1.5, 3) leaves the region's outline"}},
+        SectionMistake{"small_grid",
+                       two_layers(1, 1),
+                       make_grid(0, 0, 0.25, 8, 7),
+                       {"the grid from (0, 0) to (2, 1.75) does not cover region \"sand\"",
+                        "needs 8 x 8 cells of 0.25 m from (0, 0)"}},
+        SectionMistake{"shifted_grid",
+                       two_layers(1, 1),
+                       make_grid(0.25, 0, 0.25, 8, 8),
+                       {"does not cover region \"clay\""}}),
     [](const auto& named) { return named.param.name; });
 
 TEST(SectionMessages, CountCurvesAndPointsOfOneName)

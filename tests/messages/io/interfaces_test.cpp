@@ -10,7 +10,7 @@ namespace {
 
 using fixtures::SceneFolder;
 
-const std::string scene = R"(scene_version = 1
+const std::string slab_scene = R"(scene_version = 1
 [geometry]
 file = "column.geo"
 [grid]
@@ -61,19 +61,19 @@ class Interfaces : public testing::TestWithParam<SceneMistake> {};
 TEST_P(Interfaces, AreJudgedWithPlaceAndCure)
 {
     const SceneMistake& mistake = GetParam();
-    const std::string text = fixtures::replaced(scene, mistake.sound, mistake.mistaken);
+    const std::string text = fixtures::replaced(slab_scene, mistake.sound, mistake.mistaken);
     EXPECT_EQ(SceneFolder().assembly_message(text, section()), mistake.message.substr(1));
 }
 
 TEST(SoundInterface, IsNotCommented)
 {
-    EXPECT_EQ(SceneFolder().assembly_message(scene, section()), "");
+    EXPECT_EQ(SceneFolder().assembly_message(slab_scene, section()), "");
 }
 
 TEST(SoundInterface, WaitsForSoilThatAStagePlaces)
 {
     const std::string waits =
-        fixtures::replaced(scene, "[regions.wall]\n", "[regions.wall]\nsoil = \"absent\"\n");
+        fixtures::replaced(slab_scene, "[regions.wall]\n", "[regions.wall]\nsoil = \"absent\"\n");
     EXPECT_EQ(SceneFolder().assembly_message(waits, section()), "");
 }
 
@@ -189,7 +189,7 @@ expected: one interface for each pair of regions
 TEST(InterfaceOfSand, NeedsFriction)
 {
     std::string text = fixtures::replaced(
-        scene,
+        slab_scene,
         "model = \"mohr_coulomb\"\nshear_modulus = \"8 MPa\"\npoisson_ratio = 0.3\nfriction_angle = 35.0\n",
         "model = \"ubcsand\"\nrelative_density = 0.5\n");
     text = fixtures::replaced(text, "friction_angle = 20", "friction_angle = 0\ncohesion = \"1 kPa\"");
@@ -205,7 +205,7 @@ expected: friction_angle above 0
 /// A variant of the scene, and what it is read as.
 class InterfaceOfVariant : public testing::Test {
 protected:
-    InterfaceOfVariant() { folder.write("wall.toml", scene); }
+    InterfaceOfVariant() { folder.write("wall.toml", slab_scene); }
     static std::string variant(const std::string& keys)
     {
         return "scene_version = 1\nbase = \"wall.toml\"\n" + keys;
@@ -218,7 +218,7 @@ protected:
     std::vector<SceneInterface> read_stages(const std::string& stages,
                                             const std::vector<std::string>& overrides = {}) const
     {
-        folder.write("scene.toml", fixtures::replaced(scene, "[run]\nend_time = 1.0\n", "") + stages);
+        folder.write("scene.toml", fixtures::replaced(slab_scene, "[run]\nend_time = 1.0\n", "") + stages);
         std::vector<SceneInterface> interfaces;
         for (const SceneReading& reading : read_scene_stages(folder.file("scene.toml"), overrides))
             interfaces.push_back(reading.scene.interfaces.at(0));
@@ -236,7 +236,7 @@ TEST_F(InterfaceOfVariant, MayHaveAnotherStrength)
     EXPECT_DOUBLE_EQ(rougher.strength.cohesion, 1000.0);
     const SceneInterface share = read(variant("[interfaces.face]\nstrength_ratio = 0.5\n"));
     EXPECT_DOUBLE_EQ(share.strength_ratio.value_or(0.0), 0.5);
-    folder.write("wall.toml", fixtures::replaced(scene, "friction_angle = 20", "strength_ratio = 0.5"));
+    folder.write("wall.toml", fixtures::replaced(slab_scene, "friction_angle = 20", "strength_ratio = 0.5"));
     const SceneInterface friction = read(variant("[interfaces.face]\nfriction_angle = 20\n"));
     EXPECT_FALSE(friction.strength_ratio);
     EXPECT_DOUBLE_EQ(friction.strength.friction, tan_of_20);
@@ -268,32 +268,33 @@ hint: an interface goes with its regions: remove it as well, in a variant by wit
 
 TEST_F(InterfaceOfVariant, IsSetOnTheCommandLine)
 {
-    EXPECT_DOUBLE_EQ(read(scene, {"interfaces.face.friction_angle=\"10 deg\""}).strength.friction,
+    EXPECT_DOUBLE_EQ(read(slab_scene, {"interfaces.face.friction_angle=\"10 deg\""}).strength.friction,
                      std::tan(10.0 * std::numbers::pi / 180.0));
-    const SceneInterface share = read(scene, {"interfaces.face.strength_ratio=0.5"});
+    const SceneInterface share = read(slab_scene, {"interfaces.face.strength_ratio=0.5"});
     EXPECT_DOUBLE_EQ(share.strength_ratio.value_or(0.0), 0.5);
 }
 
 TEST_F(InterfaceOfVariant, IsNotSetByMistake)
 {
     EXPECT_EQ(
-        folder.message(scene, {"interfaces.fase.strength_ratio=0.5"}),
+        folder.message(slab_scene, {"interfaces.fase.strength_ratio=0.5"}),
         "--set 'interfaces.fase.strength_ratio=0.5': error[missing-key]: [interfaces.fase] has no regions\n"
         "expected: regions: The two regions. The soil of one slides: beside a solid that of the soil, of two "
         "soils that of the first.\n");
     EXPECT_EQ(
-        folder.message(scene, {"interfaces.face.friktion_angle=10"}),
+        folder.message(slab_scene, {"interfaces.face.friktion_angle=10"}),
         R"_(--set 'interfaces.face.friktion_angle=10': error[unknown-key]: unknown key 'friktion_angle' in [interfaces.face]
 expected: one of regions, strength_ratio, friction_angle, cohesion, thickness
 hint: did you mean friction_angle?
 )_");
     EXPECT_EQ(
-        folder.message(scene, {"interfaces.face.strength_ratio=1.5"}),
+        folder.message(slab_scene, {"interfaces.face.strength_ratio=1.5"}),
         R"_(--set 'interfaces.face.strength_ratio=1.5': error[range]: interfaces.face.strength_ratio = 1.5 is out of range
 expected: more than 0 and at most 1
 )_");
     EXPECT_EQ(
-        folder.message(scene, {"interfaces.face.strength_ratio=0.5", "interfaces.face.friction_angle=20"}),
+        folder.message(slab_scene,
+                       {"interfaces.face.strength_ratio=0.5", "interfaces.face.friction_angle=20"}),
         R"_(--set 'interfaces.face.friction_angle=20': error[conflict]: interfaces.face.friction_angle is given, and strength_ratio reduces that of the soil
 expected: strength_ratio alone, or friction_angle with cohesion
 hint: remove one of the two

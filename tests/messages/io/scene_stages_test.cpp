@@ -4,17 +4,14 @@
 namespace quicksand {
 namespace {
 
-const std::string settle = "[[stages]]\nkind = \"settle\"\n";
-const std::string shake = "[[stages]]\nname = \"shaking\"\nkind = \"shake\"\nduration = 1\n";
+using fixtures::column_message;
+using fixtures::settle_stage;
 
-std::string message_of(const std::string& stages)
-{
-    return fixtures::SceneFolder().message(fixtures::column_scene + stages);
-}
+const std::string shake = "[[stages]]\nname = \"shaking\"\nkind = \"shake\"\nduration = 1\n";
 
 TEST(SceneStageMessages, StagesHaveNamesOfTheirOwn)
 {
-    EXPECT_EQ(message_of(settle + settle),
+    EXPECT_EQ(column_message(settle_stage + settle_stage),
               R"_(scene.toml:57:1: error[stage]: there are two stages 'settle'
    57 | [[stages]]
       | ^~~~~~~~~~
@@ -25,7 +22,7 @@ hint: give one of them a name, as name = "settle_2"
 
 TEST(SceneStageMessages, NamesAreThoseOfFolders)
 {
-    EXPECT_EQ(message_of("[[stages]]\nname = \"a/b\"\nkind = \"settle\"\n"),
+    EXPECT_EQ(column_message("[[stages]]\nname = \"a/b\"\nkind = \"settle\"\n"),
               R"_(scene.toml:56:8: error[stage]: a stage cannot be called 'a/b'
    56 | name = "a/b"
       |        ^~~~~
@@ -36,7 +33,7 @@ hint: its results are a folder of this name
 
 TEST(SceneStageMessages, KindsAreKnown)
 {
-    EXPECT_EQ(message_of("[[stages]]\nkind = \"setle\"\n"),
+    EXPECT_EQ(column_message("[[stages]]\nkind = \"setle\"\n"),
               R"_(scene.toml:56:8: error[word]: stages.setle.kind = "setle" is not known
    56 | kind = "setle"
       |        ^~~~~~~
@@ -47,7 +44,7 @@ hint: did you mean "settle"?
 
 TEST(SceneStageMessages, AKindIsRequired)
 {
-    EXPECT_EQ(message_of("[[stages]]\nname = \"first\"\n"),
+    EXPECT_EQ(column_message("[[stages]]\nname = \"first\"\n"),
               R"_(scene.toml:55:1: error[missing-key]: [stages.first] has no kind
    55 | [[stages]]
       | ^~~~~~~~~~
@@ -57,13 +54,13 @@ expected: kind: Settle under gravity, drained, with still water or in the steady
 
 TEST(SceneStageMessages, ADurationThatIsNoneIsToldOnce)
 {
-    EXPECT_EQ(message_of("[[stages]]\nkind = \"shake\"\nduration = \"60 weeks\"\n"),
+    EXPECT_EQ(column_message("[[stages]]\nkind = \"shake\"\nduration = \"60 weeks\"\n"),
               R"_(scene.toml:57:12: error[unit]: stages.shake.duration has the unit 'weeks'
    57 | duration = "60 weeks"
       |            ^~~~~~~~~~
 expected: one of s, ms, us, min, h, day, d
 )_");
-    EXPECT_EQ(message_of("[[stages]]\nkind = \"shake\"\nduration = -1\n"),
+    EXPECT_EQ(column_message("[[stages]]\nkind = \"shake\"\nduration = -1\n"),
               R"_(scene.toml:57:12: error[range]: stages.shake.duration = -1 s is out of range
    57 | duration = -1
       |            ^~
@@ -73,7 +70,7 @@ expected: more than 0 s
 
 TEST(SceneStageMessages, SettlingHasNoDuration)
 {
-    EXPECT_EQ(message_of(settle + "duration = 4\n"),
+    EXPECT_EQ(column_message(settle_stage + "duration = 4\n"),
               R"_(scene.toml:57:1: error[unused-key]: stages.settle.duration is not used with kind = "settle"
    57 | duration = 4
       | ^~~~~~~~
@@ -83,7 +80,7 @@ hint: remove it, or set kind = "shake"
 
 TEST(SceneStageMessages, KeysOfAStageAreKnown)
 {
-    EXPECT_EQ(message_of(settle + shake + "displacement = \"zero\"\n"),
+    EXPECT_EQ(column_message(settle_stage + shake + "displacement = \"zero\"\n"),
               R"_(scene.toml:61:1: error[unknown-key]: unknown key 'displacement' in [stages.shaking]
    61 | displacement = "zero"
       | ^~~~~~~~~~~~
@@ -94,7 +91,7 @@ hint: did you mean displacements?
 
 TEST(SceneStageMessages, TablesOfAStageAreThoseOfTheScene)
 {
-    EXPECT_EQ(message_of(settle + shake + "[stages.watr]\nlevel = 1\n"),
+    EXPECT_EQ(column_message(settle_stage + shake + "[stages.watr]\nlevel = 1\n"),
               R"_(scene.toml:61:1: error[unknown-table]: unknown table [watr]
    61 | [stages.watr]
       | ^~~~~~~~~~~~~
@@ -105,7 +102,7 @@ hint: did you mean water?
 
 TEST(SceneStageMessages, StillWaterChangesWhereSoilSettles)
 {
-    EXPECT_EQ(message_of(settle + shake + "[stages.water]\nlevel = 0.2\n"),
+    EXPECT_EQ(column_message(settle_stage + shake + "[stages.water]\nlevel = 0.2\n"),
               R"_(scene.toml:57:1: error[stage]: the stage "shaking" cannot change water.level
    57 | [[stages]]
       | ^~~~~~~~~~
@@ -116,7 +113,7 @@ hint: outer water that rises or falls in time is the head of a boundary, with ra
 
 TEST(SceneStageMessages, ParticlesAreTheSameInAllStages)
 {
-    EXPECT_EQ(message_of(settle + shake + "[stages.grid]\ncell_size = 0.01\n"),
+    EXPECT_EQ(column_message(settle_stage + shake + "[stages.grid]\ncell_size = 0.01\n"),
               R"_(scene.toml:57:1: error[stage]: the stage "shaking" cannot change grid.cell_size
    57 | [[stages]]
       | ^~~~~~~~~~
@@ -128,8 +125,8 @@ hint: give grid.cell_size for the whole scene
 TEST(SceneStageMessages, WaterFlowsWhereSoilConsolidates)
 {
     EXPECT_EQ(
-        message_of(
-            settle +
+        column_message(
+            settle_stage +
             "[[stages]]\nkind = \"consolidate\"\nduration = 1000\n[stages.water]\nflow = \"undrained\"\n"),
         R"_(scene.toml:25:1: warning[unused]: materials.sand.hydraulic_conductivity has no effect with water.flow = "undrained"
    25 | hydraulic_conductivity = 5.8e-5

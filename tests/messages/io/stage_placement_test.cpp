@@ -4,18 +4,15 @@
 namespace quicksand {
 namespace {
 
-const std::string settle = "[[stages]]\nkind = \"settle\"\n";
+using fixtures::column_message;
+using fixtures::settle_stage;
+
 const std::string build = "[[stages]]\nname = \"build\"\nkind = \"settle\"\n";
 const std::string berm = "[regions.berm]\nmaterial = \"sand\"\n";
 
-std::string message_of(const std::string& text)
-{
-    return fixtures::SceneFolder().message(fixtures::column_scene + text);
-}
-
 TEST(StagePlacementMessages, RegionsAreThoseOfTheScene)
 {
-    EXPECT_EQ(message_of(berm + settle + build + "place = [\"bern\"]\n"),
+    EXPECT_EQ(column_message(berm + settle_stage + build + "place = [\"bern\"]\n"),
               R"_(scene.toml:62:10: error[stage]: there is no region "bern"
    62 | place = ["bern"]
       |          ^~~~~~
@@ -27,7 +24,7 @@ hint: did you mean "berm"?
 TEST(StagePlacementMessages, TheFirstStagePlacesNothing)
 {
     EXPECT_EQ(
-        message_of(berm + settle + "place = [\"berm\"]\n"),
+        column_message(berm + settle_stage + "place = [\"berm\"]\n"),
         R"_(scene.toml:59:10: error[stage]: the first stage cannot place soil on the ground of a stage before
    59 | place = ["berm"]
       |          ^~~~~~
@@ -38,8 +35,8 @@ hint: soil that is there from the start is not named
 
 TEST(StagePlacementMessages, ARegionIsPlacedOnce)
 {
-    EXPECT_EQ(message_of(berm + settle + build + "place = [\"berm\"]\n" +
-                         "[[stages]]\nname = \"again\"\nkind = \"settle\"\nplace = [\"berm\"]\n"),
+    EXPECT_EQ(column_message(berm + settle_stage + build + "place = [\"berm\"]\n" +
+                             "[[stages]]\nname = \"again\"\nkind = \"settle\"\nplace = [\"berm\"]\n"),
               R"_(scene.toml:66:10: error[stage]: the region "berm" has soil already when it is placed
    66 | place = ["berm"]
       |          ^~~~~~
@@ -50,7 +47,7 @@ hint: a region is placed once, or again after a stage that removes it
 
 TEST(StagePlacementMessages, ARegionIsReplacedInTwoStages)
 {
-    EXPECT_EQ(message_of(berm + settle + build + "remove = [\"berm\"]\nplace = [\"berm\"]\n"),
+    EXPECT_EQ(column_message(berm + settle_stage + build + "remove = [\"berm\"]\nplace = [\"berm\"]\n"),
               R"_(scene.toml:63:10: error[stage]: the region "berm" has soil already when it is placed
    63 | place = ["berm"]
       |          ^~~~~~
@@ -61,8 +58,8 @@ hint: remove it in a stage of its own, before this one
 
 TEST(StagePlacementMessages, WhatIsRemovedIsThere)
 {
-    EXPECT_EQ(message_of(berm + settle + build + "remove = [\"berm\"]\n" +
-                         "[[stages]]\nname = \"again\"\nkind = \"settle\"\nremove = [\"berm\"]\n"),
+    EXPECT_EQ(column_message(berm + settle_stage + build + "remove = [\"berm\"]\n" +
+                             "[[stages]]\nname = \"again\"\nkind = \"settle\"\nremove = [\"berm\"]\n"),
               R"_(scene.toml:66:11: error[stage]: there is no soil in the region "berm" to remove
    66 | remove = ["berm"]
       |           ^~~~~~
@@ -72,7 +69,7 @@ expected: a region that has soil in the stage before
 
 TEST(StagePlacementMessages, TheFirstStageRemovesNothing)
 {
-    EXPECT_EQ(message_of(berm + settle + "remove = [\"berm\"]\n"),
+    EXPECT_EQ(column_message(berm + settle_stage + "remove = [\"berm\"]\n"),
               R"_(scene.toml:59:11: error[stage]: the first stage cannot remove soil
    59 | remove = ["berm"]
       |           ^~~~~~
@@ -83,7 +80,7 @@ hint: soil that is not there from the start is regions.berm.soil = "absent"
 
 TEST(StagePlacementMessages, SomeSoilIsThereInEveryStage)
 {
-    EXPECT_EQ(message_of(settle + build + "remove = [\"sand\"]\n"),
+    EXPECT_EQ(column_message(settle_stage + build + "remove = [\"sand\"]\n"),
               R"_(scene.toml:57:1: error[stage]: no region has soil in the stage "build"
    57 | [[stages]]
       | ^~~~~~~~~~
@@ -93,7 +90,8 @@ expected: soil in at least one region of every stage
 
 TEST(StagePlacementMessages, SoilIsPlacedWhereItComesToRest)
 {
-    EXPECT_EQ(message_of(berm + settle + "[[stages]]\nkind = \"shake\"\nduration = 1\nplace = [\"berm\"]\n"),
+    EXPECT_EQ(column_message(berm + settle_stage +
+                             "[[stages]]\nkind = \"shake\"\nduration = 1\nplace = [\"berm\"]\n"),
               R"_(scene.toml:62:1: error[unused-key]: stages.shake.place is not used with kind = "shake"
    62 | place = ["berm"]
       | ^~~~~
@@ -103,7 +101,7 @@ hint: remove it, or set kind = "settle"
 
 TEST(StagePlacementMessages, SoilIsPresentOrAbsent)
 {
-    EXPECT_EQ(message_of("[regions.berm]\nmaterial = \"sand\"\nsoil = \"absend\"\n"),
+    EXPECT_EQ(column_message("[regions.berm]\nmaterial = \"sand\"\nsoil = \"absend\"\n"),
               R"_(scene.toml:57:8: error[word]: regions.berm.soil = "absend" is not known
    57 | soil = "absend"
       |        ^~~~~~~~

@@ -27,7 +27,7 @@ threshold = 0.1
 )";
 
 /// What is said of the file; files are named without their folder.
-std::string message_of(const std::string& text)
+std::string sweep_message(const std::string& text)
 {
     const fixtures::TemporaryFolder folder;
     std::ofstream(folder / "scene.toml") << "";
@@ -49,20 +49,20 @@ class SweepMistakes : public testing::TestWithParam<SceneMistake> {};
 TEST_P(SweepMistakes, AreReportedWithPlaceAndCure)
 {
     const SceneMistake& mistake = GetParam();
-    EXPECT_EQ(message_of(fixtures::replaced(sound_sweep, mistake.sound, mistake.mistaken)),
+    EXPECT_EQ(sweep_message(fixtures::replaced(sound_sweep, mistake.sound, mistake.mistaken)),
               mistake.message.substr(1)); // after the line break that opens it
 }
 
 TEST(SweepFile, ASoundOneHasNoMessage)
 {
-    EXPECT_EQ(message_of(sound_sweep), "");
+    EXPECT_EQ(sweep_message(sound_sweep), "");
 }
 
 TEST(SweepFile, AllMistakesAreReportedAtOnce)
 {
     std::string text = fixtures::replaced(sound_sweep, "mean = 0.4", "mean = -0.4");
     text = fixtures::replaced(text, "samples = 3", "samples = 0");
-    const std::string message = message_of(text);
+    const std::string message = sweep_message(text);
     EXPECT_NE(message.find("sweep.toml:4:11: error[range]"), std::string::npos) << message;
     EXPECT_NE(message.find("sweep.toml:11:8: error[range]"), std::string::npos) << message;
 }

@@ -11,7 +11,7 @@ using fixtures::NamedCorner;
 using fixtures::polygon_section;
 using fixtures::SceneFolder;
 
-const std::string scene = R"(scene_version = 1
+const std::string slot_scene = R"(scene_version = 1
 [geometry]
 file = "column.geo"
 [grid]
@@ -26,7 +26,7 @@ porosity = 0.4
 [regions.soil]
 material = "sand"
 )" + fixtures::base_and_sides +
-                          R"([boundaries.wall]
+                               R"([boundaries.wall]
 soil = "roller"
 [run]
 end_time = 1.0
@@ -49,7 +49,7 @@ Section slot(double left, double right, double lean = 0.0)
 TEST(ThinGap, IsToldWithItsPlaceAndWidth)
 {
     EXPECT_EQ(
-        SceneFolder().assembly_message(scene, slot(1.9, 2.0)),
+        SceneFolder().assembly_message(slot_scene, slot(1.9, 2.0)),
         R"(scene.toml:21:1: warning[thin-gap]: soil lies 0.1 m beyond the curve "wall", near (1.95, 1.938) m, less than two cells of 0.25 m: both sides have nodes in common, move together and let water pass
    21 | [boundaries.wall]
       | ^~~~~~~~~~~~~~~~~
@@ -61,10 +61,10 @@ to accept it: accept = ["boundaries.wall"] at the top of the scene
 
 TEST(ThinGap, OfTwoCellsOrOfOneAlongTheGridIsNone)
 {
-    EXPECT_EQ(SceneFolder().assembly_message(scene, slot(1.9, 2.4)), "");
-    EXPECT_EQ(SceneFolder().assembly_message(scene, slot(1.75, 2.0)), "");
-    EXPECT_NE(SceneFolder().assembly_message(scene, slot(1.8, 2.05)), "");
-    EXPECT_NE(SceneFolder().assembly_message(scene, slot(1.75, 2.0, 0.6)), "");
+    EXPECT_EQ(SceneFolder().assembly_message(slot_scene, slot(1.9, 2.4)), "");
+    EXPECT_EQ(SceneFolder().assembly_message(slot_scene, slot(1.75, 2.0)), "");
+    EXPECT_NE(SceneFolder().assembly_message(slot_scene, slot(1.8, 2.05)), "");
+    EXPECT_NE(SceneFolder().assembly_message(slot_scene, slot(1.75, 2.0, 0.6)), "");
 }
 
 TEST(ThinGap, TheTipOfASpikeIsNone)
@@ -77,7 +77,7 @@ TEST(ThinGap, TheTipOfASpikeIsNone)
                                              {{4.0, 0.0}, "right"},
                                              {{4.0, 2.0}, ""},
                                              {{0.0, 2.0}, "left"}});
-    EXPECT_EQ(SceneFolder().assembly_message(scene, section), "");
+    EXPECT_EQ(SceneFolder().assembly_message(slot_scene, section), "");
 }
 
 } // namespace

@@ -17,28 +17,28 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double depth = 4.0, head = 0.5, conductivity = 1e-3; // T, h [m], k [m/s]
+constexpr double layer_depth = 4.0, outer_head = 0.5, layer_conductivity = 1e-3; // T, h [m], k [m/s]
 
 /// q / (k h) of a pile without thickness.
 double closed_form(double pile)
 {
-    const double m = std::sin(0.5 * std::numbers::pi * pile / depth);
+    const double m = std::sin(0.5 * std::numbers::pi * pile / layer_depth);
     return 0.5 * std::comp_ellint_1(std::sqrt(1.0 - m * m)) / std::comp_ellint_1(m);
 }
 
 struct Wall {
-    double pile = 0.5 * depth; // s [m]
-    double thickness = 1.0;    // [m]
-    double cell = 0.25;        // [m]
-    double shift = 0.0;        // of the grid's lines against the wall [cells]
+    double pile = 0.5 * layer_depth; // s [m]
+    double thickness = 1.0;          // [m]
+    double cell = 0.25;              // [m]
+    double shift = 0.0;              // of the grid's lines against the wall [cells]
 };
 
 /// Level ground with a wall in its middle, to `reach` on both sides; farther away nothing flows.
 AssembledCase ground_with_wall(const Wall& wall, double reach)
 {
     const double half = 0.5 * wall.thickness, foot = -wall.pile, h = wall.cell;
-    Section section = polygon_section({{{-reach, -depth}, "base"},
-                                       {{reach, -depth}, "right"},
+    Section section = polygon_section({{{-reach, -layer_depth}, "base"},
+                                       {{reach, -layer_depth}, "right"},
                                        {{reach, 0.0}, "low"},
                                        {{half, 0.0}, ""},
                                        {{half, foot}, ""},
@@ -76,24 +76,25 @@ water = "drained"
 [boundaries.high]
 soil = "free"
 water = "head"
-head = )" + std::to_string(1.0 + head) +
+head = )" + std::to_string(1.0 + outer_head) +
                                "\n";
     const auto cells = [h](double length) { return static_cast<int>(std::lround(length / h)) + 7; };
-    return assemble(scene_with(h, {-reach - (3.0 + wall.shift) * h, -depth - 3.0 * h}, cells(2.0 * reach),
-                               cells(depth), tables),
+    return assemble(scene_with(h, {-reach - (3.0 + wall.shift) * h, -layer_depth - 3.0 * h},
+                               cells(2.0 * reach), cells(layer_depth), tables),
                     section);
 }
 
 /// q / (k h) of the steady flow that a scene begins with.
 double initial_discharge(const Wall& wall)
 {
-    return ground_with_wall(wall, 3.0 * depth).initial_flow->discharge / (conductivity * head);
+    return ground_with_wall(wall, 3.0 * layer_depth).initial_flow->discharge /
+           (layer_conductivity * outer_head);
 }
 
 // The resistance k h / q of three walls leads to that of one without thickness.
 TEST(CutOff, LetsThroughWhatASheetPileDoes)
 {
-    for (const double pile : {0.25 * depth, 0.5 * depth, 0.75 * depth}) {
+    for (const double pile : {0.25 * layer_depth, 0.5 * layer_depth, 0.75 * layer_depth}) {
         const double thick = 1.0 / initial_discharge({pile, 1.0}),
                      middle = 1.0 / initial_discharge({pile, 0.5}),
                      thin = 1.0 / initial_discharge({pile, 0.25});
@@ -105,7 +106,7 @@ TEST(CutOff, LetsThroughWhatASheetPileDoes)
 /// The same in a run of two phases, after the flow has found its way through the cells.
 double discharge_in_run(const Wall& wall)
 {
-    AssembledCase assembled = ground_with_wall(wall, 2.0 * depth);
+    AssembledCase assembled = ground_with_wall(wall, 2.0 * layer_depth);
     RelaxationControls controls;
     controls.tolerance = 1e-3;
     EXPECT_TRUE(relax(assembled.problem, controls, assembled.state).settled);
@@ -119,7 +120,7 @@ double discharge_in_run(const Wall& wall)
         flow += particles.porosity[p] * particles.volume[p] *
                 (particles.velocity_fluid.x[p] - particles.velocity_solid.x[p]);
     }
-    return flow / wall.thickness / (conductivity * head);
+    return flow / wall.thickness / (layer_conductivity * outer_head);
 }
 
 // Cells let less water through beneath the foot, as if the wall were one cell deeper: measured 18, 10 and 5 %

@@ -18,7 +18,7 @@ using namespace fixtures;
 constexpr double flood = 3.0; // head on the left slope [m]
 
 /// A dike 5 m high on 2 m of ground; the last stage has these keys, and these of the left slope.
-std::string scene_of(const std::string& stage, const std::string& river)
+std::string drawdown_scene(const std::string& stage, const std::string& river)
 {
     return R"(scene_version = 1
 [geometry]
@@ -55,7 +55,7 @@ name = "fall"
            "[stages.boundaries.river]\n" + river;
 }
 
-Section dike()
+Section drawdown_dike()
 {
     return polygon_section({{{-15.0, -2.0}, "base"},
                             {{15.0, -2.0}, "right"},
@@ -79,13 +79,13 @@ std::vector<AssembledCase> assembled_stages(const std::string& scene)
 {
     std::vector<AssembledCase> stages;
     for (SceneReading& reading : stages_of(scene))
-        stages.push_back(assemble_case(std::move(reading), dike()));
+        stages.push_back(assemble_case(std::move(reading), drawdown_dike()));
     return stages;
 }
 
 AssembledCase assembled_stage(const std::string& scene, std::size_t stage)
 {
-    return assemble_case(std::move(stages_of(scene)[stage]), dike());
+    return assemble_case(std::move(stages_of(scene)[stage]), drawdown_dike());
 }
 
 double wet_volume(const AssembledCase& stage)
@@ -106,21 +106,22 @@ const Boundary& river_of(const AssembledCase& stage)
 
 TEST(Drawdown, LeavesSoilWetThatWasUnderWater)
 {
-    const auto stages = assembled_stages(scene_of("kind = \"shake\"\nduration = 0.1\n", "head = 0.0\n"));
+    const auto stages =
+        assembled_stages(drawdown_scene("kind = \"shake\"\nduration = 0.1\n", "head = 0.0\n"));
     EXPECT_GT(wet_volume(stages[1]), wet_volume(stages[0]) + 5.0);
     EXPECT_EQ(wet_volume(stages[2]), wet_volume(stages[1]));
 }
 
 TEST(Drawdown, SoilSettlesAnewWithTheWaterOfItsStage)
 {
-    const auto stages = assembled_stages(scene_of("kind = \"seepage\"\n", "head = 0.0\n"));
+    const auto stages = assembled_stages(drawdown_scene("kind = \"seepage\"\n", "head = 0.0\n"));
     EXPECT_NEAR(wet_volume(stages[2]), wet_volume(stages[0]), 1e-9);
 }
 
 TEST(Drawdown, RampsFromTheHeadOfTheStageBefore)
 {
-    const auto stages =
-        assembled_stages(scene_of("kind = \"shake\"\nduration = 4.0\n", "head = 1.0\nramp_time = 4.0\n"));
+    const auto stages = assembled_stages(
+        drawdown_scene("kind = \"shake\"\nduration = 4.0\n", "head = 1.0\nramp_time = 4.0\n"));
     const AssembledCase& fall = stages[2];
     const Vector2 toe(-12.0, 0.0);
     const auto head_at = [&](double time) {
@@ -140,9 +141,10 @@ const std::string in_time = "kind = \"seepage\"\nduration = ";
 TEST(Drawdown, DrainsTheSoilInTime)
 {
     const auto wet_after = [&](const std::string& duration) {
-        return wet_volume(assembled_stage(scene_of(in_time + "\"" + duration + "\"\n", "head = 0.0\n"), 2));
+        return wet_volume(
+            assembled_stage(drawdown_scene(in_time + "\"" + duration + "\"\n", "head = 0.0\n"), 2));
     };
-    const std::string sudden = scene_of("kind = \"seepage\"\n", "head = 0.0\n");
+    const std::string sudden = drawdown_scene("kind = \"seepage\"\n", "head = 0.0\n");
     const double flooded = wet_volume(assembled_stage(sudden, 1)),
                  steady = wet_volume(assembled_stage(sudden, 2)), part = 0.05 * (flooded - steady);
     EXPECT_NEAR(wet_after("100 s"), flooded, part);
@@ -164,7 +166,7 @@ kind = "consolidate"
 duration = "1 d"
 )";
     const auto stages =
-        assembled_stages(scene_of(in_time + "\"1 d\"\n", "head = 1.0\nramp_time = \"2 d\"\n" + search));
+        assembled_stages(drawdown_scene(in_time + "\"1 d\"\n", "head = 1.0\nramp_time = \"2 d\"\n" + search));
     for (const std::size_t later : {3, 4}) {
         EXPECT_EQ(wet_volume(stages[later]), wet_volume(stages[2]));
         EXPECT_EQ(stages[later].initial_flow->field.head({0.0, 1.0}),
@@ -191,8 +193,8 @@ name = "more"
 kind = "seepage"
 duration = "1 d"
 )";
-    const auto one = assembled_stage(scene_of(in_time + "\"2 d\"\n", "head = 0.0\n"), 2),
-               two = assembled_stage(scene_of(in_time + "\"1 d\"\n", "head = 0.0\n" + second), 3);
+    const auto one = assembled_stage(drawdown_scene(in_time + "\"2 d\"\n", "head = 0.0\n"), 2),
+               two = assembled_stage(drawdown_scene(in_time + "\"1 d\"\n", "head = 0.0\n" + second), 3);
     EXPECT_NEAR(two.initial_flow->field.head({0.0, 1.0}), one.initial_flow->field.head({0.0, 1.0}), 0.03);
 }
 
@@ -200,9 +202,9 @@ duration = "1 d"
 TEST(Drawdown, KeepsItsEnergyWhenTheWaterFallsAtOnce)
 {
     for (const std::string scheme : {"semi_implicit", "implicit"}) {
-        auto stages = assembled_stages(
-            scene_of("kind = \"shake\"\nduration = 0.5\n[stages.analysis]\nscheme = \"" + scheme + "\"\n",
-                     "head = 0.0\n"));
+        auto stages = assembled_stages(drawdown_scene(
+            "kind = \"shake\"\nduration = 0.5\n[stages.analysis]\nscheme = \"" + scheme + "\"\n",
+            "head = 0.0\n"));
         State state;
         for (std::size_t k = 0; k < stages.size(); ++k) {
             const bool settles = k < 2;

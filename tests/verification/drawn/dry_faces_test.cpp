@@ -10,8 +10,8 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double cell = 0.1;     // [m]
-constexpr double risen = 5000.0; // excess pressure at the start, below the water table [Pa]
+constexpr double column_cell = 0.1;       // [m]
+constexpr double risen_pressure = 5000.0; // excess pressure at the start, below the water table [Pa]
 
 /// A column whose surface lies within a cell, with an excess pressure below a water table. The
 /// surface falls to the right by the slope.
@@ -19,12 +19,12 @@ AssembledCase column(double level, double slope, const std::string& scheme, cons
 {
     const std::string tables =
         "[analysis]\nscheme = \"" + scheme + "\"\n[water]\nlevel = " + std::to_string(level) +
-        "\n[initial]\nexcess_pore_pressure = " + std::to_string(risen) + "\n" + base_and_sides +
+        "\n[initial]\nexcess_pore_pressure = " + std::to_string(risen_pressure) + "\n" + base_and_sides +
         "[boundaries.surface]\nwater = \"" + surface + "\"\n[materials.soil]\n" +
         "hydraulic_conductivity = 1e-4\n" + elastic.substr(elastic.find("]") + 1);
     const double left = 0.96, right = left - 0.4 * slope;
     return assemble(
-        scene_with(cell, {-0.2, -0.2}, 8, 14, tables),
+        scene_with(column_cell, {-0.2, -0.2}, 8, 14, tables),
         polygon_section(
             {{{0.0, 0.0}, "base"}, {{0.4, 0.0}, "right"}, {{0.4, right}, "surface"}, {{0.0, left}, "left"}}));
 }
@@ -50,7 +50,8 @@ TEST(DryFaces, HoldNoWaterBelowThem)
                 double difference = 0.0;
                 for (std::size_t p = 0; p < drained.size(); ++p)
                     difference = std::max(difference, std::abs(sealed[p] - drained[p]));
-                EXPECT_LT(difference, 1e-9 * risen) << scheme << ", slope " << slope << ", level " << level;
+                EXPECT_LT(difference, 1e-9 * risen_pressure)
+                    << scheme << ", slope " << slope << ", level " << level;
             }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 using namespace fixtures::layer_stack;
 
-constexpr double top = layers * height; // of the ground as drawn [m]
+constexpr double drawn_top = layers * height; // of the ground as drawn [m]
 
 /// Removes `depth` m from the top, in one stage or layer by layer.
 Drawing excavation(int removed, bool at_once)
@@ -44,7 +44,7 @@ struct Errors {
 Errors errors_of(const Drawing& drawing, const Build& built, double water)
 {
     Errors errors;
-    double largest = 0.0, ground = top;
+    double largest = 0.0, ground = drawn_top;
     for (std::size_t s = 0; s < drawing.changes.size(); ++s) {
         const double left = ground - height * static_cast<double>(drawing.changes[s].remove.size());
         const double unloading = overburden(ground, left, water);
@@ -64,7 +64,7 @@ Errors errors_of(const Drawing& drawing, const Build& built, double water)
             std::max({errors.stress, std::abs(particles.stress.yy[p] - vertical),
                       std::abs(particles.stress.xx[p] - vertical / 3.0), std::abs(particles.stress.xy[p])});
     }
-    errors.stress /= overburden(top, 0.0, water);
+    errors.stress /= overburden(drawn_top, 0.0, water);
     return errors;
 }
 

@@ -18,7 +18,7 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double weight = 1000.0 * standard_gravity; // of water [N/m3]
+constexpr double water_weight = 1000.0 * standard_gravity; // of water [N/m3]
 
 /// Changes of the pore pressure in a run, over that of the difference of the heads [-].
 struct Change {
@@ -42,7 +42,7 @@ Change change_in_run(double cell_size, double duration)
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (!dam.problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
         const double part =
-            std::abs(particles.pore_pressure[p] - before[static_cast<std::size_t>(p)]) / (8.0 * weight);
+            std::abs(particles.pore_pressure[p] - before[static_cast<std::size_t>(p)]) / (8.0 * water_weight);
         change.mean += part;
         change.most = std::max(change.most, part);
         wet += 1.0;

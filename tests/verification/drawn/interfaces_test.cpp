@@ -12,10 +12,10 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double cell = 0.25, ground = 1.0, thickness = 0.5;   // [m]
-constexpr double gravity = standard_gravity, density = 2400.0; // [m/s2], of the slab [kg/m3]
-constexpr double degrees = std::numbers::pi / 180.0;
-const double friction = std::tan(20.0 * degrees); // of the faces [-]
+constexpr double slab_cell = 0.25, bed_height = 1.0, slab_thickness = 0.5; // [m]
+constexpr double slab_density = 2400.0;                                    // [kg/m3]
+constexpr double radians_per_degree = std::numbers::pi / 180.0;
+const double face_friction = std::tan(20.0 * radians_per_degree); // of the faces [-]
 
 const std::string concrete = R"([materials.concrete]
 model = "linear_elastic"
@@ -29,7 +29,7 @@ material = "concrete"
 material = "soil"
 )";
 
-std::string soil(const std::string& law)
+std::string soil_of_law(const std::string& law)
 {
     return "[materials.soil]\nporosity = 0.4\n" + law;
 }
@@ -48,15 +48,18 @@ struct Sampled {
 /// A slab on a column of dry soil between tied sides, settled: a piece of one without ends.
 AssembledCase slab_on_soil(const std::string& tables, const Sampled& sampled = {})
 {
-    constexpr double width = 0.5, top = ground + thickness;
-    Section section = polygon_section(
-        {{{0.0, 0.0}, "base"}, {{width, 0.0}, "right"}, {{width, ground}, ""}, {{0.0, ground}, "left"}});
-    section.regions.push_back({"slab", {{{{0.0, ground}, {width, ground}, {width, top}, {0.0, top}}, {}}}});
-    section.curves[1].segments.push_back({{width, ground}, {width, top}});
-    section.curves[2].segments.push_back({{0.0, top}, {0.0, ground}});
+    constexpr double width = 0.5, top = bed_height + slab_thickness;
+    Section section = polygon_section({{{0.0, 0.0}, "base"},
+                                       {{width, 0.0}, "right"},
+                                       {{width, bed_height}, ""},
+                                       {{0.0, bed_height}, "left"}});
+    section.regions.push_back(
+        {"slab", {{{{0.0, bed_height}, {width, bed_height}, {width, top}, {0.0, top}}, {}}}});
+    section.curves[1].segments.push_back({{width, bed_height}, {width, top}});
+    section.curves[2].segments.push_back({{0.0, top}, {0.0, bed_height}});
     bound_section(section);
     const std::string count = std::to_string(sampled.per_cell);
-    AssembledCase assembled = assemble(scene_with(cell, {-0.25, -0.5 - sampled.shift * cell}, 4, 10,
+    AssembledCase assembled = assemble(scene_with(slab_cell, {-0.25, -0.5 - sampled.shift * slab_cell}, 4, 10,
                                                   "[sampling]\nparticles_per_cell = [" + count + ", " +
                                                       count + "]\n" + tables + concrete +
                                                       R"([boundaries.base]
@@ -117,29 +120,33 @@ std::string face(const std::string& keys)
 // A slab that slides is pushed by its weight's share less the friction of its face.
 TEST(Interface, SlidesAtItsFriction)
 {
-    const std::string tables = soil(friction_soil) + face("friction_angle = 20.0\n");
+    const std::string tables = soil_of_law(friction_soil) + face("friction_angle = 20.0\n");
     for (const double shift : {0.0, 0.3, 0.6, 0.9})
         for (const int per_cell : {2, 3})
             for (const double push : {0.5, -0.5})
-                EXPECT_NEAR(std::copysign(slab_acceleration(tables, push * gravity, {shift, per_cell}), 1.0) /
-                                gravity,
-                            0.5 - friction, 0.02 * friction)
+                EXPECT_NEAR(std::copysign(
+                                slab_acceleration(tables, push * standard_gravity, {shift, per_cell}), 1.0) /
+                                standard_gravity,
+                            0.5 - face_friction, 0.02 * face_friction)
                     << shift << ' ' << per_cell << ' ' << push;
 }
 
 TEST(Interface, SticksBelowItsFriction)
 {
-    const std::string tables = soil(friction_soil) + face("friction_angle = 20.0\n");
+    const std::string tables = soil_of_law(friction_soil) + face("friction_angle = 20.0\n");
     for (const double shift : {0.0, 0.6})
-        EXPECT_NEAR(slab_acceleration(tables, 0.97 * friction * gravity, {shift, 2}) / gravity, 0.0, 0.003)
+        EXPECT_NEAR(slab_acceleration(tables, 0.97 * face_friction * standard_gravity, {shift, 2}) /
+                        standard_gravity,
+                    0.0, 0.003)
             << shift;
 }
 
 TEST(Interface, HasAShareOfTheSoilsStrength)
 {
-    const double share = 0.5 * std::tan(38.0 * degrees);
-    EXPECT_NEAR(slab_acceleration(soil(friction_soil) + face("strength_ratio = 0.5\n"), 0.6 * gravity) /
-                    gravity,
+    const double share = 0.5 * std::tan(38.0 * radians_per_degree);
+    EXPECT_NEAR(slab_acceleration(soil_of_law(friction_soil) + face("strength_ratio = 0.5\n"),
+                                  0.6 * standard_gravity) /
+                    standard_gravity,
                 0.6 - share, 0.02 * share);
 }
 
@@ -150,32 +157,33 @@ TEST(Interface, SlidesAtItsAdhesion)
     const std::string clay = "model = \"mohr_coulomb\"\nshear_modulus = \"20 MPa\"\npoisson_ratio = 0.45\n"
                              "friction_angle = 0.0\ncohesion = 20e3\n";
     // of the slab and the half of the cell that slides with it
-    const double mass = density * thickness + 0.5 * cell * 0.6 * 2650.0;
-    const double share = adhesion / mass / gravity;
-    EXPECT_NEAR(
-        slab_acceleration(soil(clay) + face("friction_angle = 0.0\ncohesion = 4000.0\n"), 0.6 * gravity) /
-            gravity,
-        0.6 - share, 0.03 * share);
+    const double mass = slab_density * slab_thickness + 0.5 * slab_cell * 0.6 * 2650.0;
+    const double share = adhesion / mass / standard_gravity;
+    EXPECT_NEAR(slab_acceleration(soil_of_law(clay) + face("friction_angle = 0.0\ncohesion = 4000.0\n"),
+                                  0.6 * standard_gravity) /
+                    standard_gravity,
+                0.6 - share, 0.03 * share);
 }
 
 /// A slab of 6 x 0.5 m on as long a bed of soil, drawn level and turned; both ends are free.
 AssembledCase slab_on_slope(double slope_degrees)
 {
-    constexpr double length = 6.0, bed = 1.5, fine = 0.5 * cell;
+    constexpr double length = 6.0, bed = 1.5, fine = 0.5 * slab_cell;
     const auto at = [&](double x, double y) { return turn({x, y}, -slope_degrees); };
     Section section = polygon_section(
         {{at(0.0, 0.0), "base"}, {at(length, 0.0), ""}, {at(length, bed), ""}, {at(0.0, bed), ""}});
     section.regions.push_back(
         {"slab",
-         {{{at(0.0, bed), at(length, bed), at(length, bed + thickness), at(0.0, bed + thickness)}, {}}}});
+         {{{at(0.0, bed), at(length, bed), at(length, bed + slab_thickness), at(0.0, bed + slab_thickness)},
+           {}}}});
     bound_section(section);
     const std::string strong =
         "model = \"mohr_coulomb\"\nshear_modulus = \"20 MPa\"\npoisson_ratio = 0.3\nfriction_angle = 38.0\n"
         "cohesion = 20e3\n";
     AssembledCase assembled = assemble(scene_with(fine, {-1.0, -5.13}, 72, 68,
-                                                  "[sampling]\nparticles_per_cell = [2, 2]\n" + soil(strong) +
-                                                      face("friction_angle = 20.0\n") + concrete +
-                                                      "[boundaries.base]\nsoil = \"fixed\"\n"),
+                                                  "[sampling]\nparticles_per_cell = [2, 2]\n" +
+                                                      soil_of_law(strong) + face("friction_angle = 20.0\n") +
+                                                      concrete + "[boundaries.base]\nsoil = \"fixed\"\n"),
                                        section);
     begin_shaking(assembled.problem, assembled.state);
     return assembled;
@@ -186,9 +194,11 @@ TEST(Interface, SlidesOnASlopeAboveItsAngleAndRestsBelow)
 {
     for (const double slope : {17.0, 25.0, 35.0}) {
         AssembledCase assembled = slab_on_slope(slope);
-        const double along = acceleration(assembled, Vector2::Zero()).dot(turn({1.0, 0.0}, -slope)) / gravity;
-        const double share = friction * std::cos(slope * degrees);
-        EXPECT_NEAR(along, std::max(0.0, std::sin(slope * degrees) - share), 0.05 * share) << slope;
+        const double along =
+            acceleration(assembled, Vector2::Zero()).dot(turn({1.0, 0.0}, -slope)) / standard_gravity;
+        const double share = face_friction * std::cos(slope * radians_per_degree);
+        EXPECT_NEAR(along, std::max(0.0, std::sin(slope * radians_per_degree) - share), 0.05 * share)
+            << slope;
     }
 }
 
@@ -196,8 +206,10 @@ TEST(Interface, SlidesInSandOfEveryLaw)
 {
     for (const std::string law :
          {"model = \"ubcsand\"\nrelative_density = 0.6\n", "model = \"pm4sand\"\nrelative_density = 0.6\n"})
-        EXPECT_NEAR(slab_acceleration(soil(law) + face("friction_angle = 20.0\n"), 0.5 * gravity) / gravity,
-                    0.5 - friction, 0.04 * friction)
+        EXPECT_NEAR(
+            slab_acceleration(soil_of_law(law) + face("friction_angle = 20.0\n"), 0.5 * standard_gravity) /
+                standard_gravity,
+            0.5 - face_friction, 0.04 * face_friction)
             << law;
 }
 

@@ -36,13 +36,13 @@ const std::string elastic_soil = R"(model = "linear_elastic"
 shear_modulus = "30 MPa"
 poisson_ratio = 0.3
 )";
-const std::string sand = R"(model = "ubcsand"
+const std::string ubcsand_soil = R"(model = "ubcsand"
 relative_density = "55 %"
 )";
 
 /// A slope of 1:2 between a crest of 5.3 m and ground of 2.1 m, on cells of 1 m, so that it runs off the grid
 /// lines.
-AssembledCase dike(const Copy& copy, const Course& course)
+AssembledCase shaken_dike(const Copy& copy, const Course& course)
 {
     std::vector<NamedCorner> corners = {{{0.0, 0.0}, "base"},     {{17.0, 0.0}, "right"},
                                         {{17.0, 2.1}, "surface"}, {{11.4, 2.1}, "surface"},
@@ -81,7 +81,7 @@ struct Answer {
 
 std::vector<Answer> shake(const Copy& copy, const Course& course)
 {
-    AssembledCase assembled = dike(copy, course);
+    AssembledCase assembled = shaken_dike(copy, course);
     RelaxationControls controls;
     controls.tolerance = 1e-6;
     if (course.settles) {
@@ -140,9 +140,9 @@ void expect_alike(const Copy& copy, const Course& course, double most)
         EXPECT_LT(each.difference, most * each.amount) << each.name;
 }
 
-const Copy moved{{1000.0, 500.0}, 1.0, 1.0};
-const Copy mirrored{{0.0, 0.0}, -1.0, 1.0};
-const Copy model{{0.0, 0.0}, 1.0, 0.02};
+const Copy moved_dike{{1000.0, 500.0}, 1.0, 1.0};
+const Copy mirrored_dike{{0.0, 0.0}, -1.0, 1.0};
+const Copy model_dike{{0.0, 0.0}, 1.0, 0.02};
 
 constexpr double elastic_difference = 1e-6, sand_difference = 1e-3;
 
@@ -154,27 +154,28 @@ Course elastic_course(const std::string& scheme)
 TEST(Invariance, AMovedDikeAnswersAlike)
 {
     for (const char* scheme : {"explicit", "semi_implicit", "implicit"})
-        expect_alike(moved, elastic_course(scheme), elastic_difference);
+        expect_alike(moved_dike, elastic_course(scheme), elastic_difference);
 }
 
 TEST(Invariance, AMirroredDikeAnswersAlike)
 {
     for (const char* scheme : {"explicit", "semi_implicit", "implicit"})
-        expect_alike(mirrored, elastic_course(scheme), elastic_difference);
+        expect_alike(mirrored_dike, elastic_course(scheme), elastic_difference);
 }
 
 TEST(Invariance, AModelOfTheDikeAnswersAlike)
 {
     for (const char* scheme : {"explicit", "semi_implicit", "implicit"})
-        expect_alike(model, elastic_course(scheme), elastic_difference);
+        expect_alike(model_dike, elastic_course(scheme), elastic_difference);
 }
 
 // Before it liquefies: sand is another one at every beginning of loading, which rounding may shift by a step.
 TEST(Invariance, SandAnswersAlikeBeforeItLiquefies)
 {
     for (const char* scheme : {"semi_implicit", "implicit"}) {
-        const Course course{scheme, sand, 0.8, 0.5, true};
-        for (const Copy& copy : {moved, mirrored, model}) expect_alike(copy, course, sand_difference);
+        const Course course{scheme, ubcsand_soil, 0.8, 0.5, true};
+        for (const Copy& copy : {moved_dike, mirrored_dike, model_dike})
+            expect_alike(copy, course, sand_difference);
     }
 }
 

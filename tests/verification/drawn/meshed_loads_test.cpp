@@ -10,9 +10,9 @@
 namespace quicksand {
 namespace {
 
-constexpr double pressure = 1000.0; // all around [Pa]
+constexpr double pressure_around = 1000.0; // all around [Pa]
 
-const std::string scene = R"(scene_version = 1
+const std::string meshed_scene = R"(scene_version = 1
 [geometry]
 file = "drawing.geo"
 [grid]
@@ -57,7 +57,7 @@ AssembledCase falling_ground(double height, double degrees)
     for (Vector2& corner : corners) corner = fixtures::turn(corner, degrees);
     const fixtures::TemporaryFolder folder;
     std::ofstream(folder / "drawing.geo") << drawing_of(corners);
-    std::ofstream(folder / "scene.toml") << scene;
+    std::ofstream(folder / "scene.toml") << meshed_scene;
     return assemble_case(read_scene_file(folder / "scene.toml", {}));
 }
 
@@ -65,8 +65,8 @@ AssembledCase falling_ground(double height, double degrees)
 double largest_rest(AssembledCase ground)
 {
     State& state = ground.state;
-    std::fill(state.particles.stress.xx.begin(), state.particles.stress.xx.end(), -pressure);
-    std::fill(state.particles.stress.yy.begin(), state.particles.stress.yy.end(), -pressure);
+    std::fill(state.particles.stress.xx.begin(), state.particles.stress.xx.end(), -pressure_around);
+    std::fill(state.particles.stress.yy.begin(), state.particles.stress.yy.end(), -pressure_around);
     ground.problem.gravity = 0.0;
     state.stage = Stage::shaking;
     SinglePhaseWorkspace work = make_single_phase_workspace(ground.problem);
@@ -94,7 +94,7 @@ TEST(MeshedLoads, BalanceAUniformStressAtEveryNode)
 {
     for (const double height : {4.2, 4.73, 5.2})
         for (const double degrees : {0.0, 17.0})
-            EXPECT_LT(largest_rest(falling_ground(height, degrees)), 1e-6 * pressure)
+            EXPECT_LT(largest_rest(falling_ground(height, degrees)), 1e-6 * pressure_around)
                 << height << " m, " << degrees << " degrees";
 }
 

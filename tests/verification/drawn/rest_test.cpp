@@ -14,7 +14,7 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double height = 1.0, cell = 0.25; // of the body, of the grid [m]
+constexpr double soil_height = 1.0, rest_cell = 0.25; // of the body, of the grid [m]
 
 /// The levels of every factor; a case takes one of each.
 const std::vector<std::vector<std::string>> factors = {
@@ -70,14 +70,14 @@ std::string scene_of(const Case& c)
 AssembledCase body_of(const Case& c)
 {
     const double slope = std::stod(word(c, angle)) * std::numbers::pi / 180.0;
-    const double top = height / std::tan(slope), width = word(c, side) == "tied" ? 3.0 : 2.9;
+    const double top = soil_height / std::tan(slope), width = word(c, side) == "tied" ? 3.0 : 2.9;
     const double right = width;
     const Vector2 shift = {word(c, side) == "tied" ? 2.0 : 2.1, 0.06};
-    return assemble(scene_with(cell, {0.0, 0.0}, 28, 6, scene_of(c)),
+    return assemble(scene_with(rest_cell, {0.0, 0.0}, 28, 6, scene_of(c)),
                     polygon_section({{Vector2(0.0, 0.0) + shift, "base"},
                                      {Vector2(width, 0.0) + shift, "right"},
-                                     {Vector2(right, height) + shift, "surface"},
-                                     {Vector2(top, height) + shift, "left"}}));
+                                     {Vector2(right, soil_height) + shift, "surface"},
+                                     {Vector2(top, soil_height) + shift, "left"}}));
 }
 
 /// Largest velocity of grains within some hundred steps from equilibrium, over sqrt(g H) [-].
@@ -96,7 +96,7 @@ double unrest(const Case& c)
         for (std::size_t p = 0; p < state.particles.size(); ++p)
             largest = std::max(largest, state.particles.velocity_solid[p].norm());
     }
-    return largest / std::sqrt(assembled.problem.gravity * height);
+    return largest / std::sqrt(assembled.problem.gravity * soil_height);
 }
 
 std::string name_of_case(const Case& c)

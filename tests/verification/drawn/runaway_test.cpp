@@ -20,17 +20,18 @@ struct Soil {
 
 const Soil earth = {mohr_coulomb, 1.5};
 
-Soil sand(const std::string& model, double friction_degrees)
+Soil sand_of_friction(const std::string& model, double friction_degrees)
 {
     return {"[materials.soil]\nmodel = \"" + model +
                 "\"\nrelative_density = 0.5\nporosity = 0.43\n[regions.soil]\nmaterial = \"soil\"\n",
             2.0, 2.0 * std::tan(friction_degrees * std::numbers::pi / 180.0)};
 }
 
-const Soil ubcsand = sand("ubcsand", 33.0 + 46.0 * 0.25 / 10.0), pm4sand = sand("pm4sand", 37.5);
+const Soil standing_ubcsand = sand_of_friction("ubcsand", 33.0 + 46.0 * 0.25 / 10.0),
+           standing_pm4sand = sand_of_friction("pm4sand", 37.5);
 
 /// A slope 6 m high on 2 m of the same soil, on cells of 1 m; lengths in m.
-AssembledCase slope(const Soil& soil, const Vector2& shift, int particles)
+AssembledCase slope_of_soil(const Soil& soil, const Vector2& shift, int particles)
 {
     const double toe = 6.0 + 6.0 * soil.run, end = toe + 9.0;
     std::vector<NamedCorner> corners = {{{0.0, 0.0}, "base"},   {{end, 0.0}, "right"},
@@ -55,7 +56,7 @@ class RunawaySlope : public testing::TestWithParam<Drawn> {};
 
 TEST_P(RunawaySlope, IsToldSoonAndNotOfOneThatStands)
 {
-    const AssembledCase drawn = slope(GetParam().soil, GetParam().shift, GetParam().particles);
+    const AssembledCase drawn = slope_of_soil(GetParam().soil, GetParam().shift, GetParam().particles);
     State state = drawn.state;
     const double factor = safety_factor(drawn.problem, {}, state).factor;
     if (const double expected = GetParam().soil.factor; expected > 0.0) {
@@ -83,16 +84,16 @@ TEST_P(RunawaySlope, IsToldSoonAndNotOfOneThatStands)
 INSTANTIATE_TEST_SUITE_P(Drawn, RunawaySlope,
                          testing::Values(Drawn{"EarthOnTheGrid", earth, {0.0, 0.0}, 2},
                                          Drawn{"EarthOffTheGrid", earth, {0.23, 0.31}, 3},
-                                         Drawn{"UbcsandOffTheGrid", ubcsand, {0.23, 0.31}, 2},
-                                         Drawn{"UbcsandOnTheGrid", ubcsand, {0.0, 0.0}, 3},
-                                         Drawn{"Pm4sandOnTheGrid", pm4sand, {0.0, 0.0}, 2},
-                                         Drawn{"Pm4sandOffTheGrid", pm4sand, {0.23, 0.31}, 3}),
+                                         Drawn{"UbcsandOffTheGrid", standing_ubcsand, {0.23, 0.31}, 2},
+                                         Drawn{"UbcsandOnTheGrid", standing_ubcsand, {0.0, 0.0}, 3},
+                                         Drawn{"Pm4sandOnTheGrid", standing_pm4sand, {0.0, 0.0}, 2},
+                                         Drawn{"Pm4sandOffTheGrid", standing_pm4sand, {0.23, 0.31}, 3}),
                          [](const auto& drawn) { return drawn.param.name; });
 
 // What fails only without the allowance of a cell's weight that sand has at first.
 TEST(RunawaySand, IsToldAtTheStrengthOfTheShaking)
 {
-    AssembledCase drawn = slope(ubcsand, {0.0, 0.0}, 2);
+    AssembledCase drawn = slope_of_soil(standing_ubcsand, {0.0, 0.0}, 2);
     UbcSand& sand = std::get<UbcSand>(drawn.problem.materials[0].law);
     sand.eta_f = std::sin(std::atan(0.95 * 0.5)); // phi_f beneath the slope's angle
     try {

@@ -16,7 +16,7 @@ using namespace fixtures;
 constexpr double box_size = 4.0; // [m]
 
 /// A slope of 1:3 from 7.3 m down to the ground, whose corners lie off cells of 2 m.
-AssembledCase slope_of(const std::string& law, int particles)
+AssembledCase settling_slope(const std::string& law, int particles)
 {
     const std::vector<NamedCorner> corners = {{{0.0, 0.0}, "base"},     {{52.0, 0.0}, "right"},
                                               {{52.0, 12.7}, "ground"}, {{25.9, 12.7}, "ground"},
@@ -68,7 +68,7 @@ TEST(SettledSlope, IsTheSameWithTwoAndThreeParticlesAcrossACell)
          {std::string("model = \"mohr_coulomb\"\nshear_modulus = 12e6\npoisson_ratio = 0.3\n"
                       "friction_angle = \"33 deg\"\ncohesion = 0\n"),
           std::string("model = \"ubcsand\"\nrelative_density = 0.5\n")}) {
-        AssembledCase coarse = slope_of(law, 2), fine = slope_of(law, 3);
+        AssembledCase coarse = settling_slope(law, 2), fine = settling_slope(law, 3);
         const RelaxationReport two = relax(coarse.problem, {}, coarse.state);
         const RelaxationReport three = relax(fine.problem, {}, fine.state);
         EXPECT_LT(two.steps, 3000);

@@ -11,8 +11,8 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double thickness = 0.5, height = 5.0, shear_modulus = 10e9; // [m], [Pa]
-constexpr double density = 2400.0, push = 0.01;                       // [kg/m3], [m/s2]
+constexpr double pile_thickness = 0.5, pile_height = 5.0, pile_shear_modulus = 10e9; // [m], [Pa]
+constexpr double pile_density = 2400.0, pile_push = 0.01;                            // [kg/m3], [m/s2]
 
 struct Resolution {
     int cells = 1, per_cell = 2; // across the thickness; particles along an edge of a cell
@@ -24,12 +24,12 @@ struct Resolution {
 /// A wall that stands on its foot without weight. `tip_pressure` acts at its back over the highest cell [Pa].
 AssembledCase cantilever(const Resolution& of, double tip_pressure)
 {
-    const double h = thickness / of.cells;
+    const double h = pile_thickness / of.cells;
     const Section section = polygon_section({{{0.0, 0.0}, "base"},
-                                             {{thickness, 0.0}, ""},
-                                             {{thickness, height - h}, "tip"},
-                                             {{thickness, height}, ""},
-                                             {{0.0, height}, ""}});
+                                             {{pile_thickness, 0.0}, ""},
+                                             {{pile_thickness, pile_height - h}, "tip"},
+                                             {{pile_thickness, pile_height}, ""},
+                                             {{0.0, pile_height}, ""}});
     const std::string count = std::to_string(of.per_cell);
     std::string tables =
         "[sampling]\nparticles_per_cell = [" + count + ", " + count + "]\n[analysis]\ninterpolation = \"" +
@@ -40,7 +40,7 @@ AssembledCase cantilever(const Resolution& of, double tip_pressure)
         std::to_string(of.poisson) + "\n";
     if (tip_pressure > 0.0)
         tables += "[boundaries.tip]\nsoil = \"free\"\npressure = " + std::to_string(tip_pressure) + "\n";
-    const int cells = static_cast<int>(height / h) + 8;
+    const int cells = static_cast<int>(pile_height / h) + 8;
     return assemble(scene_with(h, {-(3.0 + of.shift) * h, -4.0 * h}, of.cells + 7, cells, tables), section);
 }
 
@@ -57,8 +57,8 @@ double deflection(AssembledCase assembled, const Resolution& of)
     double n = 0.0, y = 0.0, u = 0.0, yy = 0.0, yu = 0.0; // of the straight line through the end
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const Vector2 start = before.at(particles.identifier[p]), now = particles.position[p];
-        if (start.y() < height - 2.0 * thickness / of.cells) continue;
-        const double over = start.y() - height, moved = start.x() - now.x();
+        if (start.y() < pile_height - 2.0 * pile_thickness / of.cells) continue;
+        const double over = start.y() - pile_height, moved = start.x() - now.x();
         n += 1.0, y += over, u += moved, yy += over * over, yu += over * moved;
     }
     return (u * yy - y * yu) / (n * yy - y * y);
@@ -72,17 +72,18 @@ struct Ratios {
 
 Ratios deflections(const Resolution& of)
 {
-    const double nu = of.poisson, E = 2.0 * shear_modulus * (1.0 + nu), h = thickness / of.cells,
+    const double nu = of.poisson, E = 2.0 * pile_shear_modulus * (1.0 + nu), h = pile_thickness / of.cells,
                  pressure = 1e3;
-    const double bending = E * thickness * thickness * thickness / 12.0 / (1.0 - nu * nu),
-                 shear = 5.0 / 6.0 * shear_modulus * thickness;
-    const double load = pressure * h, arm = height - 0.5 * h, weight = density * thickness * push;
+    const double bending = E * pile_thickness * pile_thickness * pile_thickness / 12.0 / (1.0 - nu * nu),
+                 shear = 5.0 / 6.0 * pile_shear_modulus * pile_thickness;
+    const double load = pressure * h, arm = pile_height - 0.5 * h,
+                 weight = pile_density * pile_thickness * pile_push;
     const double of_tip = load * arm * arm * (arm / 3.0 + 0.25 * h) / bending + load * arm / shear;
-    const double of_triangle =
-        weight * std::pow(height, 4) / (30.0 * bending) + weight * height * height / (6.0 * shear);
+    const double of_triangle = weight * std::pow(pile_height, 4) / (30.0 * bending) +
+                               weight * pile_height * pile_height / (6.0 * shear);
     AssembledCase pushed = cantilever(of, 0.0);
     pushed.problem.body_acceleration = [](const Vector2& x, double) {
-        return Vector2(-push * (1.0 - x.y() / height), 0.0);
+        return Vector2(-pile_push * (1.0 - x.y() / pile_height), 0.0);
     };
     return {deflection(cantilever(of, pressure), of) / of_tip, deflection(pushed, of) / of_triangle};
 }

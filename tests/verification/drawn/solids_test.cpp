@@ -13,23 +13,23 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double width = 1.0, ground = 2.0, lid_thickness = 1.0, cell = 0.25; // [m]
-constexpr double lid_density = 2400.0, soil_modulus = 24e6;                   // [kg/m3], M [Pa]
+constexpr double lid_width = 1.0, soil_top = 2.0, lid_thickness = 1.0, solid_cell = 0.25; // [m]
+constexpr double lid_density = 2400.0, soil_modulus = 24e6;                               // [kg/m3], M [Pa]
 
 /// A column of elastic soil between rollers on a held base, and a lid of concrete on it, at an angle.
 Section lidded_column(double degrees = 0.0)
 {
     const auto at = [&](double x, double y) { return turn({x, y}, degrees); };
-    const double top = ground + lid_thickness;
+    const double top = soil_top + lid_thickness;
     Section section = polygon_section({{at(0.0, 0.0), "base"},
-                                       {at(width, 0.0), "right"},
-                                       {at(width, ground), ""},
-                                       {at(0.0, ground), "left"}});
-    const Ring lid = {at(0.0, ground), at(width, ground), at(width, top), at(0.0, top)};
+                                       {at(lid_width, 0.0), "right"},
+                                       {at(lid_width, soil_top), ""},
+                                       {at(0.0, soil_top), "left"}});
+    const Ring lid = {at(0.0, soil_top), at(lid_width, soil_top), at(lid_width, top), at(0.0, top)};
     section.regions.push_back({"lid", {{lid, {}}}});
-    section.curves[1].segments.push_back({at(width, ground), at(width, top)});
-    section.curves[2].segments.push_back({at(0.0, top), at(0.0, ground)});
-    section.curves.push_back({"top", {{at(width, top), at(0.0, top)}}});
+    section.curves[1].segments.push_back({at(lid_width, soil_top), at(lid_width, top)});
+    section.curves[2].segments.push_back({at(0.0, top), at(0.0, soil_top)});
+    section.curves.push_back({"top", {{at(lid_width, top), at(0.0, top)}}});
     bound_section(section);
     return section;
 }
@@ -57,14 +57,15 @@ material = "concrete"
 /// `shift` of the grid's lines against the drawing, in cells; with it the lid ends within cells.
 AssembledCase assemble_column(const std::string& tables, double shift = 0.0)
 {
-    const Vector2 origin = Vector2(-0.25, -0.5) - shift * cell * Vector2(0.0, 1.0);
-    return assemble(scene_with(cell, origin, 6, 16, tables + soil_and_lid), lidded_column());
+    const Vector2 origin = Vector2(-0.25, -0.5) - shift * solid_cell * Vector2(0.0, 1.0);
+    return assemble(scene_with(solid_cell, origin, 6, 16, tables + soil_and_lid), lidded_column());
 }
 
 /// Turned about the foot of its left side; all sides then lie within cells.
-AssembledCase turned_column(const std::string& tables, double degrees)
+AssembledCase turned_lidded_column(const std::string& tables, double degrees)
 {
-    return assemble(scene_with(cell, {-3.57, -1.58}, 32, 24, tables + soil_and_lid), lidded_column(degrees));
+    return assemble(scene_with(solid_cell, {-3.57, -1.58}, 32, 24, tables + soil_and_lid),
+                    lidded_column(degrees));
 }
 
 /// Largest deviation of the vertical stress of the soil from that of the weights above, over that at the
@@ -78,10 +79,10 @@ double stress_error(const AssembledCase& assembled, double level)
         return problem.gravity * (density * (to - from) - 1000.0 * wet);
     };
     const auto soil = [&](double from) { // the pores above the level are empty
-        const double wet = std::clamp(level - from, 0.0, ground - from);
-        return problem.gravity * (0.6 * 2650.0 * (ground - from) + 0.4 * 1000.0 * wet - 1000.0 * wet);
+        const double wet = std::clamp(level - from, 0.0, soil_top - from);
+        return problem.gravity * (0.6 * 2650.0 * (soil_top - from) + 0.4 * 1000.0 * wet - 1000.0 * wet);
     };
-    const double lid = buoyant(lid_density, ground, ground + lid_thickness);
+    const double lid = buoyant(lid_density, soil_top, soil_top + lid_thickness);
     double worst = 0.0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (!has_pores(problem, particles, p)) continue;
@@ -142,7 +143,7 @@ TEST(Solid, TakesNoShorterStepsWhileTheSoilSettles)
     EXPECT_LT(static_cast<double>(of_stiff.steps), 1.5 * static_cast<double>(of_soft.steps));
 }
 
-const std::string weightless = R"([gravity]
+const std::string weightless_under_water = R"([gravity]
 acceleration = 0.0
 [water]
 level = 4.0
@@ -156,7 +157,7 @@ std::string loaded_top(double ramp)
 
 std::string loaded(const std::string& scheme)
 {
-    return "[analysis]\nscheme = \"" + scheme + "\"\n" + weightless + loaded_top(0.2);
+    return "[analysis]\nscheme = \"" + scheme + "\"\n" + weightless_under_water + loaded_top(0.2);
 }
 
 /// Mean excess pore pressure of the soil of a loaded column at an angle, after 1 s, over that which keeps all
@@ -174,7 +175,7 @@ double pressure_beneath(AssembledCase assembled, double degrees = 0.0)
             continue;
         }
         const double height = turn(particles.position[p], -degrees).y();
-        if (height > ground - cell) continue; // soil that shares cells with the lid
+        if (height > soil_top - solid_cell) continue; // soil that shares cells with the lid
         sum += particles.volume[p] * excess_pore_pressure(particles, p);
         volume += particles.volume[p];
     }
@@ -195,7 +196,7 @@ TEST(Solid, SealsTheSoilAtAnyAngle)
 {
     for (const std::string scheme : {"semi_implicit", "implicit"})
         for (const double degrees : {17.0, -45.0})
-            EXPECT_NEAR(pressure_beneath(turned_column(loaded(scheme), degrees), degrees), 1.0, 0.01)
+            EXPECT_NEAR(pressure_beneath(turned_lidded_column(loaded(scheme), degrees), degrees), 1.0, 0.01)
                 << scheme << ' ' << degrees;
 }
 
@@ -204,7 +205,7 @@ TEST(Solid, SealsTheSoilAtAnyAngle)
 TEST(Solid, IsAsStiffAsItsLawUnderWater)
 {
     AssembledCase assembled =
-        assemble_column("[analysis]\nscheme = \"implicit\"\n" + weightless + loaded_top(0.2));
+        assemble_column("[analysis]\nscheme = \"implicit\"\n" + weightless_under_water + loaded_top(0.2));
     Problem& problem = assembled.problem;
     for (Material& material : problem.materials)
         if (!material.has_pores) material.law = LinearElastic{40e6, 0.25}; // M = 120 MPa
@@ -248,10 +249,10 @@ double swinging_period(const std::string& scheme)
 // A rod of the mass m under a rigid mass m_l: x tan x = m / m_l for the first frequency x c / H.
 TEST(Solid, SwingsOnSoilAsARigidMass)
 {
-    constexpr double density = 0.6 * 2650.0, ratio = density * ground / (lid_density * lid_thickness);
+    constexpr double density = 0.6 * 2650.0, ratio = density * soil_top / (lid_density * lid_thickness);
     double x = 0.5;
     for (int k = 0; k < 50; ++k) x = std::atan(ratio / x);
-    const double period = 2.0 * std::numbers::pi * ground / (x * std::sqrt(soil_modulus / density));
+    const double period = 2.0 * std::numbers::pi * soil_top / (x * std::sqrt(soil_modulus / density));
     EXPECT_NEAR(swinging_period("implicit") / period, 1.0, 0.01);
     EXPECT_NEAR(swinging_period("explicit") / period, 1.0, 0.01);
 }

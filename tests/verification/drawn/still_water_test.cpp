@@ -13,7 +13,7 @@ namespace {
 using namespace fixtures;
 
 /// A slope of sand 4 m high off the grid lines; `water` are keys of [water], `face` those of its curve.
-AssembledCase slope(const std::string& water, const std::string& face, const std::string& motion)
+AssembledCase still_slope(const std::string& water, const std::string& face, const std::string& motion)
 {
     const std::string text = "[analysis]\nscheme = \"semi_implicit\"\n[water]\n" + water + R"(
 [materials.sand]
@@ -35,16 +35,16 @@ soil = "free"
                                                                                  {{0.13, 5.21}, "left"}}));
 }
 
-void settle(AssembledCase& body)
+void settle_slope(AssembledCase& body)
 {
     relax(body.problem, *body.scene.relaxation, body.state);
 }
 
-struct Water {
+struct WaterDescription {
     std::string keys, face;
 };
 
-std::vector<Water> descriptions(const std::string& y)
+std::vector<WaterDescription> descriptions(const std::string& y)
 {
     const std::string line = "level = 0.0\nphreatic_line = [[0, " + y + "], [16, " + y + "]]";
     const std::string head = "water = \"head\"\nhead = " + y;
@@ -56,8 +56,9 @@ TEST(StillWater, GivesOneSettledStateAndOneRunHoweverItIsSaid)
     const std::string motion = "[motion]\nkind = \"sine\"\namplitude = 2.0\nfrequency = 5.0\n";
     for (const std::string y : {"6.0", "3.6"}) { // above the crest, and on the slope
         std::vector<AssembledCase> all;
-        for (const Water& water : descriptions(y)) all.push_back(slope(water.keys, water.face, motion));
-        for (AssembledCase& body : all) settle(body);
+        for (const WaterDescription& water : descriptions(y))
+            all.push_back(still_slope(water.keys, water.face, motion));
+        for (AssembledCase& body : all) settle_slope(body);
         const Particles& first = all.front().state.particles;
         for (const AssembledCase& other : all) EXPECT_EQ(other.state.particles.stress.yy, first.stress.yy);
         for (AssembledCase& body : all) run(body.problem, 0.1, {}, body.state);
@@ -70,9 +71,9 @@ TEST(StillWater, GivesOneSettledStateAndOneRunHoweverItIsSaid)
 
 TEST(StillWater, LeavesNoExcessPressureInSandAtRest)
 {
-    for (const Water& water : descriptions("3.6")) {
-        AssembledCase body = slope(water.keys, water.face, "");
-        settle(body);
+    for (const WaterDescription& water : descriptions("3.6")) {
+        AssembledCase body = still_slope(water.keys, water.face, "");
+        settle_slope(body);
         run(body.problem, 0.5, {}, body.state);
         const Particles& particles = body.state.particles;
         double largest = 0.0;

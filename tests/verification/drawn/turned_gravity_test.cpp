@@ -42,7 +42,7 @@ AssembledCase turned_case(const std::vector<NamedCorner>& corners, double h, con
     return assembled;
 }
 
-double settle(AssembledCase& assembled)
+double settle_turned(AssembledCase& assembled)
 {
     RelaxationControls controls;
     controls.tolerance = 1e-6;
@@ -93,7 +93,7 @@ CellErrors errors_of_box(double h, const Place& place, const std::string& soil, 
     };
     for (std::size_t p = 0; p < particles.size(); ++p)
         set_stress(particles, p, place.degrees, begin * at_rest(p));
-    EXPECT_LE(settle(assembled), 1e-6);
+    EXPECT_LE(settle_turned(assembled), 1e-6);
 
     struct Cell {
         Vector2 error = Vector2::Zero(); // times volume
@@ -148,7 +148,7 @@ double crest_of_dike(double h, const Place& place)
     const State sampled = assembled.state;
     for (std::size_t p = 0; p < sampled.particles.size(); ++p)
         set_stress(assembled.state.particles, p, place.degrees, Vector2::Zero());
-    EXPECT_LE(settle(assembled), 1e-6);
+    EXPECT_LE(settle_turned(assembled), 1e-6);
     const Particles& settled = assembled.state.particles;
     std::map<std::int32_t, std::size_t> index;
     for (std::size_t p = 0; p < settled.size(); ++p) index[settled.identifier[p]] = p;

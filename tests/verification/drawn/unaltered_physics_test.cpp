@@ -16,7 +16,7 @@ namespace {
 using namespace fixtures;
 
 /// A slope on rock that falls, lengths multiplied by `scale`, mirrored about x = 0 where asked.
-std::vector<NamedCorner> slope(double scale, bool mirrored)
+std::vector<NamedCorner> rock_slope(double scale, bool mirrored)
 {
     std::vector<NamedCorner> corners = {{{0.0, 0.0}, "rock"},   {{6.0, -0.45}, "right"},
                                         {{6.0, 1.0}, "ground"}, {{4.0, 1.0}, "ground"},
@@ -53,24 +53,24 @@ std::string tables(double scale, const std::string& scheme)
            text(5e3 * scale) + "\n";
 }
 
-struct Outcome {
+struct ParticleOutcome {
     Vector2 place = Vector2::Zero(); // at the reference, of the unscaled slope that is not mirrored [m]
     Vector2 displacement = Vector2::Zero();
     double pressure = 0.0;
 };
 
 /// The particles after the excess pressure has worked on the slope, in an order that the drawing gives.
-std::vector<Outcome> outcomes(double scale, bool mirrored, const std::string& scheme)
+std::vector<ParticleOutcome> outcomes(double scale, bool mirrored, const std::string& scheme)
 {
     const double h = 0.2 * scale;
     const Vector2 origin(mirrored ? -6.6 * scale : -0.6 * scale, -1.04 * scale);
     AssembledCase assembled = assemble(scene_with(h, origin, 36, 18, tables(scale, scheme)),
-                                       polygon_section(slope(scale, mirrored)));
+                                       polygon_section(rock_slope(scale, mirrored)));
     State& state = assembled.state;
     begin_shaking(assembled.problem, state);
     run(assembled.problem, 0.05 * std::sqrt(scale), {}, state);
     const double sign = mirrored ? -1.0 : 1.0;
-    std::vector<Outcome> all;
+    std::vector<ParticleOutcome> all;
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
         const Vector2 from = state.particles.reference_position[p] / scale;
         const Vector2 moved = (state.particles.position[p] - state.particles.reference_position[p]) / scale;
@@ -78,8 +78,8 @@ std::vector<Outcome> outcomes(double scale, bool mirrored, const std::string& sc
                        {sign * moved.x(), moved.y()},
                        state.particles.pore_pressure[p] / scale});
     }
-    std::sort(all.begin(), all.end(), [](const Outcome& a, const Outcome& b) {
-        const auto key = [](const Outcome& o) {
+    std::sort(all.begin(), all.end(), [](const ParticleOutcome& a, const ParticleOutcome& b) {
+        const auto key = [](const ParticleOutcome& o) {
             return std::pair(std::lround(1e6 * o.place.x()), std::lround(1e6 * o.place.y()));
         };
         return key(a) < key(b);
@@ -87,7 +87,8 @@ std::vector<Outcome> outcomes(double scale, bool mirrored, const std::string& sc
     return all;
 }
 
-void expect_equal(const std::vector<Outcome>& a, const std::vector<Outcome>& b, const std::string& what)
+void expect_equal(const std::vector<ParticleOutcome>& a, const std::vector<ParticleOutcome>& b,
+                  const std::string& what)
 {
     ASSERT_EQ(a.size(), b.size()) << what;
     double farthest = 0.0, highest = 0.0, apart = 0.0, pressure_apart = 0.0, misplaced = 0.0;
@@ -107,7 +108,7 @@ TEST(Slope, KeepsItsMomentumWithWallsAndSlivers)
 {
     for (const std::string scheme : {"explicit", "semi_implicit"}) {
         AssembledCase assembled = assemble(scene_with(0.2, {-0.6, -1.04}, 36, 18, tables(1.0, scheme)),
-                                           polygon_section(slope(1.0, false)));
+                                           polygon_section(rock_slope(1.0, false)));
         State& state = assembled.state;
         EXPECT_FALSE(assembled.problem.cut_domains.slivers.empty());
         begin_shaking(assembled.problem, state);
@@ -125,7 +126,7 @@ TEST(Slope, KeepsItsMomentumWithWallsAndSlivers)
 TEST(Slope, MirroredOrScaledMovesAlike)
 {
     for (const std::string scheme : {"explicit", "semi_implicit"}) {
-        const std::vector<Outcome> drawn = outcomes(1.0, false, scheme);
+        const std::vector<ParticleOutcome> drawn = outcomes(1.0, false, scheme);
         expect_equal(drawn, outcomes(1.0, true, scheme), scheme + ", mirrored");
         expect_equal(drawn, outcomes(50.0, false, scheme), scheme + ", scaled");
     }

@@ -12,7 +12,7 @@ namespace {
 
 using namespace fixtures;
 
-const std::string weightless =
+const std::string weightless_body =
     "[sampling]\nparticles_per_cell = [2, 2]\n[gravity]\nacceleration = 0.0\n" + elastic;
 
 /// Velocity of a mode at a point, both in the drawing's own directions.
@@ -45,8 +45,8 @@ double period_of(AssembledCase& assembled, double degrees, const Mode& mode)
     return (crossings[8] - crossings[0]) / 4.0;
 }
 
-AssembledCase turned_case(const std::vector<NamedCorner>& corners, double h, double degrees, double offset,
-                          const std::string& tables)
+AssembledCase vibrating_case(const std::vector<NamedCorner>& corners, double h, double degrees, double offset,
+                             const std::string& tables)
 {
     const Vector2 origin(-1.1 + offset * h, -0.3 + 0.7 * offset * h);
     return assemble(scene_with(h, origin, static_cast<int>(2.4 / h), static_cast<int>(2.1 / h), tables),
@@ -63,7 +63,7 @@ TEST(TurnedColumn, SwingsInCompressionWithItsPeriod)
     const Mode mode = [](const Vector2& x) { return Vector2(0.0, std::sin(0.5 * std::numbers::pi * x.y())); };
     for (const double degrees : {0.0, 1.0, 5.0, 17.0, 30.0, 45.0}) {
         for (const double offset : {0.0, 0.1, 0.25, 0.5, 0.9}) {
-            AssembledCase assembled = turned_case(column, 0.05, degrees, offset, weightless + walls);
+            AssembledCase assembled = vibrating_case(column, 0.05, degrees, offset, weightless_body + walls);
             const Material& soil = assembled.problem.materials[0];
             const double speed = std::sqrt(constrained_modulus(std::get<LinearElastic>(soil.law)) /
                                            (0.6 * soil.grain_density));
@@ -86,7 +86,7 @@ TEST(TurnedBox, SwingsInShearWithItsPeriod)
         return Vector2(std::sin(a) * std::cos(b), -std::cos(a) * std::sin(b));
     };
     for (const double degrees : {0.0, 5.0, 17.0, 30.0, 45.0}) {
-        AssembledCase assembled = turned_case(box, 0.025, degrees, 0.25, weightless + walls);
+        AssembledCase assembled = vibrating_case(box, 0.025, degrees, 0.25, weightless_body + walls);
         const Material& soil = assembled.problem.materials[0];
         const double speed = std::sqrt(8e6 / (0.6 * soil.grain_density));
         EXPECT_NEAR(period_of(assembled, degrees, mode) * speed / std::numbers::sqrt2, 1.0, 1e-3) // 0.06 %

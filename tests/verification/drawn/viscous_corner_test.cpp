@@ -10,7 +10,7 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double height = 4.3; // of the soil [m]
+constexpr double corner_height = 4.3; // of the soil [m]
 
 /// Wet elastic soil on a viscous base at a height [m] on a grid of cells of 1 m, whose right face overhangs
 /// by 30 degrees.
@@ -45,8 +45,8 @@ soil = "free"
     return assemble(scene_with(1.0, {-1.0, 0.0}, 16, 8, text),
                     polygon_section({{{0.0, base}, "base"},
                                      {{10.0, base}, "right"},
-                                     {{12.4826062, base + height}, "surface"},
-                                     {{0.0, base + height}, "left"}}));
+                                     {{12.4826062, base + corner_height}, "surface"},
+                                     {{0.0, base + corner_height}, "left"}}));
 }
 
 double largest_of(const Scalars& values)
@@ -72,8 +72,9 @@ TEST(ViscousCorner, IsHeldAtRestByForcesAsLargeAsTheWeightWhichDoNoWork)
                 for (std::size_t p = 0; p < soil.state.particles.size(); ++p)
                     fastest = std::max(fastest, soil.state.particles.velocity_solid[p].norm());
             }
-            EXPECT_LT(fastest / std::sqrt(soil.problem.gravity * height), 1e-6) << scheme << " " << base;
-            const double weight = 12.0 * height * 2e4; // of the body, roughly [N/m]
+            EXPECT_LT(fastest / std::sqrt(soil.problem.gravity * corner_height), 1e-6)
+                << scheme << " " << base;
+            const double weight = 12.0 * corner_height * 2e4; // of the body, roughly [N/m]
             EXPECT_LT(largest_of(soil.state.reactions.x), 0.3 * weight) << scheme << " " << base;
             EXPECT_LT(largest_of(soil.state.reactions.y), 0.3 * weight) << scheme << " " << base;
         }

@@ -16,7 +16,7 @@ using fixtures::slope_section;
 
 constexpr double water_weight = 1000.0 * standard_gravity; // [N/m3]
 
-AssembledCase assemble(const std::string& water, const std::string& ground = "soil = \"free\"")
+AssembledCase assemble_slope(const std::string& water, const std::string& ground = "soil = \"free\"")
 {
     return assemble_case(SceneFolder().read(slope_scene(water, ground)), slope_section());
 }
@@ -59,10 +59,10 @@ TEST(FaceWater, StillWaterIsTheSameHoweverItIsSaid)
         const std::string y = height == 5.0 ? "5" : "3";
         const std::string line = "level = -7\nphreatic_line = [[0, " + y + "], [12, " + y + "]]";
         const std::string head = "soil = \"free\"\nwater = \"head\"\nhead = " + y;
-        const AssembledCase level = assemble("level = " + y);
+        const AssembledCase level = assemble_slope("level = " + y);
         EXPECT_EQ(level.problem.water->level, height);
         for (const AssembledCase& other :
-             {assemble("level = " + y, head), assemble(line), assemble(line, head)}) {
+             {assemble_slope("level = " + y, head), assemble_slope(line), assemble_slope(line, head)}) {
             expect_same(level, other);
             EXPECT_EQ(largest_outer_excess(other), 0.0);
             EXPECT_TRUE(other.state.particles.water_table.empty());
@@ -73,7 +73,8 @@ TEST(FaceWater, StillWaterIsTheSameHoweverItIsSaid)
 TEST(FaceWater, CountsFromTheLowestWaterOfTheLine)
 {
     const std::string line = "phreatic_line = [[0, 3.8], [6, 3], [12, 3]]";
-    const AssembledCase low = assemble("level = -7\n" + line), high = assemble("level = 3\n" + line);
+    const AssembledCase low = assemble_slope("level = -7\n" + line),
+                        high = assemble_slope("level = 3\n" + line);
     expect_same(low, high);
     EXPECT_EQ(low.problem.water->level, 3.0);
     EXPECT_EQ(largest_outer_excess(low), 0.0) << "the water before the slope is still";
@@ -118,8 +119,8 @@ TEST(FaceWater, ACurveBelowTheLineTakesItsHead)
 TEST(FaceWater, AHeadWithAHistoryBeginsAtTheLine)
 {
     const AssembledCase falling =
-        assemble("level = 1\nphreatic_line = [[0, 3.8], [6, 3], [12, 3]]",
-                 "soil = \"free\"\nwater = \"head\"\nhead = 2\nramp_time = \"2 s\"");
+        assemble_slope("level = 1\nphreatic_line = [[0, 3.8], [6, 3], [12, 3]]",
+                       "soil = \"free\"\nwater = \"head\"\nhead = 2\nramp_time = \"2 s\"");
     const Boundary& ground = boundary(falling, "ground");
     const auto excess = [&](double factor) {
         return outer_excess_pressure(falling.problem, ground, {10.0, 2.0}, factor);

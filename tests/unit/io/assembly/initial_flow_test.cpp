@@ -16,7 +16,7 @@ using namespace fixtures;
 
 constexpr double weight = 1000.0 * standard_gravity; // of water [N/m3]
 
-AssembledCase assemble(const DamScene& dam, const Section& section = dam_section())
+AssembledCase assemble_dam(const DamScene& dam, const Section& section = dam_section())
 {
     return fixtures::assemble(text_of(dam), section);
 }
@@ -40,7 +40,7 @@ TEST(InitialFlow, HasTheDischargeOfDupuit)
     for (const double ratio : {1.0, 0.1}) {
         DamScene scene;
         scene.east = std::to_string(ratio * 1e-3);
-        const AssembledCase dam = assemble(scene);
+        const AssembledCase dam = assemble_dam(scene);
         ASSERT_TRUE(dam.initial_flow);
         const double dupuit = (11.0 * 11.0 - 3.0 * 3.0) / 2.0 / (8.0 / 1e-3 + 8.0 / (ratio * 1e-3));
         EXPECT_NEAR(dam.initial_flow->discharge, dupuit, 0.005 * dupuit) << ratio;
@@ -59,7 +59,7 @@ TEST(InitialFlow, HasTheDischargeOfDupuit)
 
 TEST(InitialFlow, SetsPressuresAndSaturatedSoil)
 {
-    const AssembledCase dam = assemble(DamScene{});
+    const AssembledCase dam = assemble_dam(DamScene{});
     const FlowField& field = dam.initial_flow->field;
     const Particles& particles = dam.state.particles;
     EXPECT_TRUE(dam.problem.water->rises_above_level);
@@ -85,7 +85,7 @@ TEST(InitialFlow, NothingHasRisenAtTheStartOrAfterSettling)
         for (const bool settles : {false, true}) {
             DamScene scene;
             scene.water += "\nflow = \"" + flow + "\"";
-            AssembledCase dam = assemble(scene);
+            AssembledCase dam = assemble_dam(scene);
             if (settles) {
                 RelaxationControls controls;
                 controls.tolerance = 1e-3;
@@ -103,7 +103,7 @@ TEST(InitialFlow, NothingHasRisenAtTheStartOrAfterSettling)
 
 TEST(InitialFlow, KnowsNoPlaceNoSideAndNoScaleOfConductivity)
 {
-    const AssembledCase dam = assemble(DamScene{});
+    const AssembledCase dam = assemble_dam(DamScene{});
     DamScene shifted, mirrored, looser;
     shifted.water = "level = -4.25\ninitial_flow = \"seepage\"";
     shifted.left = "water = \"head\"\nhead = 3.75";
@@ -111,8 +111,8 @@ TEST(InitialFlow, KnowsNoPlaceNoSideAndNoScaleOfConductivity)
     mirrored.right = "water = \"head\"\nhead = 11";
     looser.west = looser.east = "5e-2";
     const Vector2 move(100.5, -7.25);
-    const AssembledCase there = assemble(shifted, dam_section(move)), turned = assemble(mirrored),
-                        fast = assemble(looser);
+    const AssembledCase there = assemble_dam(shifted, dam_section(move)), turned = assemble_dam(mirrored),
+                        fast = assemble_dam(looser);
     const double discharge = dam.initial_flow->discharge;
     EXPECT_NEAR(there.initial_flow->discharge, discharge, 1e-3 * discharge);
     EXPECT_NEAR(turned.initial_flow->discharge, discharge, 2e-3 * discharge);
@@ -130,7 +130,7 @@ TEST(InitialFlow, IsStillWaterWhereAllHeadsAreTheLevel)
     DamScene seeping, still;
     seeping.left = still.left = "water = \"head\"\nhead = 3";
     still.water = "level = 3";
-    const AssembledCase a = assemble(seeping), b = assemble(still);
+    const AssembledCase a = assemble_dam(seeping), b = assemble_dam(still);
     EXPECT_FALSE(a.initial_flow);
     EXPECT_FALSE(a.problem.water->rises_above_level);
     std::vector<const Scalars*> arrays;
@@ -144,7 +144,7 @@ TEST(InitialFlow, StandsAtOneHeadWithoutFlow)
 {
     DamScene scene;
     scene.left = scene.right = "water = \"head\"\nhead = 7";
-    const AssembledCase dam = assemble(scene);
+    const AssembledCase dam = assemble_dam(scene);
     EXPECT_NEAR(dam.initial_flow->discharge, 0.0, 1e-9);
     for (const double x : {0.5, 8.0, 15.5}) EXPECT_NEAR(*dam.initial_flow->field.surface(x), 7.0, 0.1);
     EXPECT_NEAR(pressure_at(dam, {8.25, 2.25}), 4.75 * weight, 0.01 * weight);
@@ -154,7 +154,7 @@ TEST(InitialFlow, AHeadThatRisesBeginsAtTheLevel)
 {
     DamScene scene;
     scene.left += "\nramp_time = \"5 s\"";
-    EXPECT_FALSE(assemble(scene).initial_flow);
+    EXPECT_FALSE(assemble_dam(scene).initial_flow);
 }
 
 TEST(InitialFlow, ADrainWithoutPressureLowersTheLine)
@@ -162,7 +162,7 @@ TEST(InitialFlow, ADrainWithoutPressureLowersTheLine)
     DamScene drained;
     drained.right = "water = \"pore_pressure\"\npore_pressure = 0";
     drained.water = "level = 0\ninitial_flow = \"seepage\"";
-    const AssembledCase dam = assemble(drained);
+    const AssembledCase dam = assemble_dam(drained);
     const double dupuit = 1e-3 * 11.0 * 11.0 / (2.0 * 16.0);
     EXPECT_NEAR(dam.initial_flow->discharge, dupuit, 0.005 * dupuit);
     EXPECT_LT(*dam.initial_flow->field.surface(15.5), *dam.initial_flow->field.surface(8.0));

@@ -33,8 +33,6 @@ protected:
     TemporaryFolder folder;
 };
 
-} // namespace
-
 TEST_F(Comparison, TellsPeaksFinalValuesAndDifferences)
 {
     const auto runs = read_compared_runs({folder / "a", folder / "b"});
@@ -87,5 +85,7 @@ TEST_F(Comparison, NamesFoldersOfOneNameWithTheirParents)
     const auto runs = read_compared_runs({folder / "a", folder / "x/a/"});
     EXPECT_EQ(runs[1].name, "x/a");
 }
+
+} // namespace
 
 } // namespace quicksand

@@ -73,7 +73,7 @@ void write_text(const std::filesystem::path& path, const std::string& text)
 
 /// What is said of a checkpoint that cannot be read.
 template <class Failure>
-std::string refusal(const std::filesystem::path& path)
+std::string checkpoint_refusal(const std::filesystem::path& path)
 {
     try {
         read_checkpoint(path, "abc");
@@ -160,7 +160,7 @@ TEST(Checkpoint, KeepsTheColumnsOfFreeFields)
 
 TEST(Checkpoint, AMissingFileIsTheUsers)
 {
-    EXPECT_EQ(refusal<InputError>("/nowhere/state.h5"),
+    EXPECT_EQ(checkpoint_refusal<InputError>("/nowhere/state.h5"),
               "/nowhere/state.h5: there is no checkpoint to resume from");
 }
 
@@ -184,7 +184,7 @@ TEST(Checkpoint, ATruncatedFileIsAFileError)
     const std::string text = fixtures::text_of(folder / "state.h5");
     for (const std::size_t size : {std::size_t(0), std::size_t(100), text.size() / 2, text.size() - 1}) {
         write_text(folder / "state.h5", text.substr(0, size));
-        EXPECT_EQ(refusal<FileError>(folder / "state.h5"),
+        EXPECT_EQ(checkpoint_refusal<FileError>(folder / "state.h5"),
                   (folder / "state.h5").string() + ": cannot read the checkpoint: it is damaged at: " +
                       (size == 0 ? "its end, it is cut off" : "its checksum") +
                       "; start the run anew with --overwrite")
@@ -196,7 +196,7 @@ TEST(Checkpoint, AFileOfAnotherKindIsAFileError)
 {
     const TemporaryFolder folder;
     write_text(folder / "state.h5", "notes" + text_hash("notes"));
-    EXPECT_NE(refusal<FileError>(folder / "state.h5").find("it is damaged at: opening the file"),
+    EXPECT_NE(checkpoint_refusal<FileError>(folder / "state.h5").find("it is damaged at: opening the file"),
               std::string::npos);
 }
 

@@ -8,23 +8,13 @@
 
 namespace quicksand {
 
-namespace {
-
-std::string rows_of(const std::filesystem::path& path)
-{
-    const std::string text = fixtures::text_of(path);
-    return text.substr(text.find("\ntime_s") + 1);
-}
-
-} // namespace
-
 TEST(HistoryWriter, HeaderOfASaturatedScene)
 {
     const fixtures::TemporaryFolder folder;
     const Problem problem = fixtures::small_problem(true);
     const HistoryWriter writer(fixtures::small_scene(), problem, fixtures::small_state(problem),
                                {"a.toml", "0"}, folder / "history.csv", false);
-    EXPECT_EQ(rows_of(folder / "history.csv"),
+    EXPECT_EQ(fixtures::rows_of(folder / "history.csv"),
               "time_s,base_acceleration_m_s2,crest_settlement_m,max_displacement_m,max_velocity_m_s,"
               "max_excess_pore_pressure_Pa,max_ru,mass_fluid_kg,mass_solid_kg,volume_m3,momentum_x_N_s,"
               "momentum_y_N_s,kinetic_energy_J,limited_domains,mean_stress_checkerboard,mean_stress_scatter,"
@@ -44,7 +34,7 @@ TEST(HistoryWriter, HeaderOfASaturatedSceneWithBalances)
     open_balances(problem, state);
     const HistoryWriter writer(fixtures::small_scene(), problem, state, {"a.toml", "0"},
                                folder / "history.csv", false);
-    EXPECT_NE(rows_of(folder / "history.csv")
+    EXPECT_NE(fixtures::rows_of(folder / "history.csv")
                   .find(",water_content_m3,skeleton_work_J,gravity_work_J,base_work_J,boundary_work_J,"
                         "numerical_loss_J,energy_error,impulse_x_N_s,impulse_y_N_s,momentum_error_x_N_s,"
                         "momentum_error_y_N_s,drag_dissipation_J,water_outflow_m3,water_error\n"),
@@ -58,7 +48,7 @@ TEST(HistoryWriter, HeaderOfADryScene)
     const HistoryWriter writer(fixtures::small_scene(), problem, fixtures::small_state(problem),
                                {"a.toml", "0"}, folder / "history.csv", false);
     EXPECT_EQ(
-        rows_of(folder / "history.csv"),
+        fixtures::rows_of(folder / "history.csv"),
         "time_s,base_acceleration_m_s2,crest_settlement_m,max_displacement_m,max_velocity_m_s,mass_solid_kg,"
         "volume_m3,momentum_x_N_s,momentum_y_N_s,kinetic_energy_J,limited_domains,mean_stress_checkerboard,"
         "mean_stress_scatter\n");
@@ -86,7 +76,7 @@ TEST(HistoryWriter, RowsFollowTheIntervalAndCountSettlementDownward)
     state.time = writer.next_time();
     for (double& y : state.particles.position.y) y -= 0.25;
     writer.observe(problem, state, {});
-    const std::string rows = rows_of(folder / "history.csv");
+    const std::string rows = fixtures::rows_of(folder / "history.csv");
     EXPECT_NE(rows.find("\n0.005,"), std::string::npos) << rows;
     EXPECT_NE(rows.find(",0.25,0.25,0,"), std::string::npos) << rows;
 }
@@ -107,7 +97,7 @@ TEST(HistoryWriter, RowsWithinAStepLieBetweenItsEnds)
     report.limited_domains = 3;
     writer.observe(problem, state, report);
     EXPECT_EQ(writer.next_time(), 0.015);
-    const std::string rows = rows_of(folder / "history.csv");
+    const std::string rows = fixtures::rows_of(folder / "history.csv");
     EXPECT_NE(rows.find("\n0.005,"), std::string::npos) << rows;
     EXPECT_NE(rows.find(",0.0625,0.0625,0,"), std::string::npos) << rows;
     EXPECT_NE(rows.find("\n0.01,"), std::string::npos) << rows;

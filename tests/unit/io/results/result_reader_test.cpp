@@ -37,7 +37,7 @@ void write_results(const TemporaryFolder& folder)
     }
 }
 
-std::string refusal(const std::filesystem::path& results, const ExtractRequest& request)
+std::string extraction_refusal(const std::filesystem::path& results, const ExtractRequest& request)
 {
     try {
         extract_history(results, request);
@@ -81,7 +81,8 @@ TEST(ResultReader, AnUnknownFieldGetsASuggestionAndTheList)
 {
     const TemporaryFolder folder;
     write_results(folder);
-    const std::string text = refusal(folder.path(), {{1.0, 1.0}, {"pore_presure"}, ProbeKind::fixed});
+    const std::string text =
+        extraction_refusal(folder.path(), {{1.0, 1.0}, {"pore_presure"}, ProbeKind::fixed});
     EXPECT_NE(text.find("there is no field 'pore_presure' in the results; did you mean 'pore_pressure'?"),
               std::string::npos)
         << text;
@@ -93,7 +94,7 @@ TEST(ResultReader, APointOutsideTheSoilGetsTheBounds)
     const TemporaryFolder folder;
     write_results(folder);
     for (const ProbeKind kind : {ProbeKind::fixed, ProbeKind::material}) {
-        const std::string text = refusal(folder.path(), {{40.0, 1.0}, {"ru"}, kind});
+        const std::string text = extraction_refusal(folder.path(), {{40.0, 1.0}, {"ru"}, kind});
         EXPECT_NE(text.find("never inside the soil, which reaches from"), std::string::npos) << text;
     }
 }
@@ -103,14 +104,14 @@ TEST(ResultReader, AFolderWithoutResultsIsTheUsers)
     const TemporaryFolder folder;
     EXPECT_THROW(extract_history(folder.path(), {{0.0, 0.0}, {"ru"}, ProbeKind::fixed}), InputError);
     const VtkSeries empty(folder / "grid.pvd");
-    EXPECT_NE(refusal(folder.path(), {{0.0, 0.0}, {"ru"}, ProbeKind::fixed}).find("no frames yet"),
+    EXPECT_NE(extraction_refusal(folder.path(), {{0.0, 0.0}, {"ru"}, ProbeKind::fixed}).find("no frames yet"),
               std::string::npos);
 }
 
 TEST(ResultReader, TakesNoPointsOfTheSurface)
 {
     const TemporaryFolder folder;
-    EXPECT_EQ(refusal(folder.path(), {{0.0, 0.0}, {"ru"}, ProbeKind::surface}),
+    EXPECT_EQ(extraction_refusal(folder.path(), {{0.0, 0.0}, {"ru"}, ProbeKind::surface}),
               "only fixed and material points can be extracted from the frames");
 }
 

@@ -28,7 +28,7 @@ void pretend_former_run(const TemporaryFolder& folder)
     touch(folder / "checkpoint/state.h5");
 }
 
-std::string refusal(const TemporaryFolder& folder, FolderUse use)
+std::string folder_refusal(const TemporaryFolder& folder, FolderUse use)
 {
     try {
         prepare_results_folder(folder.path(), fixtures::small_scene(), use);
@@ -86,7 +86,7 @@ TEST(ResultsFolder, RefusesAFormerRun)
 {
     const TemporaryFolder folder;
     pretend_former_run(folder);
-    EXPECT_EQ(refusal(folder, FolderUse::fresh),
+    EXPECT_EQ(folder_refusal(folder, FolderUse::fresh),
               folder.path().string() +
                   " holds a former run (fields.pvd). Choose another folder, or run with --resume to go on "
                   "with it, or run with --overwrite to replace it");
@@ -99,13 +99,13 @@ TEST(ResultsFolder, KeepsOtherRunsOut)
     {
         const ResultsFolder first =
             prepare_results_folder(folder.path(), fixtures::small_scene(), FolderUse::fresh);
-        const std::string message = refusal(folder, FolderUse::overwrite);
+        const std::string message = folder_refusal(folder, FolderUse::overwrite);
         EXPECT_NE(message.find("is being written by another run"), std::string::npos) << message;
         EXPECT_NE(message.find("choose another folder"), std::string::npos) << message;
         EXPECT_TRUE(std::filesystem::exists(first.scene_copy())) << "nothing is removed";
     }
     touch(folder / "run_manifest.json");
-    EXPECT_EQ(refusal(folder, FolderUse::overwrite), "") << "the first run is over";
+    EXPECT_EQ(folder_refusal(folder, FolderUse::overwrite), "") << "the first run is over";
 }
 
 TEST(ResultsFolder, CannotBeHeldWhereThereIsNone)
@@ -152,15 +152,15 @@ TEST(ResultsFolder, OverwriteRemovesTheManifestLast)
     EXPECT_FALSE(std::filesystem::exists(folder / "fields.pvd"));
     EXPECT_TRUE(std::filesystem::exists(folder / "run_manifest.json"));
     std::filesystem::remove_all(folder / "log.txt");
-    EXPECT_NE(refusal(folder, FolderUse::fresh).find("--overwrite"), std::string::npos);
-    EXPECT_EQ(refusal(folder, FolderUse::overwrite), "");
+    EXPECT_NE(folder_refusal(folder, FolderUse::fresh).find("--overwrite"), std::string::npos);
+    EXPECT_EQ(folder_refusal(folder, FolderUse::overwrite), "");
 }
 
 TEST(ResultsFolder, AdvisesNothingThatItWouldRefuse)
 {
     const TemporaryFolder folder;
     touch(folder / "log.txt");
-    const std::string message = refusal(folder, FolderUse::fresh);
+    const std::string message = folder_refusal(folder, FolderUse::fresh);
     EXPECT_NE(message.find("Choose another folder"), std::string::npos) << message;
     EXPECT_EQ(message.find("--overwrite"), std::string::npos) << message;
     EXPECT_EQ(message.find("--resume"), std::string::npos) << message;
@@ -170,7 +170,7 @@ TEST(ResultsFolder, OverwriteLeavesAForeignFolderAlone)
 {
     const TemporaryFolder folder;
     touch(folder / "history.csv", "somebody else's");
-    EXPECT_NE(refusal(folder, FolderUse::overwrite).find("no run_manifest.json"), std::string::npos);
+    EXPECT_NE(folder_refusal(folder, FolderUse::overwrite).find("no run_manifest.json"), std::string::npos);
     EXPECT_TRUE(std::filesystem::exists(folder / "history.csv"));
 }
 
@@ -193,9 +193,9 @@ TEST(ResultsFolder, NeverReplacesTheSceneItself)
 TEST(ResultsFolder, ResumeNeedsACheckpoint)
 {
     const TemporaryFolder folder;
-    EXPECT_NE(refusal(folder, FolderUse::resume).find("checkpoint/state.h5"), std::string::npos);
+    EXPECT_NE(folder_refusal(folder, FolderUse::resume).find("checkpoint/state.h5"), std::string::npos);
     pretend_former_run(folder);
-    EXPECT_EQ(refusal(folder, FolderUse::resume), "");
+    EXPECT_EQ(folder_refusal(folder, FolderUse::resume), "");
     EXPECT_TRUE(std::filesystem::exists(folder / "fields/frame_000000.vtu"));
 }
 

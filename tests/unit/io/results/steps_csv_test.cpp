@@ -7,16 +7,6 @@
 
 namespace quicksand {
 
-namespace {
-
-std::string rows_of(const std::filesystem::path& path)
-{
-    const std::string text = fixtures::text_of(path);
-    return text.substr(text.find("\ntime_s") + 1);
-}
-
-} // namespace
-
 TEST(StepsWriter, TellsTheStepThatWasNotShortenedForOutput)
 {
     const fixtures::TemporaryFolder folder;
@@ -32,7 +22,7 @@ TEST(StepsWriter, TellsTheStepThatWasNotShortenedForOutput)
     writer.after_step(report);
     state.time = writer.next_time();
     writer.observe(problem, state, report);
-    const std::string rows = rows_of(folder / "steps.csv");
+    const std::string rows = fixtures::rows_of(folder / "steps.csv");
     EXPECT_TRUE(rows.starts_with(
         "time_s,step,dt_s,dt_limiter,dt_material,dt_scheme,dt_replaced_s,wall_s,eta_s,mass_kg,mass_error,"
         "momentum_x_N_s,momentum_y_N_s,kinetic_J,max_velocity_m_s,max_ru\n0,0,,,,,,"))
@@ -55,7 +45,7 @@ TEST(StepsWriter, AStepThatPassesSeveralTimesHasOneRowAtItsEnd)
     state.time = 0.0125;
     writer.observe(problem, state, report);
     EXPECT_EQ(writer.next_time(), 0.015);
-    const std::string rows = rows_of(folder / "steps.csv");
+    const std::string rows = fixtures::rows_of(folder / "steps.csv");
     EXPECT_NE(rows.find("\n0.0125,1,0.0125,growth from step to step,,"), std::string::npos) << rows;
     EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 3) << rows;
 }
@@ -71,7 +61,7 @@ TEST(StepsWriter, TellsTheSchemeOfAStepAndTheImplicitOneThatItReplaces)
         report.time_step = step;
         writer.after_step(report);
         writer.observe(problem, state, report);
-        return rows_of(folder / file);
+        return fixtures::rows_of(folder / file);
     };
     const TimeStep implicit{3e-4, TimeStepLimiter::shaking, "", TimeScheme::implicit, 0.0},
         by_waves{1e-4, TimeStepLimiter::wave, "sand", TimeScheme::semi_implicit, 2e-4};
@@ -89,7 +79,7 @@ TEST(StepsWriter, AMaterialsNameDoesNotBreakItsRow)
     report.time_step = {1e-4, TimeStepLimiter::wave, "sand, \"fine\"\n"};
     writer.after_step(report);
     writer.observe(problem, state, report);
-    const std::string rows = rows_of(folder / "steps.csv");
+    const std::string rows = fixtures::rows_of(folder / "steps.csv");
     EXPECT_NE(rows.find(",sand_ _fine__,"), std::string::npos) << rows;
 }
 

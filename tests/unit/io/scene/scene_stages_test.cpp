@@ -15,7 +15,7 @@ const std::string settle = "[[stages]]\nkind = \"settle\"\n";
 const std::string shake = "[[stages]]\nname = \"shaking\"\nkind = \"shake\"\nduration = \"50 ms\"\n";
 const std::string consolidate = "[[stages]]\nkind = \"consolidate\"\nduration = \"2 h\"\n";
 
-std::vector<SceneReading> read(const std::string& text, const std::vector<std::string>& overrides = {})
+std::vector<SceneReading> read_stages(const std::string& text, const std::vector<std::string>& overrides = {})
 {
     const SceneFolder folder;
     folder.write("scene.toml", text);
@@ -24,14 +24,14 @@ std::vector<SceneReading> read(const std::string& text, const std::vector<std::s
 
 TEST(SceneStages, ASceneWithoutStagesIsTheOnlyOne)
 {
-    const auto stages = read(column_scene);
+    const auto stages = read_stages(column_scene);
     ASSERT_EQ(stages.size(), 1U);
     EXPECT_FALSE(stages[0].scene.stage);
 }
 
 TEST(SceneStages, EachKindHasWhatItNeeds)
 {
-    const auto stages = read(column_scene + settle + shake + consolidate);
+    const auto stages = read_stages(column_scene + settle + shake + consolidate);
     ASSERT_EQ(stages.size(), 3U);
     const Scene &rest = stages[0].scene, &shaken = stages[1].scene, &drained = stages[2].scene;
     EXPECT_EQ(rest.stage->name, "settle");
@@ -50,10 +50,10 @@ TEST(SceneStages, EachKindHasWhatItNeeds)
 
 TEST(SceneStages, AStageChangesWhatItsTablesSay)
 {
-    const auto stages =
-        read(column_scene + settle + shake + "[stages.materials.sand]\nhydraulic_conductivity = 1e-3\n" +
-             consolidate +
-             "[stages.analysis]\nscheme = \"semi_implicit\"\n[stages.boundaries.base]\nsoil = \"roller\"\n");
+    const auto stages = read_stages(
+        column_scene + settle + shake + "[stages.materials.sand]\nhydraulic_conductivity = 1e-3\n" +
+        consolidate +
+        "[stages.analysis]\nscheme = \"semi_implicit\"\n[stages.boundaries.base]\nsoil = \"roller\"\n");
     const auto conductivity = [](const SceneReading& reading) {
         return reading.scene.materials[0].material.hydraulic_conductivity;
     };
@@ -67,10 +67,10 @@ TEST(SceneStages, AStageChangesWhatItsTablesSay)
 
 TEST(SceneStages, ANewKindOfBoundaryDropsTheKeysOfTheOldOne)
 {
-    const auto stages =
-        read(column_scene + settle +
-             "[stages.boundaries.left]\nsoil = \"roller\"\n[stages.boundaries.right]\nsoil = \"roller\"\n" +
-             shake);
+    const auto stages = read_stages(
+        column_scene + settle +
+        "[stages.boundaries.left]\nsoil = \"roller\"\n[stages.boundaries.right]\nsoil = \"roller\"\n" +
+        shake);
     const auto left = [](const SceneReading& reading) {
         return find_boundary(reading.scene, "left")->boundary.soil;
     };
@@ -80,7 +80,7 @@ TEST(SceneStages, ANewKindOfBoundaryDropsTheKeysOfTheOldOne)
 
 TEST(SceneStages, SeepageIsSettlingInTheSteadyFlow)
 {
-    const auto stages = read(column_scene + settle + "[[stages]]\nkind = \"seepage\"\n" + shake);
+    const auto stages = read_stages(column_scene + settle + "[[stages]]\nkind = \"seepage\"\n" + shake);
     EXPECT_FALSE(stages[0].scene.starts_seeping);
     EXPECT_TRUE(stages[1].scene.starts_seeping);
     EXPECT_TRUE(stages[1].scene.relaxation);
@@ -89,8 +89,8 @@ TEST(SceneStages, SeepageIsSettlingInTheSteadyFlow)
 
 TEST(SceneStages, OverridesAndVariantsNameThem)
 {
-    EXPECT_DOUBLE_EQ(read(column_scene + settle + shake, {"stages.shaking.duration=0.1"})[1].scene.end_time,
-                     0.1);
+    EXPECT_DOUBLE_EQ(
+        read_stages(column_scene + settle + shake, {"stages.shaking.duration=0.1"})[1].scene.end_time, 0.1);
     const SceneFolder folder;
     folder.write("column.toml", column_scene + settle + shake);
     folder.write(
@@ -105,9 +105,9 @@ TEST(SceneStages, OverridesAndVariantsNameThem)
 
 TEST(SceneStages, TheTextOfAStageReadsAsTheSameStage)
 {
-    const auto stages = read(column_scene + settle + shake);
+    const auto stages = read_stages(column_scene + settle + shake);
     for (const SceneReading& stage : stages) {
-        const auto again = read(stage.scene.text);
+        const auto again = read_stages(stage.scene.text);
         ASSERT_EQ(again.size(), 1U);
         EXPECT_EQ(again[0].scene.text, stage.scene.text);
         EXPECT_TRUE(changed_keys(stage.keys, again[0].keys).empty());
@@ -118,7 +118,7 @@ TEST(SceneStages, TheTextOfAStageReadsAsTheSameStage)
 TEST(SceneStages, ExcerptsAreThoseOfTheFile)
 {
     const std::string comment = "# of two\n\n# lines\n";
-    for (SceneReading& stage : read(comment + column_scene + settle + shake + consolidate)) {
+    for (SceneReading& stage : read_stages(comment + column_scene + settle + shake + consolidate)) {
         const SceneBoundary& boundary = stage.scene.boundaries.front();
         stage.warnings.add(error_at(boundary.place, "any", "something is wrong"));
         const std::string message = stage.warnings.render(stage.scene.text);

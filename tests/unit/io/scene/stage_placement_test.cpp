@@ -9,7 +9,7 @@ namespace {
 
 const std::vector<std::string> regions = {"sand", "berm", "pit"};
 
-std::vector<SceneReading> read(const std::string& stages)
+std::vector<SceneReading> read_column_stages(const std::string& stages)
 {
     const fixtures::SceneFolder folder;
     folder.write("scene.toml",
@@ -26,8 +26,8 @@ std::string stage(const std::string& name, const std::string& keys)
 TEST(StagePlacement, RegionsAreEmptyUntilTheyArePlacedAndAfterTheyAreRemoved)
 {
     const auto stages =
-        read(stage("a", "") + stage("b", "place = [\"berm\"]\n") +
-             stage("c", "remove = [\"pit\", \"berm\"]\n") + stage("d", "place = [\"pit\"]\n"));
+        read_column_stages(stage("a", "") + stage("b", "place = [\"berm\"]\n") +
+                           stage("c", "remove = [\"pit\", \"berm\"]\n") + stage("d", "place = [\"pit\"]\n"));
     const std::vector<std::vector<bool>> absent = {
         {false, true, false}, {false, false, false}, {false, true, true}, {false, true, false}};
     ASSERT_EQ(stages.size(), absent.size());
@@ -39,7 +39,8 @@ TEST(StagePlacement, RegionsAreEmptyUntilTheyArePlacedAndAfterTheyAreRemoved)
 
 TEST(StagePlacement, TheCopyOfAStageStandsAlone)
 {
-    const auto stages = read(stage("a", "") + stage("b", "place = [\"berm\"]\n") + stage("c", ""));
+    const auto stages =
+        read_column_stages(stage("a", "") + stage("b", "place = [\"berm\"]\n") + stage("c", ""));
     for (const SceneReading& reading : stages) {
         const fixtures::SceneFolder folder;
         folder.write("scene.toml", reading.scene.text);
@@ -51,7 +52,7 @@ TEST(StagePlacement, TheCopyOfAStageStandsAlone)
 
 TEST(StagePlacement, ScenesWithoutItComputeOneColumn)
 {
-    EXPECT_EQ(read(stage("a", ""))[0].scene.columns, ColumnsComputed::one);
+    EXPECT_EQ(read_column_stages(stage("a", ""))[0].scene.columns, ColumnsComputed::one);
 }
 
 } // namespace

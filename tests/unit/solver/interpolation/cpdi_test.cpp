@@ -1,4 +1,5 @@
 #include "solver/interpolation/cpdi.hpp"
+#include "tests/fixtures/node_sums.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,19 +9,8 @@
 namespace quicksand {
 namespace {
 
-const BackgroundGrid grid{{-0.3, 0.2}, 0.1, 8, 6};
-
-double sum_over_nodes(const NodeStencil& stencil,
-                      const std::function<double(const NodeWeight&, const Vector2&)>& term)
-{
-    double sum = 0.0;
-    for (int k = 0; k < stencil.width * stencil.height; ++k) {
-        const Vector2 node =
-            grid.node_position(stencil.column + k % stencil.width, stencil.row + k / stencil.width);
-        sum += term(stencil.weights[k], node);
-    }
-    return sum;
-}
+using fixtures::sample_grid;
+using fixtures::sum_over_nodes;
 
 TEST(Cpdi, GradientIsTheMeanGradientOfTheInterpolantOverTheDomain)
 {
@@ -28,16 +18,16 @@ TEST(Cpdi, GradientIsTheMeanGradientOfTheInterpolantOverTheDomain)
     // mean of its gradient follows from central differences of the corner values, with J = [2 r1, 2 r2].
     const ParallelogramDomain domain{{0.1, 0.5}, {0.05, 0.01}, {0.03, 0.05}};
     NodeStencil stencil;
-    evaluate_cpdi(grid, domain, stencil);
+    evaluate_cpdi(sample_grid, domain, stencil);
     const auto field = [](const Vector2& x) { return std::sin(9.0 * x.x()) * std::cos(7.0 * x.y()); };
     const auto bilinear = [&](const Vector2& x) {
-        const Vector2 cells = (x - grid.rim_origin()) / grid.cell_size;
+        const Vector2 cells = (x - sample_grid.rim_origin()) / sample_grid.cell_size;
         const int i = static_cast<int>(cells.x()), j = static_cast<int>(cells.y());
         const double xi = cells.x() - i, eta = cells.y() - j;
-        return (1 - xi) * (1 - eta) * field(grid.node_position(i, j)) +
-               xi * (1 - eta) * field(grid.node_position(i + 1, j)) +
-               (1 - xi) * eta * field(grid.node_position(i, j + 1)) +
-               xi * eta * field(grid.node_position(i + 1, j + 1));
+        return (1 - xi) * (1 - eta) * field(sample_grid.node_position(i, j)) +
+               xi * (1 - eta) * field(sample_grid.node_position(i + 1, j)) +
+               (1 - xi) * eta * field(sample_grid.node_position(i, j + 1)) +
+               xi * eta * field(sample_grid.node_position(i + 1, j + 1));
     };
     const Vector2 r1 = domain.half_edge_1, r2 = domain.half_edge_2, c = domain.centre;
     const double f1 = bilinear(c - r1 - r2), f2 = bilinear(c + r1 - r2), f3 = bilinear(c + r1 + r2),
@@ -60,11 +50,11 @@ TEST(Cpdi, GradientIsTheMeanGradientOfTheInterpolantOverTheDomain)
 TEST(Cpdi, ADomainThatReachesTooFarIsScaledAndOthersAreKept)
 {
     ParallelogramDomain domain{{0.0, 0.4}, {0.25, 0.03}, {0.15, 0.02}};
-    EXPECT_TRUE(limit_domain(grid.cell_size, domain)); // 0.40 m where 0.25 m are allowed
+    EXPECT_TRUE(limit_domain(sample_grid.cell_size, domain)); // 0.40 m where 0.25 m are allowed
     EXPECT_LT((domain.half_edge_1 - 0.625 * Vector2(0.25, 0.03)).norm(), 1e-15);
     EXPECT_LT((domain.half_edge_2 - 0.625 * Vector2(0.15, 0.02)).norm(), 1e-15);
     ParallelogramDomain small{{0.0, 0.4}, {0.1, 0.03}, {0.1, 0.02}};
-    EXPECT_FALSE(limit_domain(grid.cell_size, small));
+    EXPECT_FALSE(limit_domain(sample_grid.cell_size, small));
     EXPECT_EQ(small.half_edge_1, Vector2(0.1, 0.03));
 }
 

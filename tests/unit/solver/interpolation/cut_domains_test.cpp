@@ -3,6 +3,7 @@
 #include "solver/interpolation/cut_domains.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/particles/cell_lists.hpp"
+#include "tests/fixtures/node_sums.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +17,8 @@
 namespace quicksand {
 namespace {
 
-const BackgroundGrid grid{{-0.3, 0.2}, 0.1, 8, 6};
+using fixtures::sample_grid;
+using fixtures::sum_over_nodes;
 
 Vector2 centroid_of(const std::vector<Vector2>& corners)
 {
@@ -50,16 +52,6 @@ std::vector<Vector2> random_polygon(std::mt19937& random, double size)
     const Vector2 centroid = centroid_of(corners);
     for (Vector2& corner : corners) corner -= centroid;
     return corners;
-}
-
-double sum_over_nodes(const NodeStencil& stencil,
-                      const std::function<double(const NodeWeight&, const Vector2&)>& term)
-{
-    double sum = 0.0;
-    for (int k = 0; k < stencil.width * stencil.height; ++k)
-        sum += term(stencil.weights[k],
-                    grid.node_position(stencil.column + k % stencil.width, stencil.row + k / stencil.width));
-    return sum;
 }
 
 /// One cut particle in a block of whole ones.
@@ -116,7 +108,7 @@ TEST(CutDomains, AreAPartitionOfUnityAndReproduceLinearFields)
         const std::vector<Vector2> corners = corners_in_frame(shape, centre, edge_1, edge_2);
         EXPECT_LT((centroid_of(corners) - centre).norm(), 1e-15);
         NodeStencil stencil;
-        evaluate_polygon(grid, shape, corners, stencil);
+        evaluate_polygon(sample_grid, shape, corners, stencil);
         const auto sum = [&](auto&& term) { return sum_over_nodes(stencil, term); };
         EXPECT_NEAR(sum([](const NodeWeight& w, const Vector2&) { return w.value; }), 1.0, 1e-14);
         EXPECT_NEAR(sum([](const NodeWeight& w, const Vector2&) { return w.gradient_x; }), 0.0, 1e-10);
@@ -136,9 +128,9 @@ TEST(CutDomains, AreCpdiWhereTheyAreParallelograms)
     const CutDomain box = make_cut_domain({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
     const ParallelogramDomain domain{{0.113, 0.477}, {0.04, 0.011}, {-0.014, 0.05}};
     NodeStencil cut, whole;
-    evaluate_polygon(grid, box, corners_in_frame(box, domain.centre, domain.half_edge_1, domain.half_edge_2),
-                     cut);
-    evaluate_cpdi(grid, domain, whole);
+    evaluate_polygon(sample_grid, box,
+                     corners_in_frame(box, domain.centre, domain.half_edge_1, domain.half_edge_2), cut);
+    evaluate_cpdi(sample_grid, domain, whole);
     ASSERT_EQ(cut.width * cut.height, whole.width * whole.height);
     for (int k = 0; k < cut.width * cut.height; ++k) {
         EXPECT_NEAR(cut.weights[k].value, whole.weights[k].value, 1e-15);
@@ -151,7 +143,7 @@ TEST(CutDomains, GiveNoWeightBeyondAGridLineThatTheyEndOn)
 {
     // beside lines of the grid by rounding, here and far away
     for (const Vector2& far : {Vector2(0.0, 0.0), Vector2(1000.0, 500.0)}) {
-        BackgroundGrid there = grid;
+        BackgroundGrid there = sample_grid;
         there.origin += far;
         const double error = 1e-16 * (1.0 + far.x());
         std::vector<Vector2> corners = {

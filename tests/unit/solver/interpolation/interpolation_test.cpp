@@ -5,6 +5,7 @@
 #include "solver/interpolation/gimp.hpp"
 #include "solver/interpolation/linear_interpolation.hpp"
 #include "solver/motion/particle_motion.hpp"
+#include "tests/fixtures/node_sums.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,8 @@
 namespace quicksand {
 namespace {
 
-const BackgroundGrid grid{{-0.3, 0.2}, 0.1, 8, 6};
+using fixtures::sample_grid;
+using fixtures::sum_over_nodes;
 
 /// Particles of many shapes: boxes inside a cell and across cells, stretched, sheared and turned;
 /// quadrilaterals with a twist where the member has corners.
@@ -40,18 +42,6 @@ Particles many_shapes(bool twisted)
     return particles;
 }
 
-double sum_over_nodes(const NodeStencil& stencil,
-                      const std::function<double(const NodeWeight&, const Vector2&)>& term)
-{
-    double sum = 0.0;
-    for (int k = 0; k < stencil.width * stencil.height; ++k) {
-        const Vector2 node =
-            grid.node_position(stencil.column + k % stencil.width, stencil.row + k / stencil.width);
-        sum += term(stencil.weights[k], node);
-    }
-    return sum;
-}
-
 template <class Member>
 class InterpolationFamily : public testing::Test {
 public:
@@ -66,7 +56,7 @@ TYPED_TEST(InterpolationFamily, IsAPartitionOfUnity)
     const Particles particles = many_shapes(TestFixture::twisted);
     NodeStencil stencil;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        TypeParam::evaluate(grid, particles, p, stencil);
+        TypeParam::evaluate(sample_grid, particles, p, stencil);
         EXPECT_NEAR(sum_over_nodes(stencil, [](const NodeWeight& w, const Vector2&) { return w.value; }), 1.0,
                     1e-14);
         EXPECT_NEAR(sum_over_nodes(stencil, [](const NodeWeight& w, const Vector2&) { return w.gradient_x; }),
@@ -82,7 +72,7 @@ TYPED_TEST(InterpolationFamily, ReproducesALinearFieldAtTheParticleAndItsGradien
     const Particles particles = many_shapes(TestFixture::twisted);
     NodeStencil stencil;
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        TypeParam::evaluate(grid, particles, p, stencil);
+        TypeParam::evaluate(sample_grid, particles, p, stencil);
         const auto value = [&](const NodeWeight& w, const Vector2& x) { return w.value * field(x); };
         const auto slope_x = [&](const NodeWeight& w, const Vector2& x) { return w.gradient_x * field(x); };
         const auto slope_y = [&](const NodeWeight& w, const Vector2& x) { return w.gradient_y * field(x); };
@@ -105,7 +95,7 @@ TYPED_TEST(RigidFamily, GradientIsTheDerivativeOfTheValue)
     const auto value_at = [&](Particles particles, std::size_t p, const Vector2& step) {
         particles.position.set(p, particles.position[p] + step);
         NodeStencil stencil;
-        TypeParam::evaluate(grid, particles, p, stencil);
+        TypeParam::evaluate(sample_grid, particles, p, stencil);
         return sum_over_nodes(stencil,
                               [&](const NodeWeight& w, const Vector2& x) { return w.value * field(x); });
     };
@@ -113,7 +103,7 @@ TYPED_TEST(RigidFamily, GradientIsTheDerivativeOfTheValue)
     const double step = 1e-7;
     for (const std::size_t p : {0u, 2u, 4u}) { // away from cell edges, where the linear member has a kink
         NodeStencil stencil;
-        TypeParam::evaluate(grid, particles, p, stencil);
+        TypeParam::evaluate(sample_grid, particles, p, stencil);
         const double by_gradient = sum_over_nodes(
             stencil, [&](const NodeWeight& w, const Vector2& x) { return w.gradient_x * field(x); });
         const double by_difference =

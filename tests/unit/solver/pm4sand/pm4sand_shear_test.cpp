@@ -12,7 +12,7 @@
 namespace quicksand {
 namespace {
 
-SkeletonLaw sand_of(double density, double rate)
+SkeletonLaw sand_of_rate(double density, double rate)
 {
     Pm4Sand law;
     law.relative_density = density;
@@ -46,7 +46,7 @@ TEST(Pm4SandShear, HasTheCyclicStrengthOfTheReportsCalibrations)
     const Consolidation start{100e3, 0.5, 0.0};
     for (const Case& of :
          {Case{0.35, 0.53, 0.09, 0.24}, {0.55, 0.40, 0.14, 0.28}, {0.75, 0.63, 0.31, 0.28}}) {
-        const SkeletonLaw law = sand_of(of.density, of.rate);
+        const SkeletonLaw law = sand_of_rate(of.density, of.rate);
         EXPECT_NEAR(strength(law, start, 15.0), of.csr, 0.1 * of.csr) << of.density;
         const double slope =
             std::log(strength(law, start, 10.0) / strength(law, start, 30.0)) / std::log(3.0);

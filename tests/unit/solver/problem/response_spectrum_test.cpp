@@ -14,7 +14,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// a sin(2 pi f t) in `steps` values a period, over whole periods.
-SampledMotion sine_record(double amplitude, double frequency, int periods, int steps)
+SampledMotion whole_periods(double amplitude, double frequency, int periods, int steps)
 {
     SampledMotion record{1.0 / (frequency * steps), {}};
     for (int k = 0; k <= periods * steps; ++k)
@@ -51,7 +51,7 @@ TEST(ResponseSpectrum, OfAStepIsItsClosedForm)
 TEST(ResponseSpectrum, OfALongSineIsItsSteadyStateAtResonance)
 {
     const double a = 2.0, frequency = 2.0, damping = 0.05, p = 2.0 * pi * frequency;
-    const SampledMotion record = sine_record(a, frequency, 60, 400);
+    const SampledMotion record = whole_periods(a, frequency, 60, 400);
     const OscillatorPeaks peaks = oscillator_peaks(record, 1.0 / frequency, damping);
     const double steady = a / (2.0 * damping * p * p);
     EXPECT_NEAR(peaks.displacement, steady, 2e-4 * steady);
@@ -65,7 +65,7 @@ TEST(ResponseSpectrum, OfALongSineIsItsSteadyStateAtResonance)
 TEST(ResponseSpectrum, OfASineFromRestIsItsClosedForm)
 {
     const double a = 1.5, frequency = 2.0, p = 2.0 * pi * frequency;
-    const SampledMotion record = sine_record(a, frequency, 3, 2000);
+    const SampledMotion record = whole_periods(a, frequency, 3, 2000);
     for (const double period : {0.2, 0.7, 1.3}) {
         const double w = 2.0 * pi / period;
         double expected = 0.0;
@@ -94,7 +94,7 @@ TEST(ResponseSpectrum, IsExactForStraightLinesHoweverLongTheyAre)
 
 TEST(ResponseSpectrum, OfStiffAndOfSoftOscillatorsIsTheMotionItself)
 {
-    const SampledMotion record = sine_record(2.0, 1.0, 10, 1000);
+    const SampledMotion record = whole_periods(2.0, 1.0, 10, 1000);
     // A stiff one rides with the base. A soft one stays behind: SD is the base's largest way, a t / p.
     EXPECT_NEAR(oscillator_peaks(record, 0.01, 0.05).pseudo_acceleration(), 2.0, 1e-3);
     const double way = 2.0 * 10.0 / (2.0 * pi);

@@ -23,7 +23,7 @@ State state_of(Problem& problem)
 }
 
 /// What is in the way at the left side, the right one being level.
-std::string obstacle(Problem problem, State state)
+std::string left_obstacle(Problem problem, State state)
 {
     const auto found = add_free_fields(problem, state);
     if (found.empty()) return "";
@@ -85,24 +85,24 @@ TEST(FreeFieldColumns, NeedLevelGround)
 {
     Problem problem = ground(WaterFlow::coupled);
     State state = state_of(problem);
-    EXPECT_EQ(obstacle(problem, state), "");
+    EXPECT_EQ(left_obstacle(problem, state), "");
 
     State layers = state;
     layers.particles.material[0] = 1;
-    EXPECT_EQ(obstacle(problem, layers), "its layers are not level beside it");
+    EXPECT_EQ(left_obstacle(problem, layers), "its layers are not level beside it");
 
     State water = state;
     water.particles.pore_pressure[0] = 10.0;
-    EXPECT_EQ(obstacle(problem, water), "the water beside it is not level");
+    EXPECT_EQ(left_obstacle(problem, water), "the water beside it is not level");
 
     const std::string uneven = "the ground beside it is not level over the first column of cells";
     State stress = state;
     stress.particles.stress.yy[0] = 10.0;
-    EXPECT_EQ(obstacle(problem, stress), uneven);
+    EXPECT_EQ(left_obstacle(problem, stress), uneven);
 
     Problem slope = problem;
     slope.boundaries[2].segments = {{{12.0, 6.0}, {1.0, 6.0}}, {{1.0, 6.0}, {0.0, 5.9}}};
-    EXPECT_EQ(obstacle(slope, state), uneven);
+    EXPECT_EQ(left_obstacle(slope, state), uneven);
 }
 
 TEST(FreeFieldColumns, NeedPointsInColumnsOfCells)
@@ -110,7 +110,7 @@ TEST(FreeFieldColumns, NeedPointsInColumnsOfCells)
     Problem problem = ground();
     State state = state_of(problem);
     state.particles.position.x[0] += 0.3; // over the next line of the grid
-    EXPECT_EQ(obstacle(problem, state),
+    EXPECT_EQ(left_obstacle(problem, state),
               "the material points beside it do not fill the first column of cells");
 }
 
@@ -119,7 +119,7 @@ TEST(FreeFieldColumns, NeedSidesFromTheBaseToTheSurface)
     Problem problem = ground();
     problem.boundaries[3].segments = {{{0.0, 6.0}, {0.0, 2.0}}};
     const State state = state_of(problem);
-    EXPECT_EQ(obstacle(problem, state),
+    EXPECT_EQ(left_obstacle(problem, state),
               "it does not bound all of the soil beside it, from the base to the surface");
 }
 
@@ -130,7 +130,7 @@ TEST(FreeFieldColumns, HaveNoMovingCurves)
     problem.boundaries[2].segments = {{{12.0, 6.0}, {6.0, 6.0}}, {{6.0, 6.0}, {0.0, 6.0}}};
     problem.boundaries[1].soil = RollerWall{};
     const State state = state_of(problem);
-    EXPECT_EQ(obstacle(problem, state), "the curve \"top\" moves beside it");
+    EXPECT_EQ(left_obstacle(problem, state), "the curve \"top\" moves beside it");
 }
 
 } // namespace

@@ -15,7 +15,7 @@ namespace {
 using namespace fixtures;
 
 /// A block whose stress is not that of its weight.
-State unsettled(const Problem& problem)
+State unsettled_block(const Problem& problem)
 {
     State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 0.5 + 0.25 * x.x(); });
     state.stage = Stage::relaxation;
@@ -36,7 +36,7 @@ TEST(Relaxation, GoesOnToTheSameBitsAfterAStop)
 {
     const Problem problem = block_problem(true);
     const RelaxationControls controls{0.7, 1e-8, 100'000};
-    State whole = unsettled(problem), stopped = whole;
+    State whole = unsettled_block(problem), stopped = whole;
     const RelaxationReport report = relax(problem, controls, whole);
     ASSERT_GT(report.steps, 100);
     EXPECT_FALSE(relax(problem, controls, stopped, {}, [] { return true; }).settled);
@@ -50,7 +50,7 @@ TEST(Relaxation, GoesOnToTheSameBitsAfterAStop)
 TEST(Relaxation, LeavesNoVelocityOfAnyKind)
 {
     const Problem problem = block_problem(true);
-    State state = unsettled(problem);
+    State state = unsettled_block(problem);
     ASSERT_TRUE(relax(problem, {0.7, 1e-3, 100'000}, state).settled);
     int arrays = 0;
     for_each_array(state.particles, [&](std::string_view name, const Scalars& values) {
@@ -85,7 +85,7 @@ TEST(Relaxation, EndsSoonWhereTheSoilRunsAway)
 TEST(Relaxation, TellsWhereTheForcesAreOutOfBalance)
 {
     const Problem problem = block_problem(false);
-    State state = unsettled(problem);
+    State state = unsettled_block(problem);
     std::vector<SettlingProgress> told;
     relax(problem, RelaxationControls{}, state, [&](const SettlingProgress& now) { told.push_back(now); });
     ASSERT_FALSE(told.empty());

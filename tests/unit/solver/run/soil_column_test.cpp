@@ -19,7 +19,7 @@ using namespace fixtures;
 
 namespace {
 
-std::string obstacle(const Problem& problem, const State& state)
+std::string column_obstacle(const Problem& problem, const State& state)
 {
     const ColumnSearch search = find_soil_column(problem, state);
     EXPECT_FALSE(search.column.has_value());
@@ -80,17 +80,17 @@ TEST(SoilColumn, KeepsBodiesWhoseColumnsDiffer)
     const Problem body = tied_ground();
     State state = level_state(body);
     state.particles.stress.xy[17] += 1.0;
-    EXPECT_EQ(obstacle(body, state), soil_differs);
+    EXPECT_EQ(column_obstacle(body, state), soil_differs);
     state = level_state(body);
     state.particles.material[17] = 1;
-    EXPECT_EQ(obstacle(body, state), soil_differs);
+    EXPECT_EQ(column_obstacle(body, state), soil_differs);
     state = level_state(body);
     state.particles.position.x[17] += 0.01;
-    EXPECT_EQ(obstacle(body, state), soil_differs);
+    EXPECT_EQ(column_obstacle(body, state), soil_differs);
     State hollow = fill(body, 2, [](const Vector2& x) {
         return x.x() > 0.0 && x.x() < 5.0 && x.y() < (x.x() > 3.0 ? 2.0 : 3.0);
     });
-    EXPECT_EQ(obstacle(body, hollow), soil_differs);
+    EXPECT_EQ(column_obstacle(body, hollow), soil_differs);
 }
 
 TEST(SoilColumn, KeepsBodiesOnWhichUnevenThingsAct)
@@ -99,26 +99,26 @@ TEST(SoilColumn, KeepsBodiesOnWhichUnevenThingsAct)
     const State state = level_state(body);
     Problem other = body;
     other.body_acceleration = [](const Vector2&, double) { return Vector2(0.0, 0.0); };
-    EXPECT_EQ(obstacle(other, state), "the body force varies from place to place");
+    EXPECT_EQ(column_obstacle(other, state), "the body force varies from place to place");
     other = body;
     other.boundaries[0].segments[0].end.x() = 3.0;
-    EXPECT_EQ(obstacle(other, state), "the curve \"base\" is no level line from side to side");
+    EXPECT_EQ(column_obstacle(other, state), "the curve \"base\" is no level line from side to side");
     other = body;
     other.boundaries[2].segments[0].end.y() = 2.5;
-    EXPECT_EQ(obstacle(other, state), "the curve \"top\" is no level line from side to side");
+    EXPECT_EQ(column_obstacle(other, state), "the curve \"top\" is no level line from side to side");
     other = body;
     other.boundaries[2].soil = MovingWall{};
-    EXPECT_EQ(obstacle(other, state), "the curve \"top\" moves");
+    EXPECT_EQ(column_obstacle(other, state), "the curve \"top\" moves");
     other = body;
     other.boundaries[2].soil = FreeFace{SurfaceLoad{}};
     State loaded = state;
     attach_boundaries(other, loaded.particles);
     EXPECT_TRUE(find_soil_column(other, loaded).column.has_value());
     other.boundaries[2].pieces.pop_back();
-    EXPECT_EQ(obstacle(other, loaded), "what acts on the curve \"top\" differs from cell to cell");
+    EXPECT_EQ(column_obstacle(other, loaded), "what acts on the curve \"top\" differs from cell to cell");
     other = body;
     other.tied_sides.reset();
-    EXPECT_EQ(obstacle(other, state), ""); // and nobody asks
+    EXPECT_EQ(column_obstacle(other, state), ""); // and nobody asks
 }
 
 TEST(SoilColumn, LetsSoilInByTheOtherSide)
@@ -149,7 +149,7 @@ TEST(SoilColumn, LetsSoilInByTheOtherSide)
 namespace {
 
 /// Remembers what it is shown.
-class Witness : public Observer {
+class ColumnWitness : public Observer {
 public:
     double next_time() const override { return next; }
     void observe(const Problem& problem, const State& state, const StepReport& report) override
@@ -174,7 +174,7 @@ TEST(SoilColumn, ObserversAreShownTheWholeBody)
 {
     const Problem body = tied_ground();
     SoilColumn column = *find_soil_column(body, level_state(body)).column;
-    Witness due, later;
+    ColumnWitness due, later;
     later.next = 1.0;
     ColumnObserver observer(column, body, {&later, &due});
     EXPECT_EQ(observer.next_time(), 0.0);

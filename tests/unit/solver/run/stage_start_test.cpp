@@ -4,6 +4,7 @@
 #include "solver/run/staged_run.hpp"
 #include "tests/fixtures/same_bits.hpp"
 #include "tests/fixtures/soil_block.hpp"
+#include "tests/fixtures/unsettled_ground.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,10 +16,6 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double end_time = 0.05; // [s]
-constexpr RunControls whole_body{end_time, ColumnsComputed::all, true};
-constexpr RelaxationControls loosely{0.7, 1e-4, 100'000};
-
 /// Liquefiable ground under strong shaking.
 Problem sandy_ground()
 {
@@ -29,23 +26,16 @@ Problem sandy_ground()
     return problem;
 }
 
-State unsettled(const Problem& ground)
-{
-    State state = level_state(ground);
-    for (double& stress : state.particles.stress.yy) stress *= 0.8;
-    return state;
-}
-
 StagedRun settled(const Problem& problem)
 {
-    StagedRun run(problem, unsettled(problem), whole_body);
+    StagedRun run(problem, unsettled_ground(problem, 0.8), whole_body);
     run.settle(loosely);
     return run;
 }
 
 StagedRun going_on(const Problem& problem, const State& reached, const StageStart& start)
 {
-    StagedRun run(problem, unsettled(problem), whole_body);
+    StagedRun run(problem, unsettled_ground(problem, 0.8), whole_body);
     run.go_on_from(reached, start);
     return run;
 }
@@ -125,7 +115,7 @@ TEST(StageStart, TakesTheGrainsOfChangedSoil)
     Problem problem = sandy_ground();
     StagedRun run = settled(problem);
     problem.materials[0].grain_density = 2700.0;
-    State heavier = unsettled(problem);
+    State heavier = unsettled_ground(problem, 0.8);
     StagedRun stage(problem, heavier, whole_body);
     stage.go_on_from(run.state(), {.settles = true, .changed_soils = {true, true}});
     EXPECT_FALSE(stage.is_shaking());

@@ -3,6 +3,7 @@
 #include "solver/run/staged_run.hpp"
 #include "tests/fixtures/same_bits.hpp"
 #include "tests/fixtures/soil_block.hpp"
+#include "tests/fixtures/unsettled_ground.hpp"
 
 #include <gtest/gtest.h>
 
@@ -16,26 +17,13 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double end_time = 0.05; // [s]
-constexpr RunControls whole_body{end_time, ColumnsComputed::all, true};
-constexpr RunControls one_column{end_time, ColumnsComputed::one, true};
-
-/// Settled to far from rest: tests of stages want few steps.
-constexpr RelaxationControls loosely{0.7, 1e-4, 100'000};
+constexpr RunControls one_column{end_of_run, ColumnsComputed::one, true};
 
 Problem shaken_ground()
 {
     Problem problem = tied_ground();
     problem.base_motion = SineMotion{2.0, 20.0, 100.0, 0.0};
     return problem;
-}
-
-/// Ground that does not carry its weight yet.
-State unsettled(const Problem& ground)
-{
-    State state = level_state(ground);
-    for (double& stress : state.particles.stress.yy) stress *= 0.5;
-    return state;
 }
 
 void expect_same_run(const StagedRun& a, const StagedRun& b)
@@ -51,14 +39,14 @@ void expect_same_run(const StagedRun& a, const StagedRun& b)
 }
 
 /// Remembers what it is shown, at the start and at the end.
-class Witness : public Observer {
+class StageWitness : public Observer {
 public:
     double next_time() const override { return next_; }
     void observe(const Problem& problem, const State& state, const StepReport&) override
     {
         cells_x.push_back(problem.grid.cells_x);
         particles.push_back(state.particles.size());
-        next_ = state.time < end_time ? end_time : std::numeric_limits<double>::infinity();
+        next_ = state.time < end_of_run ? end_of_run : std::numeric_limits<double>::infinity();
     }
     void after_step(const StepReport& report) override { last_step = report.step; }
     void finish() override { ++finished; }
@@ -75,7 +63,7 @@ private:
 TEST(StagedRun, SettlesAndThenShakes)
 {
     const Problem body = shaken_ground();
-    StagedRun run(body, unsettled(body), whole_body);
+    StagedRun run(body, unsettled_ground(body, 0.5), whole_body);
     EXPECT_FALSE(run.is_shaking());
     EXPECT_FALSE(run.is_finished());
     EXPECT_THROW(run.shake({}), InternalError);
@@ -92,13 +80,13 @@ TEST(StagedRun, SettlesAndThenShakes)
 
     EXPECT_TRUE(run.shake({}));
     EXPECT_TRUE(run.is_finished());
-    EXPECT_EQ(run.state().time, end_time);
+    EXPECT_EQ(run.state().time, end_of_run);
 }
 
 TEST(StagedRun, BeginsWithoutSettlingAndWithoutBalances)
 {
     const Problem body = shaken_ground();
-    StagedRun run(body, unsettled(body), {end_time, ColumnsComputed::one});
+    StagedRun run(body, unsettled_ground(body, 0.5), {end_of_run, ColumnsComputed::one});
     EXPECT_EQ(run.begin_shaking(), 0u); // elastic soil carries any stress
     EXPECT_TRUE(run.is_shaking());
     EXPECT_FALSE(run.state().balance_terms.has_value());
@@ -107,7 +95,7 @@ TEST(StagedRun, BeginsWithoutSettlingAndWithoutBalances)
 TEST(StagedRun, GoesOnFromAStopInEitherStageToTheSameBits)
 {
     const Problem body = shaken_ground();
-    const State drawn = unsettled(body);
+    const State drawn = unsettled_ground(body, 0.5);
     const StopRule at_once = [] { return true; };
     for (const RunControls& controls : {whole_body, one_column}) {
         StagedRun whole(body, drawn, controls);
@@ -123,7 +111,7 @@ TEST(StagedRun, GoesOnFromAStopInEitherStageToTheSameBits)
         StagedRun shaking(body, drawn, controls, settling.state());
         EXPECT_FALSE(shaking.is_shaking());
         EXPECT_EQ(shaking.settle(loosely).steps, steps);
-        Witness witness;
+        StageWitness witness;
         EXPECT_FALSE(shaking.shake({&witness}, at_once));
         EXPECT_EQ(witness.finished, 1);
         EXPECT_GT(shaking.state().time, 0.0);
@@ -140,9 +128,9 @@ TEST(StagedRun, SettledSoilIsNotStopped)
 {
     // where the last check finds the soil at rest there is nothing to go on with
     const Problem body = shaken_ground();
-    StagedRun whole(body, unsettled(body), whole_body);
+    StagedRun whole(body, unsettled_ground(body, 0.5), whole_body);
     const std::int64_t steps = whole.settle(loosely).steps;
-    StagedRun run(body, unsettled(body), whole_body);
+    StagedRun run(body, unsettled_ground(body, 0.5), whole_body);
     std::int64_t seen = 0;
     const RelaxationReport report = run.settle(
         loosely, [&](const SettlingProgress& now) { seen = now.steps; }, [&] { return seen >= steps; });
@@ -154,12 +142,13 @@ TEST(StagedRun, SettledSoilIsNotStopped)
 TEST(StagedRun, ShowsTheBodyWhoseColumnIsComputed)
 {
     const Problem body = shaken_ground();
-    StagedRun all(body, unsettled(body), whole_body), one(body, unsettled(body), one_column);
+    StagedRun all(body, unsettled_ground(body, 0.5), whole_body),
+        one(body, unsettled_ground(body, 0.5), one_column);
     EXPECT_EQ(all.column(), nullptr);
     ASSERT_NE(one.column(), nullptr);
     EXPECT_EQ(&one.body(), &body);
     EXPECT_EQ(one.problem().grid.cells_x, 1);
-    Witness of_all, of_one;
+    StageWitness of_all, of_one;
     for (auto [run, witness] : {std::pair(&all, &of_all), std::pair(&one, &of_one)}) {
         run->settle(loosely);
         EXPECT_TRUE(run->shake({witness}));
@@ -172,14 +161,14 @@ TEST(StagedRun, ShowsTheBodyWhoseColumnIsComputed)
     EXPECT_EQ(one.state().particles.size(), 12u);
     const State& wide = one.state_of_body();
     EXPECT_EQ(wide.particles.size(), 60u);
-    EXPECT_EQ(wide.time, end_time);
+    EXPECT_EQ(wide.time, end_of_run);
     EXPECT_EQ(wide.balance_terms->base_work, 5.0 * one.state().balance_terms->base_work);
 }
 
 TEST(StagedRun, TellsWhyAllColumnsAreComputed)
 {
     const Problem body = shaken_ground();
-    State uneven = unsettled(body);
+    State uneven = unsettled_ground(body, 0.5);
     uneven.particles.stress.xy[17] += 1.0;
     StagedRun run(body, uneven, one_column);
     EXPECT_EQ(run.column(), nullptr);
@@ -191,9 +180,9 @@ TEST(StagedRun, TellsWhyAllColumnsAreComputed)
 TEST(StagedRun, GoesOnWithAllColumnsWhereTheKeptStateHasThem)
 {
     const Problem body = shaken_ground();
-    StagedRun all(body, unsettled(body), whole_body);
+    StagedRun all(body, unsettled_ground(body, 0.5), whole_body);
     all.settle(loosely);
-    StagedRun run(body, unsettled(body), one_column, all.state());
+    StagedRun run(body, unsettled_ground(body, 0.5), one_column, all.state());
     EXPECT_EQ(run.column(), nullptr);
     EXPECT_TRUE(run.shake({}));
     EXPECT_TRUE(all.shake({}));
@@ -203,12 +192,12 @@ TEST(StagedRun, GoesOnWithAllColumnsWhereTheKeptStateHasThem)
 TEST(StagedRun, HasNothingLeftToDoAtItsEnd)
 {
     const Problem body = shaken_ground();
-    StagedRun run(body, unsettled(body), one_column);
+    StagedRun run(body, unsettled_ground(body, 0.5), one_column);
     run.begin_shaking();
     ASSERT_TRUE(run.shake({}));
-    StagedRun again(body, unsettled(body), one_column, run.state());
+    StagedRun again(body, unsettled_ground(body, 0.5), one_column, run.state());
     EXPECT_TRUE(again.is_finished());
-    Witness witness;
+    StageWitness witness;
     EXPECT_TRUE(again.shake({&witness}, [] { return true; })); // shows what is due, and takes no step
     EXPECT_EQ(witness.particles.size(), 1u);
     EXPECT_EQ(witness.finished, 1);
@@ -219,7 +208,7 @@ TEST(StagedRun, ACopyRunsOnItsOwn)
 {
     const Problem body = shaken_ground();
     for (const RunControls& controls : {whole_body, one_column}) {
-        StagedRun run(body, unsettled(body), controls);
+        StagedRun run(body, unsettled_ground(body, 0.5), controls);
         StagedRun copy = run;
         copy.begin_shaking();
         EXPECT_TRUE(copy.shake({}));

@@ -21,7 +21,7 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double end_time = 0.01; // [s]
+constexpr double end_of_cycle = 0.01; // [s]
 
 /// The patch shaken by one cycle of 100 Hz, with a table of a load of nothing whose intervals are a
 /// microsecond from 2 to 4 ms and from 6 to 8 ms: no implicit step is longer there than waves allow.
@@ -35,7 +35,7 @@ Problem shaken_patch(bool saturated)
     sine.cycles = 1.0;
     problem.base_motion = sine;
     SampledHistory table;
-    for (double time = 0.0; time < 1.01 * end_time;) {
+    for (double time = 0.0; time < 1.01 * end_of_cycle;) {
         table.times.push_back(time);
         table.values.push_back(0.0);
         const bool fine = (time > 1.9e-3 && time < 4e-3) || (time > 5.9e-3 && time < 8e-3);
@@ -153,7 +153,7 @@ TEST(WaveSteps, TheRunSaysOfWhichKindItsStepsAre)
         const Problem problem = shaken_patch(saturated);
         State state = still(problem);
         Record record;
-        ASSERT_TRUE(run(problem, end_time, {&record}, state));
+        ASSERT_TRUE(run(problem, end_of_cycle, {&record}, state));
         const TimeScheme by_waves = saturated ? TimeScheme::semi_implicit : TimeScheme::explicit_steps;
         // the kind is chosen anew every 32 steps at the latest
         EXPECT_TRUE(are_all(record.schemes(0.0, 1.8e-3), TimeScheme::implicit)) << saturated;
@@ -179,9 +179,9 @@ TEST(WaveSteps, GoOnWithTheSameBitsFromEveryRestartPoint)
     for (const bool saturated : {false, true}) {
         const Problem problem = shaken_patch(saturated);
         State whole = still(problem), parts = whole;
-        ASSERT_TRUE(run(problem, end_time, {}, whole));
+        ASSERT_TRUE(run(problem, end_of_cycle, {}, whole));
         int stops = 0;
-        while (!run(problem, end_time, {}, parts, [] { return true; })) ++stops;
+        while (!run(problem, end_of_cycle, {}, parts, [] { return true; })) ++stops;
         EXPECT_GT(stops, 10);
         EXPECT_EQ(whole.step, parts.step);
         expect_same_bits(whole.particles, parts.particles);
@@ -198,7 +198,7 @@ TEST(WaveSteps, ChangesOfKindKeepTheEnergy)
         const auto error_of = [](const Problem& problem) {
             State state = still(problem);
             open_balances(problem, state);
-            EXPECT_TRUE(run(problem, end_time, {}, state));
+            EXPECT_TRUE(run(problem, end_of_cycle, {}, state));
             EXPECT_EQ(state.times_halved, 0);
             return balance(problem, state).energy_error;
         };

@@ -2,6 +2,7 @@
 // follows an estimate.
 #include "solver/ubcsand/ubcsand.hpp"
 #include "solver/ubcsand/ubcsand_attempt.hpp"
+#include "tests/fixtures/sand_stress.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@ namespace quicksand {
 namespace {
 
 using namespace ubcsand;
+using fixtures::mean_in_plane;
 
 UbcSand sand_of_runs(double tolerance = UbcSandRunSettings().substep_tolerance)
 {
@@ -30,14 +32,10 @@ UbcSandState at(const UbcSand& law, double sigma_x, double sigma_y)
     return state;
 }
 
-double mean(const UbcSandState& state)
-{
-    return 0.5 * (state.sigma_x + state.sigma_y);
-}
-
 double distance(const UbcSandState& a, const UbcSandState& b)
 {
-    const double ds = mean(a) - mean(b), dx = 0.5 * (a.sigma_x - a.sigma_y - b.sigma_x + b.sigma_y);
+    const double ds = mean_in_plane(a) - mean_in_plane(b),
+                 dx = 0.5 * (a.sigma_x - a.sigma_y - b.sigma_x + b.sigma_y);
     return std::sqrt(ds * ds + dx * dx + (a.tau_xy - b.tau_xy) * (a.tau_xy - b.tau_xy));
 }
 
@@ -80,7 +78,7 @@ TEST(UbcSandSubstepsOfSecondOrder, AreExactInElasticCompression)
         const double growth = (law.B_atm + law.G_atm / 3.0) / (2.0 * std::sqrt(100e3));
         update(law, {0.5 * strain, 0.5 * strain, 0.0, 0.0}, state);
         const double root = std::sqrt(40e3) + growth * strain;
-        EXPECT_NEAR(mean(state), root * root, 1e-9 * root * root) << strain;
+        EXPECT_NEAR(mean_in_plane(state), root * root, 1e-9 * root * root) << strain;
     }
 }
 
@@ -137,7 +135,7 @@ std::vector<double> errors_of_steps(double tolerance, double size, unsigned seed
         UbcSandState approximate = state;
         update(law, strain, approximate);
         update(exact, strain, state);
-        errors.push_back(distance(approximate, state) / std::max(mean(state), law.resolved));
+        errors.push_back(distance(approximate, state) / std::max(mean_in_plane(state), law.resolved));
     }
     std::sort(errors.begin(), errors.end());
     return errors;

@@ -1,6 +1,7 @@
 #include "solver/ubcsand/ubcsand.hpp"
 #include "solver/ubcsand/ubcsand_flow.hpp"
 #include "solver/ubcsand/ubcsand_particles.hpp"
+#include "tests/fixtures/sand_stress.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,14 +11,11 @@
 namespace quicksand {
 namespace {
 
-double mean(const UbcSandState& state)
-{
-    return 0.5 * (state.sigma_x + state.sigma_y);
-}
+using fixtures::mean_in_plane;
 
-double ratio(const UbcSand& law, const UbcSandState& state)
+double stress_ratio(const UbcSand& law, const UbcSandState& state)
 {
-    return std::hypot(0.5 * (state.sigma_x - state.sigma_y), state.tau_xy) / (mean(state) + law.a);
+    return std::hypot(0.5 * (state.sigma_x - state.sigma_y), state.tau_xy) / (mean_in_plane(state) + law.a);
 }
 
 /// Reversals of less than 1e-4 are ripples.
@@ -95,12 +93,12 @@ TEST(UbcSand, UnloadingIsElasticAndKeepsTheMeanStress)
     UbcSandState state = consolidated(law, 1.0);
     update(law, shear(5e-4), state);
     const UbcSandState peak = state;
-    ASSERT_LT(mean(peak), 99e3); // loading contracts
+    ASSERT_LT(mean_in_plane(peak), 99e3); // loading contracts
     update(law, shear(-1e-6), state);
-    EXPECT_NEAR(mean(state), mean(peak), 1e-9);
+    EXPECT_NEAR(mean_in_plane(state), mean_in_plane(peak), 1e-9);
     EXPECT_NEAR(state.tau_xy, peak.tau_xy - 1e-6 * shear_modulus(law, peak), 1e-9);
     EXPECT_EQ(state.branch, ubcsand::strain_reversed);
-    EXPECT_NEAR(state.peak_y, peak.tau_xy / mean(peak), 1e-15);
+    EXPECT_NEAR(state.peak_y, peak.tau_xy / mean_in_plane(peak), 1e-15);
 }
 
 TEST(UbcSand, OnlyARealReversalCountsAHalfCycle)
@@ -110,7 +108,7 @@ TEST(UbcSand, OnlyARealReversalCountsAHalfCycle)
     update(law, shear(5e-4), state);
     const UbcSandState peak = state;
     // an excursion of 0.01 in ratio is reloaded elastically ...
-    const double tiny = 0.01 * mean(peak) / shear_modulus(law, peak);
+    const double tiny = 0.01 * mean_in_plane(peak) / shear_modulus(law, peak);
     update(law, shear(-tiny), state);
     update(law, shear(0.99 * tiny), state);
     EXPECT_EQ(state.half_cycles, 0.0);
@@ -125,7 +123,7 @@ TEST(UbcSand, OnlyARealReversalCountsAHalfCycle)
     update(law, shear(tiny), state);
     EXPECT_EQ(state.branch, ubcsand::loading);
     EXPECT_EQ(state.half_cycles, 1.0);
-    EXPECT_LT(mean(state), mean(peak));
+    EXPECT_LT(mean_in_plane(state), mean_in_plane(peak));
     update(law, shear(20.0 * tiny), state);
     EXPECT_EQ(state.branch, ubcsand::loading);
     EXPECT_EQ(state.half_cycles, 1.0);
@@ -166,7 +164,7 @@ TEST(UbcSand, ARippleOfUnloadingReloadsWithoutLoading)
     EXPECT_EQ(state.half_cycles, 0.0);
     update(law, shear(-3e-5), state); // on with the unloading, from the same peak
     EXPECT_EQ(state.branch, ubcsand::far_from_reversal);
-    EXPECT_NEAR(state.peak_y, peak.tau_xy / mean(peak), 1e-12);
+    EXPECT_NEAR(state.peak_y, peak.tau_xy / mean_in_plane(peak), 1e-12);
     for (int k = 0; k < 12; ++k) update(law, shear(1e-5), state); // a true reversal
     EXPECT_EQ(state.branch, ubcsand::loading);
     EXPECT_EQ(state.half_cycles, 1.0);
@@ -195,7 +193,7 @@ TEST(UbcSand, FailureCarriesTheCohesionOfMohrAndCoulomb)
     for (int k = 0; k < 2000; ++k) update(law, {-2e-5, 2e-5, 0.0, 0.0}, state);
     const double phi = parameters.peak_friction_deg * std::numbers::pi / 180.0;
     const double radius = 0.5 * (state.sigma_y - state.sigma_x);
-    EXPECT_NEAR(radius, mean(state) * std::sin(phi) + 10e3 * std::cos(phi), 1e-6 * radius);
+    EXPECT_NEAR(radius, mean_in_plane(state) * std::sin(phi) + 10e3 * std::cos(phi), 1e-6 * radius);
 }
 
 TEST(UbcSand, DilationLiftsAPointOffTheStressFloor)
@@ -203,10 +201,10 @@ TEST(UbcSand, DilationLiftsAPointOffTheStressFloor)
     const UbcSand law = make_ubcsand(nevada_sand_55());
     UbcSandState state = consolidated(law, 1.0);
     update(law, {-1e-2, -1e-2, 0.0, 0.0}, state); // pulled apart
-    ASSERT_EQ(mean(state), law.s_min);
+    ASSERT_EQ(mean_in_plane(state), law.s_min);
     for (int k = 0; k < 500; ++k) update(law, shear(1e-4), state);
-    EXPECT_GT(mean(state), 10.0 * law.s_min);
-    EXPECT_NEAR(ratio(law, state), law.eta_f, 1e-12);
+    EXPECT_GT(mean_in_plane(state), 10.0 * law.s_min);
+    EXPECT_NEAR(stress_ratio(law, state), law.eta_f, 1e-12);
 }
 
 TEST(UbcSand, ASpinTurnsStressAndMemoryByTwiceItsAngle)
@@ -236,7 +234,7 @@ TEST(UbcSand, AnAbsurdStrainEndsInBoundedTimeInsideTheLimit)
         UbcSandState state = consolidated(law, 0.5);
         update(law, huge, state);
         EXPECT_TRUE(std::isfinite(state.sigma_x + state.sigma_y + state.sigma_z + state.tau_xy));
-        EXPECT_LE(ratio(law, state), law.eta_f * (1.0 + 1e-9));
+        EXPECT_LE(stress_ratio(law, state), law.eta_f * (1.0 + 1e-9));
     }
 }
 
@@ -252,10 +250,10 @@ TEST(UbcSand, TheLoosestSandShearsAtConstantVolume)
             update(law, shear(1e-5), free);
             update(law, shear(1e-5), loosest);
         }
-        EXPECT_GT(mean(free), 1.05 * mean(loosest)); // dilation presses the free sand
-        const double before = mean(loosest);
+        EXPECT_GT(mean_in_plane(free), 1.05 * mean_in_plane(loosest)); // dilation presses the free sand
+        const double before = mean_in_plane(loosest);
         for (int k = 0; k < 1000; ++k) update(law, shear(1e-5), loosest);
-        EXPECT_NEAR(mean(loosest), before, 1e-6 * before);
+        EXPECT_NEAR(mean_in_plane(loosest), before, 1e-6 * before);
         EXPECT_NEAR(loosest.tau_xy, failure_shear(law, before), 0.02 * before);
     }
 }
@@ -268,14 +266,14 @@ TEST(UbcSand, TheDensestSandDoesNotContract)
         const UbcSand law = make_ubcsand(parameters);
         UbcSandState free = consolidated(law, 1.0), densest = free;
         densest.most_contraction = 0.0;
-        const double start = mean(densest);
+        const double start = mean_in_plane(densest);
         for (int k = 0; k < 4000; ++k) { // cycles of 0.1 % at constant volume
             const double sense = k / 100 % 4 == 0 || k / 100 % 4 == 3 ? 1.0 : -1.0;
             update(law, shear(sense * 1e-5), free);
             update(law, shear(sense * 1e-5), densest);
-            ASSERT_GE(mean(densest), start * (1.0 - 1e-12));
+            ASSERT_GE(mean_in_plane(densest), start * (1.0 - 1e-12));
         }
-        EXPECT_LT(mean(free), 0.5 * start); // contraction takes the stress off the free sand
+        EXPECT_LT(mean_in_plane(free), 0.5 * start); // contraction takes the stress off the free sand
     }
 }
 
@@ -285,12 +283,12 @@ TEST(UbcSand, GrainsThatHavePartedBearNothingUntilTheyTouch)
     UbcSandState state = consolidated(law, 1.0);
     state.least_contraction = 0.0; // looser than the loosest
     update(law, {-0.05, -0.05, 0.0, 0.0}, state);
-    EXPECT_NEAR(mean(state), law.s_min, 1e-6);
+    EXPECT_NEAR(mean_in_plane(state), law.s_min, 1e-6);
     update(law, {0.02, 0.02, 0.01, 0.0}, state); // on the way back
-    EXPECT_NEAR(mean(state), law.s_min, 1e-6);
+    EXPECT_NEAR(mean_in_plane(state), law.s_min, 1e-6);
     state.least_contraction = -1.0; // they touch
     update(law, {1e-4, 1e-4, 0.0, 0.0}, state);
-    EXPECT_GT(mean(state), 2.0 * law.s_min);
+    EXPECT_GT(mean_in_plane(state), 2.0 * law.s_min);
 }
 
 } // namespace

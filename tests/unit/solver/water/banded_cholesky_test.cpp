@@ -38,7 +38,7 @@ std::vector<std::size_t> first_columns(const Eigen::MatrixXd& A)
 }
 
 template <class Number>
-void fill(const Eigen::MatrixXd& A, BandedFactor<Number>& factor)
+void fill_factor(const Eigen::MatrixXd& A, BandedFactor<Number>& factor)
 {
     const std::vector<std::size_t> first = first_columns(A);
     factor.reset(first);
@@ -52,7 +52,7 @@ double largest_error(const Eigen::MatrixXd& A)
 {
     const Eigen::Index rows = A.rows();
     BandedFactor<Number> factor;
-    fill(A, factor);
+    fill_factor(A, factor);
     factor.factorise(Number(1e-4));
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(rows, -1.0, 2.0);
     std::vector<Number> vector(factor.vector_length(), Number{0});
@@ -98,7 +98,7 @@ TEST(BandedCholesky, SolvesWithPivotsOfKnownSigns)
         negative.push_back(static_cast<std::size_t>(row));
     }
     BandedCholesky factor;
-    fill(A, factor);
+    fill_factor(A, factor);
     for (const std::size_t row : negative) factor.set_negative(row);
     factor.factorise(1e-6f);
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(rows, -1.0, 2.0);
@@ -118,7 +118,7 @@ TEST(BandedCholesky, SolvesTheLowerHalfAsFarAsItIsNotSmall)
     constexpr Eigen::Index rows = 300, band = 8;
     const Eigen::MatrixXd A = random_matrix(rows, band);
     BandedCholesky factor;
-    fill(A, factor);
+    fill_factor(A, factor);
     factor.factorise(1e-4f);
     Eigen::VectorXd b = Eigen::VectorXd::Zero(rows);
     b[13] = 1.0;

@@ -41,7 +41,7 @@ struct Layer {
     double settlement;
 };
 
-Layer integrate(double load, double until, int cells)
+Layer integrate_layer(double load, double until, int cells)
 {
     const double h = 1.0 / cells, dt = 0.2 * h * h;
     const auto steps = static_cast<int>(std::lround(until / dt));
@@ -61,7 +61,7 @@ TEST(LargeStrainConsolidation, AgreesWithFiniteVolumes)
 {
     constexpr int cells = 100;
     const LargeStrainConsolidation exact{1.0, 0.5};
-    const Layer layer = integrate(0.5, 0.1, cells);
+    const Layer layer = integrate_layer(0.5, 0.1, cells);
     EXPECT_NEAR(layer.settlement, settlement_ratio(exact, 0.0, 0.1), 1e-3);
     for (const int cell : {10, 40, 90}) {
         const double Z = (cell + 0.5) / cells;

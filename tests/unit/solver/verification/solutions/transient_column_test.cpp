@@ -143,7 +143,7 @@ struct StaggeredColumn {
     double top_displacement = 0.0;
 };
 
-StaggeredColumn integrate(const TransientColumn& column, double until, int cells)
+StaggeredColumn integrate_column(const TransientColumn& column, double until, int cells)
 {
     const SaturatedSoil& soil = column.soil;
     const double h = column.height / cells, n = soil.porosity, C = soil.drag();
@@ -182,7 +182,7 @@ TEST(TransientColumn, AgreesWithAStaggeredGrid)
     for (const double k : {1e-3, 1e-5}) {
         const TransientColumn column = column_of(k, 2e-3);
         for (const double t : {1e-3, 4e-3}) {
-            const StaggeredColumn grid = integrate(column, t, 200);
+            const StaggeredColumn grid = integrate_column(column, t, 200);
             const double half_cell = 0.5 * column.height / 200;
             const auto base = column_motion(column, half_cell, {t})[0];
             const auto top = column_motion(column, column.height, {t})[0];
