@@ -119,7 +119,7 @@ TEST(InitialFlow, SaysThatNoLineIsFound)
     const std::string said = message(dam);
     EXPECT_EQ(
         said.substr(0, said.find("scene.toml:27")),
-        R"(scene.toml:10:16: error[initial-flow]: the phreatic line of the steady flow is not found: after 1 iterations it still moves
+        R"(scene.toml:10:16: error[initial-flow]: the phreatic line of the flow is not found: after 1 iterations it still moves
    10 | initial_flow = "seepage"
       |                ^~~~~~~~~
 expected: a flow with a steady state

@@ -103,6 +103,24 @@ TEST(TransientFlow, DamComesToItsSteadyFlow)
         EXPECT_NEAR(rise.end.pressure_head[i], before.pressure_head[i], 1e-3);
 }
 
+// Three times as large and as long, the flow is the same.
+TEST(TransientFlow, KnowsNoScaleOfLength)
+{
+    const auto drained = [](double scale) {
+        const Rectangle box{{16.0 * scale, 12.0 * scale}, 16, 12};
+        const SteadyFlowProblem flood = dam(box, 10.0 * scale, 2.0 * scale),
+                                fallen = dam(box, 3.0 * scale, 2.0 * scale);
+        return follow(fallen, solve_steady_flow(flood).saturation, 20000.0 * scale, 20);
+    };
+    const FlowHistory one = drained(1.0), three = drained(3.0);
+    EXPECT_LT(one.stored, -1.0);
+    EXPECT_NEAR(three.stored, 9.0 * one.stored, -1e-9 * one.stored);
+    for (std::size_t i = 0; i < one.end.head.size(); ++i) {
+        EXPECT_NEAR(three.end.pressure_head[i], 3.0 * one.end.pressure_head[i], 1e-9);
+        EXPECT_NEAR(three.end.saturation[i], one.end.saturation[i], 1e-9);
+    }
+}
+
 // Behind water that falls in an instant the soil still holds its own, and lets none in.
 TEST(TransientFlow, SlopeKeepsItsWaterAtFirst)
 {
