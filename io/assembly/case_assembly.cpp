@@ -302,6 +302,13 @@ void find_flow(const SceneReading& reading, const std::vector<std::int32_t>& of_
         hold_water(boundary.water, *scene.stage->flow_duration);
 }
 
+/// Beyond free-field sides the water is that of their columns, which begins as the flow has it beside them.
+void leave_water_to_columns(Problem& problem)
+{
+    for (Boundary& boundary : problem.boundaries)
+        if (std::holds_alternative<FreeFieldSide>(boundary.soil)) boundary.water = Drained{};
+}
+
 /// Where water has wetted the soil since it settled.
 std::vector<const FlowField*> wetting_fields(const SceneReading& reading,
                                              const std::vector<std::optional<InitialFlow>>& flows)
@@ -335,6 +342,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     const auto of_region = materials_of_regions(assembled.scene, assembled.section);
     auto flows = flows_before(needed_flows(reading, assembled.scene), section, assembled);
     find_flow(reading, of_region, flows, assembled);
+    leave_water_to_columns(assembled.problem);
     const FlowField* flow = assembled.initial_flow ? &assembled.initial_flow->field : nullptr;
     throw_errors(assembled.warnings, assembled.scene);
     auto of_domain = lay_interfaces(assembled.section, assembled.sampling, of_region, assembled.scene,

@@ -12,7 +12,7 @@ constexpr double least_outflow = 1e-9;   // of all that leaves, that counts as w
 constexpr double height_rounding = 1e-6; // of the section's height [-]
 
 /// All that leaves through faces [m3/s per m].
-double outflow_of(const SteadyFlow& solution)
+double outflow_of(const GroundFlow& solution)
 {
     double outflow = 0.0;
     for (const double inflow : solution.inflow) outflow += std::max(0.0, -inflow);
@@ -30,8 +30,8 @@ double height_of(const TriangleMesh& mesh)
 } // namespace
 
 std::vector<FaceFlow> sum_face_flows(const std::vector<std::string>& names,
-                                     const std::vector<OpenEdge>& edges, const SteadyFlowProblem& flow,
-                                     const SteadyFlow& solution)
+                                     const std::vector<OpenEdge>& edges, const GroundFlowProblem& flow,
+                                     const GroundFlow& solution)
 {
     std::vector<FaceFlow> flows(names.size());
     for (std::size_t f = 0; f < flows.size(); ++f) flows[f].name = names[f];

@@ -1,7 +1,7 @@
 // What passes the faces of the soil, from the flows at the nodes of a mesh.
 #pragma once
 
-#include "solver/seepage/steady_flow.hpp"
+#include "solver/seepage/ground_flow.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -29,7 +29,7 @@ struct OpenEdge {
 
 /// The faces that water stands at or leaves, by the flows of a solution.
 std::vector<FaceFlow> sum_face_flows(const std::vector<std::string>& names,
-                                     const std::vector<OpenEdge>& edges, const SteadyFlowProblem& flow,
-                                     const SteadyFlow& solution);
+                                     const std::vector<OpenEdge>& edges, const GroundFlowProblem& flow,
+                                     const GroundFlow& solution);
 
 } // namespace quicksand

@@ -24,6 +24,15 @@ constexpr double fewest = 16'000, most = 60'000; // triangles, whatever the cell
 constexpr double fewest_in_time = 12'000;        // [-]
 constexpr int steps_in_time = 40;                // [-]
 
+/// Whether no water passes the boundary. Where level ground goes on beyond a free-field side water flows
+/// neither to it nor from it, unless the side has a head.
+bool is_closed(const Boundary& boundary)
+{
+    if (std::holds_alternative<FreeFieldSide>(boundary.soil))
+        return !std::holds_alternative<PrescribedWater>(boundary.water);
+    return std::holds_alternative<Impervious>(boundary.water);
+}
+
 class FlowSection {
 public:
     FlowSection(const Scene& scene, const Section& section, const Problem& problem, Diagnostics& findings)
@@ -50,16 +59,16 @@ private:
     void check_boundary(const Boundary& boundary);
     void check_sides(const FlowField& field);
     double triangle_size(double least_number) const;
-    SteadyFlowProblem mesh_flow(double size, const std::vector<std::int32_t>& of_region) const;
+    GroundFlowProblem mesh_flow(double size, const std::vector<std::int32_t>& of_region) const;
     Scalars drainable_porosity(const TriangleMesh& mesh, const std::vector<std::int32_t>& of_region) const;
     void fail_to_find(int iterations);
-    InitialFlow found(const SteadyFlowProblem& flow, const std::vector<OpenEdge>& edges,
-                      const SteadyFlow& solution, double size);
+    InitialFlow found(const GroundFlowProblem& flow, const std::vector<OpenEdge>& edges,
+                      const GroundFlow& solution, double size);
     std::vector<Vector2> water_lines() const;
     std::vector<OpenEdge> open_edges(const TriangleMesh& mesh) const;
     void place_water(double time, const TriangleMesh& mesh, std::vector<OpenEdge>& edges) const;
-    void set_conditions(const std::vector<OpenEdge>& edges, SteadyFlowProblem& flow) const;
-    void fill_parts_without_head(SteadyFlowProblem& flow) const;
+    void set_conditions(const std::vector<OpenEdge>& edges, GroundFlowProblem& flow) const;
+    void fill_parts_without_head(GroundFlowProblem& flow) const;
     const Scene& scene_;
     const Section& section_;
     const Problem& problem_;
@@ -91,7 +100,7 @@ void FlowSection::check_boundary(const Boundary& boundary)
                      "a cut-off is a thin region of a small hydraulic_conductivity"));
         return;
     }
-    if (std::holds_alternative<Impervious>(boundary.water)) return;
+    if (is_closed(boundary)) return;
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : {segment.start, segment.end}) {
             const double pressure = head_beyond(boundary, point, 0.0);
@@ -181,7 +190,7 @@ std::vector<OpenEdge> FlowSection::open_edges(const TriangleMesh& mesh) const
         std::size_t face = 0;
         for (std::size_t f = 1; f < faces_.size() && face == 0; ++f)
             if (any_along(faces_[f].segments, segment)) face = f;
-        if (std::holds_alternative<Impervious>(faces_[face].boundary.water)) continue;
+        if (is_closed(faces_[face].boundary)) continue;
         edges.push_back({nodes.first, nodes.second, face});
     }
     place_water(0.0, mesh, edges);
@@ -200,7 +209,7 @@ void FlowSection::place_water(double time, const TriangleMesh& mesh, std::vector
     }
 }
 
-void FlowSection::set_conditions(const std::vector<OpenEdge>& edges, SteadyFlowProblem& flow) const
+void FlowSection::set_conditions(const std::vector<OpenEdge>& edges, GroundFlowProblem& flow) const
 {
     const auto& nodes = flow.mesh.nodes;
     flow.water.assign(nodes.size(), NodeWater::closed);
@@ -220,7 +229,7 @@ void FlowSection::set_conditions(const std::vector<OpenEdge>& edges, SteadyFlowP
 }
 
 /// Parts of the soil that no head reaches hold still water at the level.
-void FlowSection::fill_parts_without_head(SteadyFlowProblem& flow) const
+void FlowSection::fill_parts_without_head(GroundFlowProblem& flow) const
 {
     std::vector<std::uint8_t> reached(flow.water.size(), 0);
     for (std::size_t i = 0; i < reached.size(); ++i) reached[i] = flow.water[i] == NodeWater::head ? 1 : 0;
@@ -241,9 +250,9 @@ void FlowSection::fill_parts_without_head(SteadyFlowProblem& flow) const
 }
 
 /// The soil in triangles; what its nodes are to the water is not known.
-SteadyFlowProblem FlowSection::mesh_flow(double size, const std::vector<std::int32_t>& of_region) const
+GroundFlowProblem FlowSection::mesh_flow(double size, const std::vector<std::int32_t>& of_region) const
 {
-    SteadyFlowProblem flow;
+    GroundFlowProblem flow;
     flow.mesh = mesh_section(section_, size, water_lines());
     for (const std::size_t region : flow.mesh.region) {
         const Material& material = problem_.materials[static_cast<std::size_t>(of_region[region])];
@@ -276,8 +285,8 @@ void FlowSection::fail_to_find(int iterations)
                  "look for a wrong conductivity, or draw the line with water.phreatic_line"));
 }
 
-InitialFlow FlowSection::found(const SteadyFlowProblem& flow, const std::vector<OpenEdge>& edges,
-                               const SteadyFlow& solution, double size)
+InitialFlow FlowSection::found(const GroundFlowProblem& flow, const std::vector<OpenEdge>& edges,
+                               const GroundFlow& solution, double size)
 {
     std::vector<std::string> names;
     for (const Face& face : faces_) names.push_back(face.boundary.name);
@@ -296,7 +305,7 @@ InitialFlow FlowSection::found(const SteadyFlowProblem& flow, const std::vector<
 std::optional<InitialFlow> FlowSection::solve(const std::vector<std::int32_t>& of_region)
 {
     const double size = triangle_size(fewest);
-    SteadyFlowProblem flow = mesh_flow(size, of_region);
+    GroundFlowProblem flow = mesh_flow(size, of_region);
     const std::vector<OpenEdge> edges = open_edges(flow.mesh);
     set_conditions(edges, flow);
     const double still = head_rounding * problem_.grid.cell_size;
@@ -305,7 +314,7 @@ std::optional<InitialFlow> FlowSection::solve(const std::vector<std::int32_t>& o
         flows = flows || (flow.water[i] == NodeWater::head && std::abs(flow.given_head[i] - level()) > still);
     if (!flows) return std::nullopt;
     fill_parts_without_head(flow);
-    const SteadyFlow solution = solve_steady_flow(flow);
+    const GroundFlow solution = solve_steady_flow(flow);
     if (!solution.converged) {
         fail_to_find(solution.iterations);
         return std::nullopt;
@@ -317,7 +326,7 @@ std::optional<InitialFlow> FlowSection::follow(const std::vector<std::int32_t>& 
                                                const FlowStart& start)
 {
     const double size = triangle_size(fewest_in_time);
-    SteadyFlowProblem flow = mesh_flow(size, of_region);
+    GroundFlowProblem flow = mesh_flow(size, of_region);
     Scalars saturation;
     for (const Vector2& node : flow.mesh.nodes) {
         const double before = start.flow != nullptr
@@ -326,7 +335,7 @@ std::optional<InitialFlow> FlowSection::follow(const std::vector<std::int32_t>& 
         saturation.push_back(std::clamp(before, 0.0, 1.0));
     }
     std::vector<OpenEdge> edges = open_edges(flow.mesh);
-    const auto at_time = [&](double time) -> const SteadyFlowProblem& {
+    const auto at_time = [&](double time) -> const GroundFlowProblem& {
         place_water(time, flow.mesh, edges);
         set_conditions(edges, flow);
         return flow;

@@ -112,6 +112,15 @@ std::vector<NamedCurve> by_place(const NamedCurve& curve, double tolerance)
     return parts;
 }
 
+/// Whether a free-field side may have the water: the flow between heads is computed with that of the ground
+/// beyond, all else goes on with its column.
+bool may_have(const WaterCondition& water, bool flow_is_computed)
+{
+    if (std::holds_alternative<Drained>(water)) return true;
+    const auto* given = std::get_if<PrescribedWater>(&water);
+    return flow_is_computed && given != nullptr && std::holds_alternative<WaterHead>(given->value);
+}
+
 } // namespace
 
 std::optional<UprightSide> find_upright_side(const SceneBoundary& boundary, const NamedCurve& curve,
@@ -207,11 +216,11 @@ void check_free_field_sides(const Scene& scene, const Section& section, const Ba
                          "the scene has the free-field side \"" + boundary.name + "\" and tied sides",
                          "sides of one of the two kinds",
                          "where the ground of both sides differs, both are free_field"));
-        if (scene.water && !std::holds_alternative<Drained>(boundary.water))
+        if (scene.water && !may_have(boundary.water, scene.starts_seeping))
             findings.add(error_at(condition.place, "free-field",
                                   "the free-field side \"" + boundary.name +
                                       "\" has a condition of its own for the water",
-                                  "water = \"drained\", or none",
+                                  "water = \"drained\", or none; in a computed flow a head as well",
                                   "water passes the side, with the pore pressure of the ground beyond it"));
     }
 }

@@ -114,12 +114,11 @@ void suit_kind(const DocumentNode& stage, bool is_first, DocumentNode& document)
                 if (!gives(stage, "output", interval)) output->remove(interval); // that of the shaking
         }
     }
-    const bool takes_time = *kind == StageKind::shake || *kind == StageKind::consolidate;
     DocumentNode& run = table_in(document, "run", stage.place);
     const DocumentNode* duration = stage.find("duration");
-    if (takes_time && duration != nullptr && is_duration(*duration)) {
+    if (takes_time(*kind) && duration != nullptr && is_duration(*duration)) {
         run.set("end_time", *duration);
-    } else if (!takes_time || duration != nullptr) {
+    } else if (!takes_time(*kind) || duration != nullptr) {
         give_instant(run);
     }
 }

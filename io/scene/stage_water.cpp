@@ -17,8 +17,8 @@ double head_at_end(const Scene& stage, const Boundary& boundary)
     const auto* head = water != nullptr ? std::get_if<WaterHead>(&water->value) : nullptr;
     if (head == nullptr) return level;
     const double at_rest = water->at_rest ? water->at_rest->points.front().y() : level;
-    const bool in_time = stage.stage->kind == StageKind::shake || stage.stage->kind == StageKind::consolidate;
-    const double end = in_time ? stage.end_time : stage.stage->flow_duration.value_or(0.0);
+    const double end =
+        takes_time(stage.stage->kind) ? stage.end_time : stage.stage->flow_duration.value_or(0.0);
     return at_rest + outer_factor(boundary.water, end) * (head->head - at_rest);
 }
 

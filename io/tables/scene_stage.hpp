@@ -22,6 +22,12 @@ inline bool settles(StageKind kind)
     return kind == StageKind::settle || kind == StageKind::seepage;
 }
 
+/// Whether soil and water move in time in such a stage.
+inline bool takes_time(StageKind kind)
+{
+    return kind == StageKind::shake || kind == StageKind::consolidate;
+}
+
 struct SceneStage {
     std::string name; // of its results folder, within that of the run
     StageKind kind = StageKind::shake;

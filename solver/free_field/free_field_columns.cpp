@@ -13,6 +13,7 @@ namespace quicksand {
 namespace {
 
 constexpr double close = 1e-6; // lengths that are the same [cells]
+constexpr double slope = 0.1;  // by which heads may differ over a cell, that count as level [-]
 
 constexpr const char* uneven = "the ground beside it is not level over the first column of cells";
 constexpr const char* no_lattice = "the material points beside it do not fill the first column of cells";
@@ -42,10 +43,19 @@ Strip strip_beside(const Problem& problem, const Particles& particles, double x,
     return strip;
 }
 
-/// Whether a scalar of the two particles differs by more than a millionth of its greatest size.
-bool differs(const Scalars& values, std::size_t p, std::size_t q, double size)
+/// Whether a scalar of the two particles differs by more than a tolerance.
+bool differs(const Scalars& values, std::size_t p, std::size_t q, double tolerance)
 {
-    return !values.empty() && std::abs(values[p] - values[q]) > close * size;
+    return !values.empty() && std::abs(values[p] - values[q]) > tolerance;
+}
+
+/// Whether two materials are one soil, below the phreatic line and above.
+bool is_same_soil(const Problem& problem, std::int32_t a, std::int32_t b)
+{
+    const Material &first = problem.materials[static_cast<std::size_t>(a)],
+                   &second = problem.materials[static_cast<std::size_t>(b)];
+    return a == b || (first.saturated != second.saturated && first.porosity == second.porosity &&
+                      first.hydraulic_conductivity == second.hydraulic_conductivity);
 }
 
 double largest_size(const Scalars& values)
@@ -60,7 +70,10 @@ std::string obstacle_of_soil(const Problem& problem, const Particles& particles,
 {
     if (strip.particles.empty()) return no_lattice;
     const double scale = 1.0 / strip.tolerance;
-    const double stress = largest_size(particles.stress.yy), pressure = largest_size(particles.pore_pressure);
+    const double tilt =
+        problem.water ? slope * problem.grid.cell_size * problem.water->density * problem.gravity : 0.0;
+    const double pressure = std::max(tilt, close * largest_size(particles.pore_pressure)),
+                 stress = tilt + close * largest_size(particles.stress.yy);
     std::map<std::int64_t, Row> rows;
     for (const std::size_t p : strip.particles) {
         const Vector2 e1 = particles.half_edge_1[p], e2 = particles.half_edge_2[p];
@@ -73,13 +86,36 @@ std::string obstacle_of_soil(const Problem& problem, const Particles& particles,
         Row& row = rows.emplace(std::llround(particles.position.y[p] * scale), Row{0.0, p}).first->second;
         row.width += 2.0 * e1.x();
         const std::size_t q = row.first;
-        if (particles.material[p] != particles.material[q]) return "its layers are not level beside it";
+        if (!is_same_soil(problem, particles.material[p], particles.material[q]))
+            return "its layers are not level beside it";
         if (differs(particles.pore_pressure, p, q, pressure)) return "the water beside it is not level";
         if (differs(particles.stress.yy, p, q, stress)) return uneven;
     }
     for (const auto& [height, row] : rows)
         if (std::abs(row.width - strip.width()) > 10.0 * strip.tolerance) return uneven;
     return "";
+}
+
+/// Let every row have the water of its particle nearest to the side: what flows beside it has a line that is
+/// not quite level.
+void level_rows(double x, double tolerance, Particles& particles)
+{
+    std::map<std::int64_t, std::size_t> nearest;
+    const auto row_of_particle = [&](std::size_t p) {
+        return std::llround(particles.position.y[p] / tolerance);
+    };
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        std::size_t& q = nearest.emplace(row_of_particle(p), p).first->second;
+        if (std::abs(particles.position.x[p] - x) < std::abs(particles.position.x[q] - x)) q = p;
+    }
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const std::size_t q = nearest.at(row_of_particle(p));
+        particles.material[p] = particles.material[q];
+        particles.mass_solid[p] = particles.mass_solid[q] * particles.volume[p] / particles.volume[q];
+        for (Scalars* values : {&particles.stress.xx, &particles.stress.yy, &particles.stress.zz,
+                                &particles.pore_pressure, &particles.water_table})
+            if (!values->empty()) (*values)[p] = (*values)[q];
+    }
 }
 
 /// The soil's height in the strip [m].
@@ -212,6 +248,7 @@ std::string add_column(Problem& problem, std::size_t k, State& state)
     column_state.balance_terms.reset();
     column_state.reactions = {};
     column_state.particles = part_of(particles, strip.particles);
+    level_rows(field.x, strip.tolerance, column_state.particles);
     problem.free_fields[k].column = std::move(*column);
     state.free_fields[k].column = std::move(column_state);
     return "";

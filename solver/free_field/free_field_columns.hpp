@@ -1,7 +1,8 @@
 // The columns of free-field sides, cut out of the body.
 //
 // A column is that of the cells beside the side: its particles with their state, the base, the surface and
-// the water there. Its own sides are tied at a width of one cell, and it has no end (soil_column.hpp).
+// the water there, in level rows. Its own sides are tied at a width of one cell, and it has no end
+// (soil_column.hpp).
 #pragma once
 
 #include "solver/problem/problem.hpp"

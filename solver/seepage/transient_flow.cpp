@@ -18,19 +18,21 @@ Scalars pores_of_nodes(const TriangleMesh& mesh, const Scalars& drainable_porosi
     return pores;
 }
 
-FlowHistory follow_flow(const std::function<const SteadyFlowProblem&(double)>& at_time, const Scalars& pores,
+FlowHistory follow_flow(const std::function<const GroundFlowProblem&(double)>& at_time, const Scalars& pores,
                         const Scalars& saturation, double duration, int steps)
 {
     ENSURE(duration > 0.0 && steps > 0);
     FlowHistory history;
     history.converged = true;
     history.end.saturation = saturation;
+    const GroundFlowProblem& flow = at_time(0.0);
+    const std::vector<FlowEdge> edges = flow_edges(flow.mesh, flow.conductivity);
     double time = 0.0;
     for (int k = 1; k <= steps; ++k) {
         const double part = static_cast<double>(k) / steps, next = duration * part * part;
         const FlowStorage storage = {pores, history.end.saturation, next - time};
         history.longest_step = std::max(history.longest_step, storage.dt);
-        history.end = solve_flow_step(at_time(next), storage, history.end);
+        history.end = solve_flow_step(at_time(next), edges, storage, history.end);
         for (const double inflow : history.end.inflow) {
             history.inflow += storage.dt * inflow;
             history.turnover += storage.dt * std::abs(inflow);
@@ -39,6 +41,7 @@ FlowHistory follow_flow(const std::function<const SteadyFlowProblem&(double)>& a
         history.converged = history.converged && history.end.converged;
         time = next;
     }
+    history.end.head = continued_heads(flow.mesh, history.end);
     for (std::size_t i = 0; i < pores.size(); ++i)
         history.stored += pores[i] * (history.end.saturation[i] - saturation[i]);
     return history;

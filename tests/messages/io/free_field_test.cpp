@@ -64,7 +64,7 @@ TEST(FreeFieldSides, HaveNoWaterOfTheirOwn)
         R"(scene.toml:36:1: error[free-field]: the free-field side "right" has a condition of its own for the water
    36 | [boundaries.right]
       | ^~~~~~~~~~~~~~~~~~
-expected: water = "drained", or none
+expected: water = "drained", or none; in a computed flow a head as well
 hint: water passes the side, with the pore pressure of the ground beyond it
 )");
 }

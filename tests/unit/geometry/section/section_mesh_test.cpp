@@ -1,5 +1,5 @@
 #include "geometry/section/section_mesh.hpp"
-#include "solver/seepage/steady_flow.hpp"
+#include "solver/seepage/ground_flow.hpp"
 #include "tests/fixtures/scratch_files.hpp"
 
 #include <algorithm>
@@ -70,7 +70,7 @@ TEST(SectionMesh, BearsRoundedNeighbours)
 double discharge_error(double size)
 {
     const Section section = make_section({{"dam", {rectangle(0, 0, 16, 24)}}});
-    SteadyFlowProblem problem;
+    GroundFlowProblem problem;
     problem.mesh = mesh_section(section, size, {{16.0, 4.0}});
     problem.conductivity.assign(problem.mesh.triangles.size(), 1e-4);
     for (const Vector2& node : problem.mesh.nodes) {
@@ -80,7 +80,7 @@ double discharge_error(double size)
         problem.water.push_back(wet ? NodeWater::head : open ? NodeWater::open : NodeWater::closed);
         problem.given_head.push_back(head);
     }
-    const SteadyFlow flow = solve_steady_flow(problem);
+    const GroundFlow flow = solve_steady_flow(problem);
     EXPECT_TRUE(flow.converged);
     return std::abs(flow.discharge / (1e-4 * (24.0 * 24.0 - 4.0 * 4.0) / 32.0) - 1.0);
 }
@@ -99,7 +99,7 @@ double form_under_floor(double width, double depth, double size)
 {
     const double side = 20.0 + 0.5 * width, head = 3.0, k = 1e-5;
     const Section section = make_section({{"layer", {rectangle(-side, -depth, side, 0)}}});
-    SteadyFlowProblem problem;
+    GroundFlowProblem problem;
     problem.mesh = mesh_section(section, size, {{-0.5 * width, 0.0}, {0.5 * width, 0.0}});
     problem.conductivity.assign(problem.mesh.triangles.size(), k);
     for (const Vector2& node : problem.mesh.nodes) {
@@ -107,7 +107,7 @@ double form_under_floor(double width, double depth, double size)
         problem.water.push_back(beside ? NodeWater::head : NodeWater::closed);
         problem.given_head.push_back(node.x() < 0.0 ? head : 0.0);
     }
-    const SteadyFlow flow = solve_steady_flow(problem);
+    const GroundFlow flow = solve_steady_flow(problem);
     EXPECT_TRUE(flow.converged);
     return flow.discharge / (k * head);
 }

@@ -92,17 +92,36 @@ TEST(FreeFieldColumns, NeedLevelGround)
     EXPECT_EQ(left_obstacle(problem, layers), "its layers are not level beside it");
 
     State water = state;
-    water.particles.pore_pressure[0] = 10.0;
+    water.particles.pore_pressure[0] = 2000.0; // by a fifth of a cell higher
     EXPECT_EQ(left_obstacle(problem, water), "the water beside it is not level");
 
     const std::string uneven = "the ground beside it is not level over the first column of cells";
     State stress = state;
-    stress.particles.stress.yy[0] = 10.0;
+    stress.particles.stress.yy[0] = 2000.0;
     EXPECT_EQ(left_obstacle(problem, stress), uneven);
 
     Problem slope = problem;
     slope.boundaries[2].segments = {{{12.0, 6.0}, {1.0, 6.0}}, {{1.0, 6.0}, {0.0, 5.9}}};
     EXPECT_EQ(left_obstacle(slope, state), uneven);
+}
+
+TEST(FreeFieldColumns, HaveTheWaterNearestToTheSide)
+{
+    Problem problem = ground(WaterFlow::coupled);
+    State state = state_of(problem);
+    Particles& body = state.particles;
+    for (std::size_t p = 0; p < body.size(); ++p) body.pore_pressure[p] = 500.0 * body.position.x[p];
+    EXPECT_EQ(left_obstacle(problem, state), "");
+    add_free_fields(problem, state);
+    for (const FreeFieldState& field : state.free_fields) {
+        const Particles& column = field.column.particles;
+        const auto [least, most] =
+            std::minmax_element(column.pore_pressure.begin(), column.pore_pressure.end());
+        EXPECT_EQ(*least, *most);
+    }
+    const double left = state.free_fields[0].column.particles.pore_pressure[0],
+                 right = state.free_fields[1].column.particles.pore_pressure[0];
+    EXPECT_NEAR(std::abs(left - right), 500.0 * (12.0 - 2.0 * 0.125), 1e-9); // a quarter of a cell inside
 }
 
 TEST(FreeFieldColumns, NeedPointsInColumnsOfCells)

@@ -14,14 +14,14 @@ using namespace fixtures;
 
 constexpr double conductivity = 1e-4, drainable = 0.3; // [m/s], [-]
 
-Scalars pores_of(const SteadyFlowProblem& flow)
+Scalars pores_of(const GroundFlowProblem& flow)
 {
     return pores_of_nodes(flow.mesh, Scalars(flow.mesh.triangles.size(), drainable));
 }
 
-FlowHistory follow(const SteadyFlowProblem& flow, const Scalars& saturation, double duration, int steps)
+FlowHistory follow(const GroundFlowProblem& flow, const Scalars& saturation, double duration, int steps)
 {
-    return follow_flow([&](double) -> const SteadyFlowProblem& { return flow; }, pores_of(flow), saturation,
+    return follow_flow([&](double) -> const GroundFlowProblem& { return flow; }, pores_of(flow), saturation,
                        duration, steps);
 }
 
@@ -44,7 +44,7 @@ TEST(TransientFlow, ColumnDrainsAtItsConductivity)
     double last_error = 1.0;
     for (const int rows : {30, 60, 120}) {
         const Rectangle box{{1.0, height}, 1, rows};
-        SteadyFlowProblem flow = mesh_of(box);
+        GroundFlowProblem flow = mesh_of(box);
         for (std::size_t i = 0; i < flow.water.size(); ++i)
             if (flow.mesh.nodes[i].y() == 0.0) flow.water[i] = NodeWater::head;
         const double duration = 0.4 * drainable * height / conductivity;
@@ -74,7 +74,7 @@ TEST(TransientFlow, MoundSpreadsAsThatOfBarenblatt)
     };
     const double first = 1000.0, last = 4000.0; // s: heights .1 and .063, widths 35 and 55
     const Rectangle box{{64.0, 0.12}, 64, 24};
-    const SteadyFlowProblem flow = mesh_of(box);
+    const GroundFlowProblem flow = mesh_of(box);
     Scalars saturation;
     for (const Vector2& node : flow.mesh.nodes) {
         const double dy = box.size.y() / box.rows;
@@ -91,8 +91,8 @@ TEST(TransientFlow, MoundSpreadsAsThatOfBarenblatt)
 TEST(TransientFlow, DamComesToItsSteadyFlow)
 {
     const Rectangle box{{16.0, 12.0}, 32, 24};
-    const SteadyFlowProblem flood = dam(box, 10.0, 2.0), fallen = dam(box, 3.0, 2.0);
-    const SteadyFlow before = solve_steady_flow(flood), steady = solve_steady_flow(fallen);
+    const GroundFlowProblem flood = dam(box, 10.0, 2.0), fallen = dam(box, 3.0, 2.0);
+    const GroundFlow before = solve_steady_flow(flood), steady = solve_steady_flow(fallen);
     const FlowHistory fall = follow(fallen, before.saturation, 1e8, 60);
     ASSERT_TRUE(fall.converged);
     EXPECT_NEAR(fall.inflow, fall.stored, 1e-9 * fall.turnover);
@@ -108,7 +108,7 @@ TEST(TransientFlow, KnowsNoScaleOfLength)
 {
     const auto drained = [](double scale) {
         const Rectangle box{{16.0 * scale, 12.0 * scale}, 16, 12};
-        const SteadyFlowProblem flood = dam(box, 10.0 * scale, 2.0 * scale),
+        const GroundFlowProblem flood = dam(box, 10.0 * scale, 2.0 * scale),
                                 fallen = dam(box, 3.0 * scale, 2.0 * scale);
         return follow(fallen, solve_steady_flow(flood).saturation, 20000.0 * scale, 20);
     };
@@ -125,8 +125,8 @@ TEST(TransientFlow, KnowsNoScaleOfLength)
 TEST(TransientFlow, SlopeKeepsItsWaterAtFirst)
 {
     const Rectangle box{{16.0, 12.0}, 32, 24};
-    const SteadyFlowProblem flood = dam(box, 10.0, 2.0), fallen = dam(box, 3.0, 2.0);
-    const SteadyFlow before = solve_steady_flow(flood);
+    const GroundFlowProblem flood = dam(box, 10.0, 2.0), fallen = dam(box, 3.0, 2.0);
+    const GroundFlow before = solve_steady_flow(flood);
     const FlowHistory fall = follow(fallen, before.saturation, 60.0, 20);
     ASSERT_TRUE(fall.converged);
     EXPECT_LT(fall.stored, 0.0);

@@ -1,4 +1,4 @@
-#include "solver/seepage/steady_flow.hpp"
+#include "solver/seepage/ground_flow.hpp"
 
 #include "solver/base/failure.hpp"
 
@@ -28,86 +28,54 @@ enum class Unknown : std::uint8_t {
     saturation, // the pressure is 0
 };
 
-/// Between two nodes, the higher one first; water goes from i to j at c (p_i - p_j + s_i drop).
-struct Edge {
-    std::size_t i = 0, j = 0;
-    double conductance = 0.0; // c, of all triangles along the edge [m/s]
-    double drop = 0.0;        // y_i - y_j, not negative [m]
-};
-
-std::vector<Edge> edges_of(const TriangleMesh& mesh, const Scalars& conductivity)
-{
-    std::map<std::pair<std::size_t, std::size_t>, double> conductances;
-    for (std::size_t e = 0; e < mesh.triangles.size(); ++e) {
-        const TriangleShape shape(corners_of(mesh, e));
-        for (std::size_t a = 0; a < 3; ++a) {
-            const std::size_t b = (a + 1) % 3, i = mesh.triangles[e][a], j = mesh.triangles[e][b];
-            conductances[{std::min(i, j), std::max(i, j)}] -=
-                conductivity[e] * shape.area * shape.slope[a].dot(shape.slope[b]);
-        }
-    }
-    std::vector<Edge> edges;
-    for (const auto& [nodes, conductance] : conductances) {
-        auto [i, j] = nodes;
-        if (mesh.nodes[i].y() < mesh.nodes[j].y()) std::swap(i, j);
-        edges.push_back({i, j, conductance, mesh.nodes[i].y() - mesh.nodes[j].y()});
-    }
-    return edges;
-}
-
 /// The sets of nodes with and without pressure, and the solution that belongs to them.
 class FlowIteration {
 public:
-    explicit FlowIteration(const SteadyFlowProblem& problem);
+    FlowIteration(const GroundFlowProblem& problem, const std::vector<FlowEdge>& edges);
 
     /// Let pores fill and drain, beginning with the sets of another flow.
-    void follow(const FlowStorage& storage, const SteadyFlow& before);
-    SteadyFlow solve();
+    void follow(const FlowStorage& storage, const GroundFlow& before);
+    GroundFlow solve();
 
 private:
     bool solve_sets();
     bool revise_sets();
     Scalars inflows() const;
-    Scalars extended_heads() const;
-    SteadyFlow report(int iterations, bool converged) const;
+    GroundFlow report(int iterations, bool converged) const;
 
-    const SteadyFlowProblem& problem_;
-    std::vector<Edge> edges_;
+    const GroundFlowProblem& problem_;
+    const std::vector<FlowEdge>& edges_;
     std::vector<Unknown> unknown_;  // of every node
     Scalars pressure_, saturation_; // of every node [m], [-]
     Scalars scale_;                 // of every node: the sum of its conductances' sizes [m/s]
     double height_ = 0.0;           // of the section [m]
-    double lowest_ = 0.0;           // y of the section [m]
-    bool follows_ = false;          // whether pores fill and drain
     Scalars filling_;               // of every node: what its pores take up over the step when full [m2/s]
     Scalars before_;                // saturation of every node before the step [-]
 };
 
-FlowIteration::FlowIteration(const SteadyFlowProblem& problem)
-    : problem_(problem), edges_(edges_of(problem.mesh, problem.conductivity)),
-      unknown_(problem.mesh.nodes.size(), Unknown::pressure), pressure_(unknown_.size(), 0.0),
-      saturation_(unknown_.size(), 1.0), scale_(unknown_.size(), 0.0), filling_(unknown_.size(), 0.0),
-      before_(unknown_.size(), 0.0)
+FlowIteration::FlowIteration(const GroundFlowProblem& problem, const std::vector<FlowEdge>& edges)
+    : problem_(problem), edges_(edges), unknown_(problem.mesh.nodes.size(), Unknown::pressure),
+      pressure_(unknown_.size(), 0.0), saturation_(unknown_.size(), 1.0), scale_(unknown_.size(), 0.0),
+      filling_(unknown_.size(), 0.0), before_(unknown_.size(), 0.0)
 {
-    double highest = lowest_ = problem.mesh.nodes.front().y();
+    double highest = problem.mesh.nodes.front().y(), lowest = highest;
     for (std::size_t i = 0; i < unknown_.size(); ++i) {
         const double y = problem.mesh.nodes[i].y();
-        lowest_ = std::min(lowest_, y);
+        lowest = std::min(lowest, y);
         highest = std::max(highest, y);
         if (problem.water[i] == NodeWater::closed) continue;
         unknown_[i] = Unknown::none; // all soil begins wet, and loses water at every open face
         if (problem.water[i] == NodeWater::head) pressure_[i] = std::max(0.0, problem.given_head[i] - y);
     }
-    height_ = highest - lowest_;
-    for (const Edge& edge : edges_) {
+    height_ = highest - lowest;
+    for (const FlowEdge& edge : edges_) {
         scale_[edge.i] += std::abs(edge.conductance);
         scale_[edge.j] += std::abs(edge.conductance);
     }
 }
 
-void FlowIteration::follow(const FlowStorage& storage, const SteadyFlow& before)
+void FlowIteration::follow(const FlowStorage& storage, const GroundFlow& before)
 {
-    follows_ = true;
     before_ = storage.saturation;
     for (std::size_t i = 0; i < unknown_.size(); ++i) {
         filling_[i] = storage.pores[i] / storage.dt;
@@ -126,7 +94,7 @@ bool FlowIteration::solve_sets()
     Entries entries;
     Eigen::VectorXd given = Eigen::VectorXd::Zero(count);
     // a flow that is the value of one node times a factor leaves i and enters j
-    const auto add = [&](const Edge& edge, std::size_t of, bool is_unknown, double value, double factor) {
+    const auto add = [&](const FlowEdge& edge, std::size_t of, bool is_unknown, double value, double factor) {
         if (row[edge.i] >= 0) {
             if (is_unknown)
                 entries.emplace_back(row[edge.i], row[of], factor);
@@ -140,7 +108,7 @@ bool FlowIteration::solve_sets()
                 given[row[edge.j]] += factor * value;
         }
     };
-    for (const Edge& edge : edges_) {
+    for (const FlowEdge& edge : edges_) {
         const double c = edge.conductance;
         add(edge, edge.i, unknown_[edge.i] == Unknown::pressure, pressure_[edge.i], c);
         add(edge, edge.j, unknown_[edge.j] == Unknown::pressure, pressure_[edge.j], -c);
@@ -173,7 +141,7 @@ Scalars FlowIteration::inflows() const
 {
     Scalars inflow(unknown_.size());
     for (std::size_t i = 0; i < inflow.size(); ++i) inflow[i] = filling_[i] * (saturation_[i] - before_[i]);
-    for (const Edge& edge : edges_) {
+    for (const FlowEdge& edge : edges_) {
         const double flow =
             edge.conductance * (pressure_[edge.i] - pressure_[edge.j] + saturation_[edge.i] * edge.drop);
         inflow[edge.i] += flow;
@@ -207,52 +175,12 @@ bool FlowIteration::revise_sets()
     return changed;
 }
 
-/// h = y + p where there is pressure. Beyond, as the water's heads go on: grad h has no part across a free
-/// surface, so that a smooth continuation places it within the triangles it cuts.
-Scalars FlowIteration::extended_heads() const
+GroundFlow FlowIteration::report(int iterations, bool converged) const
 {
-    constexpr double loose =
-        1e-9; // of a conductance: ties drained parts that touch no water to the lowest point
-    const TriangleMesh& mesh = problem_.mesh;
-    Scalars head(unknown_.size(), 0.0);
-    std::vector<Eigen::Index> row(unknown_.size(), -1);
-    Eigen::Index count = 0;
-    for (std::size_t i = 0; i < head.size(); ++i) {
-        head[i] = mesh.nodes[i].y() + std::max(0.0, pressure_[i]);
-        if (unknown_[i] == Unknown::saturation) row[i] = count++;
-    }
-    if (count == 0) return head;
-    Entries entries;
-    Eigen::VectorXd given = Eigen::VectorXd::Zero(count);
-    for (const Edge& edge : edges_of(mesh, Scalars(mesh.triangles.size(), 1.0))) {
-        for (const auto& [a, b] : {std::pair(edge.i, edge.j), std::pair(edge.j, edge.i)}) {
-            if (row[a] < 0) continue;
-            entries.emplace_back(row[a], row[a], edge.conductance);
-            if (follows_) {
-                entries.emplace_back(row[a], row[a], loose * std::abs(edge.conductance));
-                given[row[a]] += loose * std::abs(edge.conductance) * lowest_;
-            }
-            if (row[b] >= 0)
-                entries.emplace_back(row[a], row[b], -edge.conductance);
-            else
-                given[row[a]] += edge.conductance * head[b];
-        }
-    }
-    SparseMatrix matrix(count, count);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    const Eigen::VectorXd values = Eigen::SimplicialLDLT<SparseMatrix>(matrix).solve(given);
-    for (std::size_t i = 0; i < head.size(); ++i)
-        if (row[i] >= 0) head[i] = std::min(mesh.nodes[i].y(), values[row[i]]);
-    return head;
-}
-
-SteadyFlow FlowIteration::report(int iterations, bool converged) const
-{
-    SteadyFlow flow;
+    GroundFlow flow;
     const Scalars inflow = inflows();
     flow.pressure_head = pressure_;
     flow.saturation = saturation_;
-    flow.head = extended_heads();
     flow.inflow.assign(inflow.size(), 0.0);
     std::map<double, double> from_heads; // faces with a common head exchange no water [m2/s]
     for (std::size_t i = 0; i < inflow.size(); ++i) {
@@ -270,7 +198,7 @@ SteadyFlow FlowIteration::report(int iterations, bool converged) const
     return flow;
 }
 
-SteadyFlow FlowIteration::solve()
+GroundFlow FlowIteration::solve()
 {
     for (int k = 1; k <= most_iterations; ++k) {
         if (!solve_sets()) return report(k, false);
@@ -281,21 +209,80 @@ SteadyFlow FlowIteration::solve()
 
 } // namespace
 
-SteadyFlow solve_steady_flow(const SteadyFlowProblem& problem)
+std::vector<FlowEdge> flow_edges(const TriangleMesh& mesh, const Scalars& conductivity)
+{
+    ENSURE(conductivity.size() == mesh.triangles.size());
+    std::map<std::pair<std::size_t, std::size_t>, double> conductances;
+    for (std::size_t e = 0; e < mesh.triangles.size(); ++e) {
+        const TriangleShape shape(corners_of(mesh, e));
+        for (std::size_t a = 0; a < 3; ++a) {
+            const std::size_t b = (a + 1) % 3, i = mesh.triangles[e][a], j = mesh.triangles[e][b];
+            conductances[{std::min(i, j), std::max(i, j)}] -=
+                conductivity[e] * shape.area * shape.slope[a].dot(shape.slope[b]);
+        }
+    }
+    std::vector<FlowEdge> edges;
+    for (const auto& [nodes, conductance] : conductances) {
+        auto [i, j] = nodes;
+        if (mesh.nodes[i].y() < mesh.nodes[j].y()) std::swap(i, j);
+        edges.push_back({i, j, conductance, mesh.nodes[i].y() - mesh.nodes[j].y()});
+    }
+    return edges;
+}
+
+Scalars continued_heads(const TriangleMesh& mesh, const GroundFlow& flow)
+{
+    // of a conductance: ties drained parts that touch no water to the lowest point
+    constexpr double loose = 1e-9;
+    const std::size_t size = mesh.nodes.size();
+    double lowest = mesh.nodes.front().y();
+    for (const Vector2& node : mesh.nodes) lowest = std::min(lowest, node.y());
+    Scalars head(size, 0.0);
+    std::vector<Eigen::Index> row(size, -1);
+    Eigen::Index count = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+        head[i] = mesh.nodes[i].y() + std::max(0.0, flow.pressure_head[i]);
+        if (flow.saturation[i] < 1.0) row[i] = count++;
+    }
+    if (count == 0) return head;
+    Entries entries;
+    Eigen::VectorXd given = Eigen::VectorXd::Zero(count);
+    for (const FlowEdge& edge : flow_edges(mesh, Scalars(mesh.triangles.size(), 1.0))) {
+        for (const auto& [a, b] : {std::pair(edge.i, edge.j), std::pair(edge.j, edge.i)}) {
+            if (row[a] < 0) continue;
+            entries.emplace_back(row[a], row[a], edge.conductance + loose * std::abs(edge.conductance));
+            given[row[a]] += loose * std::abs(edge.conductance) * lowest;
+            if (row[b] >= 0)
+                entries.emplace_back(row[a], row[b], -edge.conductance);
+            else
+                given[row[a]] += edge.conductance * head[b];
+        }
+    }
+    SparseMatrix matrix(count, count);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    const Eigen::VectorXd values = Eigen::SimplicialLDLT<SparseMatrix>(matrix).solve(given);
+    for (std::size_t i = 0; i < size; ++i)
+        if (row[i] >= 0) head[i] = std::min(mesh.nodes[i].y(), values[row[i]]);
+    return head;
+}
+
+GroundFlow solve_steady_flow(const GroundFlowProblem& problem)
 {
     const std::size_t count = problem.mesh.nodes.size();
     ENSURE(count > 0 && problem.water.size() == count && problem.given_head.size() == count);
-    ENSURE(problem.conductivity.size() == problem.mesh.triangles.size());
-    return FlowIteration(problem).solve();
+    const std::vector<FlowEdge> edges = flow_edges(problem.mesh, problem.conductivity);
+    GroundFlow flow = FlowIteration(problem, edges).solve();
+    flow.head = continued_heads(problem.mesh, flow);
+    return flow;
 }
 
-SteadyFlow solve_flow_step(const SteadyFlowProblem& problem, const FlowStorage& storage,
-                           const SteadyFlow& before)
+GroundFlow solve_flow_step(const GroundFlowProblem& problem, const std::vector<FlowEdge>& edges,
+                           const FlowStorage& storage, const GroundFlow& before)
 {
     const std::size_t count = problem.mesh.nodes.size();
     ENSURE(storage.pores.size() == count && storage.saturation.size() == count && storage.dt > 0.0);
     ENSURE(before.saturation.size() == count);
-    FlowIteration iteration(problem);
+    FlowIteration iteration(problem, edges);
     iteration.follow(storage, before);
     return iteration.solve();
 }

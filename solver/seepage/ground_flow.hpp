@@ -25,17 +25,17 @@ enum class NodeWater : std::uint8_t {
     open,   // at a face open to the air
 };
 
-struct SteadyFlowProblem {
+struct GroundFlowProblem {
     TriangleMesh mesh;
     Scalars conductivity;         // k of every triangle [m/s]
     std::vector<NodeWater> water; // of every node
     Scalars given_head;           // of nodes with a head, at y or above; of no use at others [m]
 };
 
-struct SteadyFlow {
+struct GroundFlow {
     Scalars pressure_head;  // p of every node, 0 where there is none [m]
     Scalars saturation;     // s of every node [-]
-    Scalars head;           // h = y + p; where p is 0 as it would go on from the water, at most y [m]
+    Scalars head;           // h = y + p, continued where p is 0; none after a step [m]
     Scalars inflow;         // through the faces at every node, negative where water leaves [m2/s]
     double discharge = 0.0; // what enters from heads, without what leaves to the same head [m3/s per m]
     double imbalance = 0.0; // largest flow that a node without a face gains, over the discharge [-]
@@ -43,9 +43,24 @@ struct SteadyFlow {
     bool converged = false;
 };
 
+/// Between two nodes, the higher one first; water goes from i to j at c (p_i - p_j + s_i drop).
+struct FlowEdge {
+    std::size_t i = 0, j = 0;
+    double conductance = 0.0; // c, of all triangles along the edge [m/s]
+    double drop = 0.0;        // y_i - y_j, not negative [m]
+};
+
+/// The edges of a mesh with the conductivity of every triangle [m/s].
+std::vector<FlowEdge> flow_edges(const TriangleMesh& mesh, const Scalars& conductivity);
+
+/// Head of every node: h = y + p where the soil is saturated. Beyond, as the water's heads go on, at most y:
+/// grad h has no part across a free surface, so that a smooth continuation places it within the triangles it
+/// cuts [m].
+Scalars continued_heads(const TriangleMesh& mesh, const GroundFlow& flow);
+
 /// The steady state. Every connected part of the mesh must have a node with a given head. Where the sets of
 /// wet nodes do not come to an end, `converged` is false and the heads are those of the last one.
-SteadyFlow solve_steady_flow(const SteadyFlowProblem& problem);
+GroundFlow solve_steady_flow(const GroundFlowProblem& problem);
 
 /// Pores that fill and drain over a step.
 struct FlowStorage {
@@ -54,9 +69,9 @@ struct FlowStorage {
     double dt = 0.0;    // [s]
 };
 
-/// The flow at the end of a step; `before` is that at its start or near it, whose sets are tried first. No
-/// part of the mesh needs a head.
-SteadyFlow solve_flow_step(const SteadyFlowProblem& problem, const FlowStorage& storage,
-                           const SteadyFlow& before);
+/// The flow at the end of a step, over the edges of the problem's mesh; `before` is that at its start or near
+/// it, whose sets are tried first. No part of the mesh needs a head.
+GroundFlow solve_flow_step(const GroundFlowProblem& problem, const std::vector<FlowEdge>& edges,
+                           const FlowStorage& storage, const GroundFlow& before);
 
 } // namespace quicksand

@@ -1,6 +1,6 @@
 // Steady flow with a free surface on meshes of rectangles cut in halves, against closed forms.
 #include "solver/seepage/flow_field.hpp"
-#include "solver/seepage/steady_flow.hpp"
+#include "solver/seepage/ground_flow.hpp"
 #include "tests/fixtures/seepage_rectangle.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace fixtures;
 
-double highest_exit(const SteadyFlowProblem& flow, const SteadyFlow& solution)
+double highest_exit(const GroundFlowProblem& flow, const GroundFlow& solution)
 {
     double highest = 0.0;
     for (std::size_t i = 0; i < flow.water.size(); ++i)
@@ -30,14 +30,14 @@ double sum(const Scalars& values)
     return sum;
 }
 
-TEST(SteadyFlow, DamHasTheDischargeOfDupuit)
+TEST(GroundFlow, DamHasTheDischargeOfDupuit)
 {
     for (const int refinement : {1, 2, 4}) {
         for (const double right : {4.0, 0.0}) {
             Rectangle box;
             box.columns = 8 * refinement;
             box.rows = 12 * refinement;
-            const SteadyFlow flow = solve_steady_flow(dam(box, 24.0, right));
+            const GroundFlow flow = solve_steady_flow(dam(box, 24.0, right));
             ASSERT_TRUE(flow.converged);
             EXPECT_LE(flow.iterations, 15);
             const double dupuit = 1e-4 * (24.0 * 24.0 - right * right) / (2.0 * 16.0);
@@ -48,7 +48,7 @@ TEST(SteadyFlow, DamHasTheDischargeOfDupuit)
     }
 }
 
-TEST(SteadyFlow, DamInTwoPartsHasTheDischargeOfDupuit)
+TEST(GroundFlow, DamInTwoPartsHasTheDischargeOfDupuit)
 {
     // Q = (h1^2 - h2^2) / 2 over the sum of the widths over their conductivities
     for (const double ratio : {1e4, 10.0, 0.1, 1e-4}) {
@@ -57,7 +57,7 @@ TEST(SteadyFlow, DamInTwoPartsHasTheDischargeOfDupuit)
         box.columns = 40;
         box.conductivity = [&](const Vector2& x) { return x.x() < 10.0 ? 1e-4 : ratio * 1e-4; };
         for (const double right : {2.0, 0.0}) {
-            const SteadyFlow flow = solve_steady_flow(dam(box, 10.0, right));
+            const GroundFlow flow = solve_steady_flow(dam(box, 10.0, right));
             ASSERT_TRUE(flow.converged) << ratio;
             EXPECT_LE(flow.iterations, 15) << ratio;
             const double dupuit = (100.0 - right * right) / 2.0 / (10.0 / 1e-4 + 10.0 / (ratio * 1e-4));
@@ -66,15 +66,15 @@ TEST(SteadyFlow, DamInTwoPartsHasTheDischargeOfDupuit)
     }
 }
 
-TEST(SteadyFlow, WaterLeavesTheDamOfMuskatAboveItsTail)
+TEST(GroundFlow, WaterLeavesTheDamOfMuskatAboveItsTail)
 {
     // 16 m wide between 24 m and 4 m of water: 12.7 to 12.8 m in the literature on this test, within one edge
     for (const int refinement : {1, 2, 4}) {
         Rectangle box;
         box.columns = 16 * refinement;
         box.rows = 24 * refinement;
-        const SteadyFlowProblem problem = dam(box, 24.0, 4.0);
-        const SteadyFlow flow = solve_steady_flow(problem);
+        const GroundFlowProblem problem = dam(box, 24.0, 4.0);
+        const GroundFlow flow = solve_steady_flow(problem);
         EXPECT_NEAR(highest_exit(problem, flow), 12.75, 1.0 / refinement);
         const FlowField field(problem.mesh, flow.head);
         double before = 24.0 + 1e-9;
@@ -86,17 +86,17 @@ TEST(SteadyFlow, WaterLeavesTheDamOfMuskatAboveItsTail)
     }
 }
 
-TEST(SteadyFlow, KnowsNoScaleOfConductivity)
+TEST(GroundFlow, KnowsNoScaleOfConductivity)
 {
     Rectangle box, looser;
     looser.conductivity = [](const Vector2&) { return 1e-1; };
-    const SteadyFlow flow = solve_steady_flow(dam(box, 20.0, 3.0)),
+    const GroundFlow flow = solve_steady_flow(dam(box, 20.0, 3.0)),
                      more = solve_steady_flow(dam(looser, 20.0, 3.0));
     EXPECT_NEAR(more.discharge, 1e3 * flow.discharge, 1e-9 * more.discharge);
     for (std::size_t i = 0; i < flow.head.size(); ++i) EXPECT_NEAR(more.head[i], flow.head[i], 1e-8);
 }
 
-TEST(SteadyFlow, GoesThroughLayersInSeries)
+TEST(GroundFlow, GoesThroughLayersInSeries)
 {
     // confined between the sides: the loss of head of every layer is as its thickness over its conductivity
     Rectangle box;
@@ -104,14 +104,14 @@ TEST(SteadyFlow, GoesThroughLayersInSeries)
     box.columns = 12;
     box.rows = 4;
     box.conductivity = [](const Vector2& x) { return x.x() < 2.0 ? 1e-4 : 1e-6; };
-    SteadyFlowProblem problem = mesh_of(box);
+    GroundFlowProblem problem = mesh_of(box);
     for (std::size_t i = 0; i < problem.water.size(); ++i) {
         const double x = problem.mesh.nodes[i].x();
         if (x > 0.0 && x < 6.0) continue;
         problem.water[i] = NodeWater::head;
         problem.given_head[i] = x > 0.0 ? 4.0 : 9.0;
     }
-    const SteadyFlow flow = solve_steady_flow(problem);
+    const GroundFlow flow = solve_steady_flow(problem);
     ASSERT_TRUE(flow.converged);
     const double q = 5.0 / (2.0 / 1e-4 + 4.0 / 1e-6);
     EXPECT_NEAR(flow.discharge, 2.0 * q, 1e-10 * q);
@@ -121,7 +121,7 @@ TEST(SteadyFlow, GoesThroughLayersInSeries)
     }
 }
 
-TEST(SteadyFlow, FallsThroughSandBelowClay)
+TEST(GroundFlow, FallsThroughSandBelowClay)
 {
     // 1 m of water on 2 m of clay over 4 m of sand that drains: q = k (2 + 1) / 2, sand without pressure
     Rectangle box;
@@ -129,14 +129,14 @@ TEST(SteadyFlow, FallsThroughSandBelowClay)
     box.columns = 4;
     box.rows = 24;
     box.conductivity = [](const Vector2& x) { return x.y() > 4.0 ? 1e-7 : 1e-4; };
-    SteadyFlowProblem problem = mesh_of(box);
+    GroundFlowProblem problem = mesh_of(box);
     for (std::size_t i = 0; i < problem.water.size(); ++i) {
         const double y = problem.mesh.nodes[i].y();
         if (y == 6.0) problem.water[i] = NodeWater::head;
         if (y == 0.0) problem.water[i] = NodeWater::open;
         problem.given_head[i] = 7.0;
     }
-    const SteadyFlow flow = solve_steady_flow(problem);
+    const GroundFlow flow = solve_steady_flow(problem);
     ASSERT_TRUE(flow.converged);
     EXPECT_NEAR(flow.discharge, 2.0 * 1e-7 * 1.5, 1e-8 * 1e-7);
     for (std::size_t i = 0; i < flow.head.size(); ++i) {
@@ -148,7 +148,7 @@ TEST(SteadyFlow, FallsThroughSandBelowClay)
 TEST(FlowField, IsLinearInTheTriangles)
 {
     Rectangle box;
-    const SteadyFlowProblem problem = mesh_of(box);
+    const GroundFlowProblem problem = mesh_of(box);
     const auto plane = [](const Vector2& x) { return 30.0 - 0.3 * x.x() + 0.1 * x.y(); };
     Scalars head;
     for (const Vector2& node : problem.mesh.nodes) head.push_back(plane(node));
@@ -162,7 +162,7 @@ TEST(FlowField, IsLinearInTheTriangles)
 TEST(FlowField, FindsTheSurfaceInTheSoil)
 {
     Rectangle box;
-    const SteadyFlowProblem problem = mesh_of(box);
+    const GroundFlowProblem problem = mesh_of(box);
     Scalars head;
     for (const Vector2& node : problem.mesh.nodes) head.push_back(18.5 - 0.25 * node.x());
     const FlowField field(problem.mesh, head);
