@@ -65,7 +65,8 @@ ExitCode assess_stability(const StabilityChoice& choice)
     StrengthReductionControls controls;
     controls.tolerance = choice.tolerance;
     controls.seismic_coefficient = choice.seismic_coefficient;
-    search_stability(assembled, controls, assembled.state, folder, journal);
+    const SafetyFactor safety = search_stability(assembled, controls, assembled.state, folder, journal);
+    if (!subject.results) require_standing(safety);
     return ExitCode::good;
 }
 

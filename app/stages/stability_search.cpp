@@ -58,6 +58,10 @@ std::string describe_trial(const StrengthTrial& trial)
 
 std::string describe_result(const SafetyFactor& safety)
 {
+    if (safety.stands == 0.0)
+        return fmt::format("The factor of safety is less than {:.4f}: the slope stands at no strength of its "
+                           "soil. Either its pores bear its weight, or forces of the shaking still act.",
+                           safety.fails);
     if (std::isinf(safety.fails))
         return fmt::format("The factor of safety is more than {:.4g}: the slope still stands.",
                            safety.stands);
@@ -101,6 +105,17 @@ void require_still_water(const AssembledCase& assembled)
                      "water.level or water.phreatic_line at the height of the water beyond the curve"));
     }
     if (findings.has_errors()) throw_findings(findings, assembled.scene.text);
+}
+
+void require_standing(const SafetyFactor& safety)
+{
+    if (safety.stands > 0.0) return;
+    FailureRecord record;
+    record.phase = "strength reduction";
+    record.what = "the body does not come to rest at any strength of its soil";
+    record.causes = "a wall is missing among the boundaries; the soil is far too weak for its weight";
+    record.step = safety.trials.back().steps;
+    throw NumericalError(record);
 }
 
 void weaken_liquefied(const ResidualStrength& residual, AssembledCase& assembled, State& state,
@@ -154,7 +169,7 @@ std::optional<double> read_factor_of_safety(const ResultsFolder& folder)
         else
             fails = std::min(fails, factor);
     }
-    return std::isinf(fails) ? stands : 0.5 * (stands + fails);
+    return stands > 0.0 && std::isfinite(fails) ? 0.5 * (stands + fails) : stands;
 }
 
 } // namespace quicksand

@@ -28,7 +28,12 @@ void weaken_liquefied(const ResidualStrength& residual, AssembledCase& assembled
 SafetyFactor search_stability(const AssembledCase& assembled, const StrengthReductionControls& controls,
                               State& state, const ResultsFolder& folder, Journal& journal);
 
-/// The factor that a search has left in a folder; none where it has not come to its end. Throws FileError.
+/// Throws NumericalError where the body stands at no strength: as drawn it lacks a wall, while what a run has
+/// left may be without strength.
+void require_standing(const SafetyFactor& safety);
+
+/// The factor that a search has left in a folder, 0 where the body stands at no strength; none where it has
+/// not come to its end. Throws FileError.
 std::optional<double> read_factor_of_safety(const ResultsFolder& folder);
 
 } // namespace quicksand

@@ -78,7 +78,10 @@ private:
     bool is_finished(const fs::path& folder, RunChoice& chosen) const
     {
         if (!choice_.resume && !choice_.go_on) return false;
-        if (stage().kind == StageKind::stability) return read_factor_of_safety({folder}).has_value();
+        if (stage().kind == StageKind::stability) {
+            const std::optional<double> factor = read_factor_of_safety({folder});
+            return factor && (before_ || *factor > 0.0);
+        }
         const FormerRun former = former_run({folder}, hashes_of(choice_.scene, stages_[next_]));
         take_up(former, chosen);
         return former == FormerRun::finished;
@@ -99,7 +102,8 @@ private:
         weaken_liquefied({stage().residual_strength, stage().liquefied_ru}, setup.assembled, state, journal);
         StrengthReductionControls controls;
         controls.seismic_coefficient = stage().seismic_coefficient;
-        search_stability(setup.assembled, controls, state, folder, journal);
+        const SafetyFactor safety = search_stability(setup.assembled, controls, state, folder, journal);
+        if (!before_) require_standing(safety);
         return {SessionEnd::finished, folder};
     }
 

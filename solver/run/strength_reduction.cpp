@@ -58,7 +58,7 @@ public:
                 advance_held_shape(weaker, dt, controls_.damping, acceleration, trial_particles, trial_shape);
             trial.displacement = largest_displacement(problem_, trial_shape);
             trial.out_of_balance = out_of_balance(problem_, acceleration, trial_shape);
-            if (!std::isfinite(trial.out_of_balance)) fail(trial, dt, "the stresses are not numbers");
+            if (!std::isfinite(trial.out_of_balance)) fail(trial, dt);
             trial.stands = trial.out_of_balance <= controls_.settled;
         }
         if (!trial.stands) {
@@ -77,18 +77,18 @@ public:
     /// The particles displaced as in the last trial that failed.
     Particles failure() && { return std::move(failure_); }
 
-    [[noreturn]] void fail(const StrengthTrial& trial, double dt, const std::string& what) const
+private:
+    [[noreturn]] void fail(const StrengthTrial& trial, double dt) const
     {
         FailureRecord record;
         record.phase = "strength reduction";
-        record.what = what;
+        record.what = "the stresses are not numbers";
         record.causes = "a wall is missing among the boundaries; the soil is far too weak for its weight";
         record.step = trial.steps;
         record.time_step = dt;
         throw NumericalError(record);
     }
 
-private:
     const Problem& problem_;
     const StrengthReductionControls& controls_;
     State& state_;
@@ -128,8 +128,7 @@ SafetyFactor safety_factor(const Problem& problem, const StrengthReductionContro
         (trial.stands ? result.stands : result.fails) = factor;
         if (result.stands == 0.0) {
             factor /= factor_growth;
-            if (factor * controls.greatest_factor < 1.0)
-                reduction.fail(trial, 0.0, "the body does not come to rest at any strength of its soil");
+            if (factor * controls.greatest_factor < 1.0) break;
         } else if (std::isinf(result.fails)) {
             if (factor >= controls.greatest_factor) break;
             factor = std::min(factor_growth * factor, controls.greatest_factor);
@@ -138,7 +137,8 @@ SafetyFactor safety_factor(const Problem& problem, const StrengthReductionContro
             if (result.fails - result.stands <= controls.tolerance * factor) break;
         }
     }
-    result.factor = std::isinf(result.fails) ? result.stands : 0.5 * (result.stands + result.fails);
+    const bool is_bracketed = result.stands > 0.0 && std::isfinite(result.fails);
+    result.factor = is_bracketed ? 0.5 * (result.stands + result.fails) : result.stands;
     result.failure = std::move(reduction).failure();
     return result;
 }

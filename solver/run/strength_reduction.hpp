@@ -38,7 +38,7 @@ struct StrengthTrial {
 };
 
 struct SafetyFactor {
-    double factor = 0.0;               // middle of the bracket [-]
+    double factor = 0.0;               // middle of the bracket, 0 where the body stands at no strength [-]
     double stands = 0.0, fails = 0.0;  // the bracket; fails is infinite above the greatest factor [-]
     std::vector<StrengthTrial> trials; // in the order in which they were made
     Particles failure; // displaced as in the last trial that failed, none when no trial failed
@@ -52,7 +52,7 @@ bool has_strength(const Problem& problem);
 
 /// The factor of safety of a body at rest, its stress being the initial one. The pore pressure is held: what
 /// exceeds the static one takes part. `state` keeps its shape and becomes that of the last factor at which
-/// the body stood. Throws NumericalError, also when no factor down to 1 / greatest_factor lets it stand.
+/// the body stood, if it did at any down to 1 / greatest_factor. Throws NumericalError.
 SafetyFactor safety_factor(const Problem& problem, const StrengthReductionControls& controls, State& state,
                            const std::function<void(const StrengthTrial&)>& progress = {});
 

@@ -134,6 +134,16 @@ TEST_F(Stages, LiquefiedSandCanHaveAResidualStrength)
     EXPECT_EQ(again.code, 0) << again.output;
     EXPECT_NE(again.output.find("The factor of safety is "), std::string::npos) << again.output;
     EXPECT_TRUE(std::filesystem::exists(folder / "a/settle/stability/stability.txt"));
+    const Outcome torn = run_program("stability " + results("a") +
+                                     "/settle --seismic-coefficient 2 --set "
+                                     "materials.sand.constant_volume_friction_deg=1 --set "
+                                     "materials.sand.peak_friction_deg=1 --set initial.k0=1");
+    EXPECT_EQ(torn.code, 0) << torn.output;
+    EXPECT_NE(
+        torn.output.find("The factor of safety is less than 0.0352: the slope stands at no strength of "
+                         "its soil. Either its pores bear its weight, or forces of the shaking still act."),
+        std::string::npos)
+        << torn.output;
 }
 
 TEST_F(Stages, AnOriginHasToSuit)

@@ -59,6 +59,16 @@ TEST(ResidualStrength, IsForLiquefiedSandAlone)
     EXPECT_EQ(give_residual_strength({0.1, 0.7}, ground.problem, state), state.particles.size());
 }
 
+TEST(ResidualStrength, QuickGroundStandsAtNoStrength)
+{
+    LiquefiedGround ground;
+    for (double& pressure : ground.state.particles.pore_pressure) pressure *= 1.2;
+    const SafetyFactor safety = safety_factor(ground.problem, {}, ground.state);
+    EXPECT_EQ(safety.factor, 0.0);
+    EXPECT_EQ(safety.stands, 0.0);
+    EXPECT_LT(safety.fails, 0.05);
+}
+
 /// Under k_h the shear stress is k_h times the weight of grains and water above, the strength S_r / sigma'_v0
 /// times the buoyant weight: F = (S_r / sigma'_v0) (gamma' / gamma) / k_h at every depth.
 TEST(ResidualStrength, GivesTheFactorOfSafetyOfLevelGroundUnderAHorizontalForce)
