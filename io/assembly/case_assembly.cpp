@@ -158,6 +158,8 @@ void check_case(const Section& drawn, AssembledCase& assembled)
             findings.add(error_at(scene.geometry_place, "section", std::move(what)));
         }
         problem.boundaries = find_boundaries(scene, section, findings);
+        if (scene.stage && scene.stage->kind == StageKind::consolidate)
+            for (Boundary& boundary : problem.boundaries) hold(boundary.soil);
         problem.rim = rim_of(section);
         problem.tied_sides = find_tied_sides(scene, section, grid, findings);
         check_free_field_sides(scene, section, grid, findings);

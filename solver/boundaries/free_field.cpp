@@ -37,8 +37,9 @@ void add_side(const Problem& problem, const State& state, const Boundary& bounda
             if (fraction == 0.0) return;
             const std::size_t row = row_of(problem.grid, i);
             const Vector2 v = rows.velocity[row];
-            side.dashpots.push_back(
-                {i, fraction * Vector2(xx * v.x() + xy * v.y(), xy * v.x() + yy * v.y()), 0.0});
+            if (absorbs_waves(boundary.soil))
+                side.dashpots.push_back(
+                    {i, fraction * Vector2(xx * v.x() + xy * v.y(), xy * v.x() + yy * v.y()), 0.0});
             side.lengths.emplace_back(i, fraction * height);
             side.row_lengths[row] += fraction * height;
         });

@@ -20,6 +20,12 @@ namespace quicksand {
 /// What a curve holds of the grains.
 enum class GrainHold { none, normal, all };
 
+/// How long a face that lets waves out holds the grains as a wall does.
+enum class FaceHold {
+    while_settling,
+    always, // over times in which waves do not matter: dashpots would let the soil creep away
+};
+
 /// rho V_p and rho V_s of what lies beyond a curve [Pa s/m].
 struct Impedance {
     double normal = 0.0, shear = 0.0;

@@ -52,6 +52,12 @@ Vector2 velocity_of(const SoilCondition& soil, const Segment& segment, double ti
     return (displacement_of(soil, segment, time + dt) - displacement_of(soil, segment, time)) / dt;
 }
 
+void hold(SoilCondition& soil)
+{
+    if (auto* face = std::get_if<ViscousFace>(&soil)) face->held = FaceHold::always;
+    if (auto* side = std::get_if<FreeFieldSide>(&soil)) side->held = FaceHold::always;
+}
+
 bool is_standing_wall(const SoilCondition& soil)
 {
     return std::holds_alternative<FixedWall>(soil) || std::holds_alternative<RollerWall>(soil);

@@ -33,6 +33,9 @@ std::optional<Impedance> impedance_beyond(const SoilCondition& soil);
 /// [m/s].
 Vector2 velocity_of(const SoilCondition& soil, const Segment& segment, double time, double dt);
 
+/// Let a face that lets waves out hold the grains for good.
+void hold(SoilCondition& soil);
+
 /// A wall that stands still and stays: fixed or roller.
 bool is_standing_wall(const SoilCondition& soil);
 

@@ -4,9 +4,9 @@
 
 namespace quicksand {
 
-GrainHold hold_of(const ViscousFace&, const Segment& segment, Stage stage)
+GrainHold hold_of(const ViscousFace& face, const Segment& segment, Stage stage)
 {
-    if (stage != Stage::relaxation) return GrainHold::none;
+    if (stage != Stage::relaxation && lets_go(face)) return GrainHold::none;
     const Vector2 normal = outward_normal(segment);
     return std::abs(normal.y()) >= std::abs(normal.x()) ? GrainHold::all : GrainHold::normal;
 }

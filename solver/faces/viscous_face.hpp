@@ -1,5 +1,5 @@
 // A face that waves leave through, into rock or into soil like that beside it (viscous_boundary.hpp). While
-// the soil settles it is held: a base fixed, a steep side as a roller.
+// the soil settles, and over long times, it is held: a base fixed, a steep side as a roller.
 #pragma once
 
 #include "solver/faces/face_interface.hpp"
@@ -17,18 +17,19 @@ struct HalfSpace {
 
 struct ViscousFace {
     std::optional<HalfSpace> half_space = {}; // none: as the soil beside it
+    FaceHold held = FaceHold::while_settling;
 };
 
 GrainHold hold_of(const ViscousFace& face, const Segment& segment, Stage stage);
 
-inline bool lets_go(const ViscousFace&)
+inline bool lets_go(const ViscousFace& face)
 {
-    return true;
+    return face.held != FaceHold::always;
 }
 
-inline bool absorbs_waves(const ViscousFace&)
+inline bool absorbs_waves(const ViscousFace& face)
 {
-    return true;
+    return face.held != FaceHold::always;
 }
 
 std::optional<Impedance> impedance_beyond(const ViscousFace& face);

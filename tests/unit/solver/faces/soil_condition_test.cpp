@@ -52,6 +52,16 @@ TEST(SoilCondition, AsksItsKind)
          .shaking = none,
          .lets_go = true,
          .absorbs_waves = true},
+        {.soil = ViscousFace{.held = FaceHold::always},
+         .settling = GrainHold::all,
+         .shaking = GrainHold::all},
+        {.soil = FreeFieldSide{},
+         .settling = normal,
+         .shaking = none,
+         .lets_go = true,
+         .presses = true,
+         .absorbs_waves = true},
+        {.soil = FreeFieldSide{FaceHold::always}, .settling = normal, .shaking = normal, .presses = true},
     };
     for (const Answers& expected : kinds) {
         const SoilCondition& soil = expected.soil;
