@@ -108,6 +108,15 @@ std::string three_digits(double number)
     return fmt::format("{:.3g}", number);
 }
 
+std::string time_text(double seconds)
+{
+    constexpr double hour = 3600.0, day = 24.0 * hour;
+    const double size = std::abs(seconds);
+    if (size < 2.0 * hour) return fmt::format("{:.4g} s", seconds);
+    if (size < 2.0 * day) return fmt::format("{:.4g} h", seconds / hour);
+    return fmt::format("{:.4g} d", seconds / day);
+}
+
 std::string quantity_text(double number, Dimension dimension)
 {
     const std::string_view unit = si_symbol(dimension);

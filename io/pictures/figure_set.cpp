@@ -2,6 +2,7 @@
 
 #include "io/files/file_error.hpp"
 #include "io/keys/scene_text.hpp"
+#include "io/keys/scene_units.hpp"
 #include "io/pictures/picture_isochrones.hpp"
 #include "io/pictures/picture_set.hpp"
 #include "io/pictures/picture_ticks.hpp"
@@ -200,7 +201,7 @@ std::optional<LinePlot> isochrone_figure(const SceneFigure& figure, const Figure
         };
         const double fraction =
             chosen.size() > 1 ? static_cast<double>(k) / static_cast<double>(chosen.size() - 1) : 0.0;
-        PlotCurve curve{fmt::format("t = {:.4g} s", figure.scale * chosen[k].time),
+        PlotCurve curve{"t = " + time_text(figure.scale * chosen[k].time),
                         map_colour(ColourMap::sequential, 0.9 * fraction),
                         scaled(times(factor_of(figure), part(*values)), unit),
                         times(figure.scale, part(*places))};

@@ -1,5 +1,7 @@
 #include "io/pictures/picture.hpp"
 
+#include "io/keys/scene_units.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -64,6 +66,20 @@ std::string section_axes(const PictureLayout& layout)
            "grid\n";
 }
 
+/// A colour and a tick for each class.
+std::string class_bar(const FieldPicture& picture)
+{
+    const int last = picture.classes - 1;
+    if (last < 0) return "";
+    std::string stops;
+    for (int k = 0; k <= last; ++k) {
+        const double place = last > 0 ? static_cast<double>(k) / last : 0.0;
+        const std::string colour = hex_code(map_colour(picture.colours, place));
+        stops += fmt::format("{0}{1} '{2}', {3} '{2}'", k == 0 ? "" : ", ", k, colour, k + 1);
+    }
+    return fmt::format("set palette defined ({})\nset cbtics 0,1,{}\nset format cb '%.0f'\n", stops, last);
+}
+
 std::string palette(ColourMap colours)
 {
     constexpr int steps = 32; // of the maps' tables
@@ -94,7 +110,7 @@ std::string colour_bar(const FieldPicture& picture, const PictureLayout& layout,
     const std::size_t digits = std::max(fmt::formatted_size("{:.{}f}", shown.low, decimals),
                                         fmt::formatted_size("{:.{}f}", shown.high, decimals));
     std::string commands =
-        palette(picture.colours) + axis("cb", shown, at_most) +
+        palette(picture.colours) + axis("cb", shown, at_most) + class_bar(picture) +
         fmt::format("set colorbox user origin screen X({:g}), screen Y({:g}) "
                     "size screen X({:g}), screen 1.0 - Y({:g})\nset cblabel {} font ',14' offset {:.1f},0\n",
                     bar.left, bar.bottom(), bar.width, bar.height,
@@ -127,7 +143,7 @@ std::string heading(const FieldPicture& picture, const PictureLayout& layout)
         layout.width - sheet_rim; // of the sheet: a narrow section leaves its title little room
     std::string line = picture.title;
     if (!picture.note.empty()) line += (line.empty() ? "" : "  ·  ") + picture.note;
-    return label_at(right, 39.0, fmt::format("t = {:.4g} s", picture.time), "right font ',16'") +
+    return label_at(right, 39.0, "t = " + time_text(picture.time), "right font ',16'") +
            label_at(left, 39.0, fit(picture.quantity, right - left - time_room, bold_letter),
                     "font ':Bold,18'") +
            label_at(left, 70.0, fit(line, right - left, letter), fmt::format("font ',13' {}", faint));

@@ -25,6 +25,7 @@ struct FieldPicture {
     double time = 0.0;                          // [s]
     ColourMap colours = ColourMap::sequential;
     std::optional<PlotRange> range; // of the colours, in `unit`; none: round limits around the values
+    int classes = 0;                // values are numbers of so many classes, from 0 on; 0: a quantity [-]
 };
 
 /// Where things stand on the sheet.

@@ -1,6 +1,6 @@
 #include "io/pictures/picture_isochrones.hpp"
 
-#include <fmt/format.h>
+#include "io/keys/scene_units.hpp"
 
 #include <algorithm>
 #include <array>
@@ -56,7 +56,7 @@ std::optional<PlotPanel> make_isochrone_panel(const ProfileQuantity& quantity, c
     for (std::size_t k = 0; k < profiles.size(); ++k) {
         const double fraction =
             profiles.size() > 1 ? static_cast<double>(k) / static_cast<double>(profiles.size() - 1) : 0.0;
-        PlotCurve curve{fmt::format("t = {:.4g} s", profiles[k].time),
+        PlotCurve curve{"t = " + time_text(profiles[k].time),
                         map_colour(ColourMap::sequential, 0.9 * fraction),
                         scaled(slice(*values, profiles[k]), unit), slice(*place.values, profiles[k])};
         if (!place.upright) std::swap(curve.x, curve.y);

@@ -75,6 +75,14 @@ FramePair read_frames(const fs::path& results, const PictureRequest& request)
     return frames;
 }
 
+/// The names of the classes that a field numbers; none of a quantity.
+std::vector<std::string> class_names(const ParticleFrame& frame, const std::string& field)
+{
+    if (field == "material") return frame.material_names;
+    if (field == "region") return frame.region_names;
+    return {};
+}
+
 std::string numbered_names(const std::vector<std::string>& names)
 {
     std::vector<std::string> parts;
@@ -84,8 +92,7 @@ std::string numbered_names(const std::vector<std::string>& names)
 
 std::string note_of(const ParticleFrame& frame, const std::string& field, double exaggeration)
 {
-    if (field == "material") return numbered_names(frame.material_names);
-    if (field == "region") return numbered_names(frame.region_names);
+    if (const auto names = class_names(frame, field); !names.empty()) return numbered_names(names);
     return exaggeration == 1.0 ? "" : fmt::format("displacements × {:g}", exaggeration);
 }
 
@@ -105,6 +112,8 @@ Drawing drawing_of(const FramePair& frames, const std::string& field, const std:
     picture.note = note_of(frames.present, field, request.exaggeration);
     picture.time = frames.present.time;
     picture.range = request.range;
+    picture.classes = static_cast<int>(class_names(frames.present, field).size());
+    if (picture.classes > 0 && !picture.range) picture.range = PlotRange{-0.5, picture.classes - 0.5};
     return field_drawing(picture, file);
 }
 

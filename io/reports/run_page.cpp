@@ -2,6 +2,7 @@
 
 #include "io/files/atomic_file.hpp"
 #include "io/frames/vtk_series.hpp"
+#include "io/keys/scene_units.hpp"
 #include "io/pictures/picture_set.hpp"
 #include "io/reports/crest_check.hpp"
 #include "io/reports/html_page.hpp"
@@ -53,7 +54,7 @@ std::string run_table(const RunRecord& record)
               {"hash of the scene", record.scene_hash},
               {"program", "Quicksand " + record.version},
               {"begun, ended", record.start_time + ", " + record.end_time},
-              {"time reached", number(record.simulated_time, " s")},
+              {"time reached", time_text(record.simulated_time)},
               {"particles", fmt::format("{:.0f}", record.particles)},
               {"steps, wall time", fmt::format("{:.0f}, {:.4g} s", record.steps, record.wall_time)}};
     for (const std::string& words : record.overrides) rows.push_back({"--set", words});
@@ -69,8 +70,8 @@ std::string stages_section(const fs::path& results)
     if (std::none_of(stages.begin(), stages.end(), is_shown)) return "";
     Rows rows{{"stage", "kind", "state", "from", "over", "factor of safety"}};
     for (const StageRow& stage : stages)
-        rows.push_back({stage.name, stage.kind, stage.status, number(stage.start, " s"),
-                        number(stage.duration, " s"),
+        rows.push_back({stage.name, stage.kind, stage.status, time_text(stage.start),
+                        time_text(stage.duration),
                         stage.factor_of_safety ? number(*stage.factor_of_safety) : ""});
     return html_section("Stages", html_table(rows) + paragraph("This page is about the stage " +
                                                                shown.filename().string() + "."));

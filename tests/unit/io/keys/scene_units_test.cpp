@@ -48,5 +48,13 @@ TEST(NumberText, IsShortAndReadsBack)
     EXPECT_EQ(std::stod(number_text(1.0 / 3.0)), 1.0 / 3.0);
 }
 
+TEST(TimeText, IsInTheUnitThatPeopleSay)
+{
+    EXPECT_EQ(time_text(0.125), "0.125 s");
+    EXPECT_EQ(time_text(3600.0), "3600 s");
+    EXPECT_EQ(time_text(86400.0), "24 h");
+    EXPECT_EQ(time_text(864000.0), "10 d");
+}
+
 } // namespace
 } // namespace quicksand
