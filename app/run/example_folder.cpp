@@ -26,7 +26,7 @@ const std::vector<ExampleKind>& example_kinds()
     static const std::vector<ExampleKind> kinds = {
         {"column", "column", "column.geo", {}},
         {"dike", "dike", "dike.geo", {}},
-        {"river_dike", "river_dike", "river_dike.geo", {"stages.toml"}},
+        {"river_dike", "layered_dike", "layered_dike.geo", {"apeel2_loma_prieta_1989_133.AT2"}},
         {"sea_dike", "sea_dike", "sea_dike.geo", {"shaking_20g.toml"}},
         {"level_site", "level_ground_motion", "level_ground.geo", {"apeel2_loma_prieta_1989_133.AT2"}},
         {"slope", "lateral_spread", "lateral_spread.geo", {}},
