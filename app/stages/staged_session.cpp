@@ -40,6 +40,7 @@ public:
 
     SessionOutcome run(Journal& journal)
     {
+        require_room();
         SessionOutcome outcome;
         for (; next_ < stages_.size(); ++next_) {
             outcome = run_next(journal);
@@ -53,6 +54,15 @@ public:
     }
 
 private:
+    /// A former run in the folder of a later stage is told before hours of earlier ones.
+    void require_room() const
+    {
+        if (choice_.resume || choice_.go_on || choice_.overwrite) return;
+        for (std::size_t k = next_; k < stages_.size(); ++k)
+            if (stages_[k].scene.stage->kind != StageKind::stability)
+                require_no_former_run(directory_ / stages_[k].scene.stage->name, stages_[k].scene);
+    }
+
     const SceneStage& stage() const { return *stages_[next_].scene.stage; }
 
     SessionOutcome run_next(Journal& journal)

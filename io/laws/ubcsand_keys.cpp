@@ -87,12 +87,13 @@ std::optional<double> find_blow_count(const NamedTable& material, const SceneVal
     return blow_count(values.number(material.path + ".relative_density"));
 }
 
-/// Put the words in the place of the note in the list of resolved keys.
+/// Put the words in the place of the note in the list of resolved keys; what is given stays as written, for
+/// runs are resumed by it.
 void show_words(const std::string& path, const std::string& words, SceneValues& values)
 {
     const auto key = std::find_if(values.keys.begin(), values.keys.end(),
                                   [&](const ResolvedKey& resolved) { return resolved.path == path; });
-    if (key != values.keys.end()) key->value = words;
+    if (key != values.keys.end() && !key->given) key->value = words;
 }
 
 /// The density in all three ways; they say the same.

@@ -167,6 +167,11 @@ ResultsFolder prepare_results_folder(const fs::path& directory, const Scene& sce
     return folder;
 }
 
+void require_no_former_run(const fs::path& directory, const Scene& scene)
+{
+    require_empty({directory}, scene);
+}
+
 ResultsFolder prepare_report_folder(const fs::path& directory, const std::string& report, const Scene& scene)
 {
     ResultsFolder folder{directory};

@@ -43,7 +43,10 @@ struct ResultsFolder {
 ResultsFolder prepare_results_folder(const std::filesystem::path& directory, const Scene& scene,
                                      FolderUse use);
 
-/// The same for a report, which replaces a former one of its name, but no results of a run.
+/// Throws InputError where a fresh run could not have the folder.
+void require_no_former_run(const std::filesystem::path& directory, const Scene& scene);
+
+/// The folder of a report, which replaces a former one of its name, but no results of a run.
 ResultsFolder prepare_report_folder(const std::filesystem::path& directory, const std::string& report,
                                     const Scene& scene);
 

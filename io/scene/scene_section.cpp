@@ -2,9 +2,11 @@
 
 #include "geometry/drawing/nearest_name.hpp"
 #include "io/keys/scene_schema.hpp"
+#include "io/keys/scene_units.hpp"
 #include "io/keys/scene_value_reader.hpp"
 #include "io/keys/scene_words.hpp"
 #include "io/scene/cell_size.hpp"
+#include "solver/problem/base_motion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +88,21 @@ void check_viscous_side(const Scene& scene, const SceneBoundary& condition, cons
                             "the viscous side \"" + boundary.name +
                                 "\" damps the shaking of the ground itself, not only the outgoing waves",
                             "sides tied to each other, or free_field sides, where the base shakes"));
+}
+
+constexpr double long_time = 60.0; // after the shaking, in which dashpots let soil creep away [s]
+
+/// What lets waves out bears no force for long.
+void check_long_absorption(const Scene& scene, const SceneBoundary& condition, Diagnostics& findings)
+{
+    const bool runs = !scene.stage || scene.stage->kind == StageKind::shake;
+    const double after = scene.end_time - duration(scene.base_motion);
+    if (!runs || !lets_go(condition.boundary.soil) || !(after > long_time)) return;
+    findings.add(warning_at(
+        condition.place, join_path({"boundaries", condition.boundary.name}), "long-absorption",
+        "the curve \"" + condition.boundary.name + "\" lets waves out, and the run goes on for " +
+            time_text(after) + " after the shaking: dashpots bear no force for long, the soil creeps away",
+        "a stage of kind = \"consolidate\" for what follows the shaking: it holds the curve"));
 }
 
 /// The boundary along a curve.
@@ -183,6 +200,7 @@ std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section
         if (curve == nullptr) continue;
         boundaries.push_back(drawn_along(*curve, condition.boundary));
         check_viscous_side(scene, condition, *curve, findings);
+        check_long_absorption(scene, condition, findings);
     }
     const auto written = names_of(scene.boundaries);
     for (const NamedCurve& curve : section.curves) {

@@ -67,7 +67,11 @@ TEST_F(Stages, GoOnFromEachOther)
     const Outcome again = run(scene() + " -o " + results("a") + " --continue");
     EXPECT_EQ(again.code, 0) << again.output;
     EXPECT_NE(again.output.find("finished already"), std::string::npos) << again.output;
-    EXPECT_EQ(run(scene() + " -o " + results("a")).code, 2); // a former run
+    std::filesystem::remove_all(folder / "a/gravity");
+    const Outcome late = run(scene() + " -o " + results("a"));
+    EXPECT_EQ(late.code, 2) << late.output;
+    EXPECT_NE(late.output.find("a/shaking holds a former run"), std::string::npos) << late.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "a/gravity")) << "told before the first stage";
 }
 
 TEST_F(Stages, AreTheRunThatSettlesAndShakes)

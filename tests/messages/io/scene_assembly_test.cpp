@@ -264,6 +264,22 @@ to accept it: accept = ["boundaries.left"] at the top of the scene
 )");
 }
 
+TEST(Assembly, WarnsOfALongRunOnAViscousBase)
+{
+    std::string text = replaced(column_scene, "[boundaries.base]\nsoil = \"fixed\"",
+                                "[boundaries.base]\nsoil = \"viscous\"");
+    text = replaced(text, "frequency = 180", "frequency = 180\ncycles = 18");
+    text = replaced(text, "end_time = 0.2", "end_time = \"10 min\"");
+    EXPECT_EQ(
+        SceneFolder().assembly_message(text, column_section()),
+        R"(scene.toml:30:1: warning[long-absorption]: the curve "base" lets waves out, and the run goes on for 599.9 s after the shaking: dashpots bear no force for long, the soil creeps away
+   30 | [boundaries.base]
+      | ^~~~~~~~~~~~~~~~~
+expected: a stage of kind = "consolidate" for what follows the shaking: it holds the curve
+to accept it: accept = ["boundaries.base"] at the top of the scene
+)");
+}
+
 TEST(Assembly, NamesARegionTooThinForAnyParticle)
 {
     Section section = column_section();

@@ -137,6 +137,14 @@ TEST(UbcSandKeys, TheListOfKeysShowsTheDensityInEveryWay)
     EXPECT_EQ(blows.shown("preset"), "none");
 }
 
+TEST(UbcSandKeys, TheListOfKeysKeepsWhatIsGivenAsItIsWritten)
+{
+    const Reading sand = read("relative_density = 0.5481772395\nfailure_ratio = 0.7410891234");
+    EXPECT_EQ(sand.shown("relative_density"), "0.5481772395");
+    EXPECT_EQ(sand.shown("failure_ratio"), "0.7410891234");
+    EXPECT_EQ(sand.shown("n1_60"), "13.8229");
+}
+
 TEST(UbcSandKeys, ASandWithoutDensityIsRefused)
 {
     EXPECT_EQ(read("").findings.render(""),
