@@ -1,4 +1,5 @@
 // Soil in equilibrium stays at rest.
+#include "tests/fixtures/grain_speed.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -19,14 +20,6 @@ public:
     void after_step(const StepReport& report) override { steps = report.step; }
     std::int64_t steps = 0;
 };
-
-double largest_speed_of_grains(const Particles& particles)
-{
-    double largest = 0.0;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-        largest = std::max(largest, particles.velocity_solid[p].norm());
-    return largest;
-}
 
 TEST(Rest, LevelColumnUnderK0StaysAtRestFor10000Steps)
 {

@@ -2,6 +2,7 @@
 // with its water, and what rests stays at rest.
 #include "solver/run/simulation.hpp"
 #include "tests/fixtures/drawn_section.hpp"
+#include "tests/fixtures/grain_speed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -83,14 +84,6 @@ double column_error(const AssembledCase& drawn, std::size_t field, double head)
     return error;
 }
 
-double largest_velocity(const Particles& particles)
-{
-    double most = 0.0;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-        most = std::max(most, particles.velocity_solid[p].norm());
-    return most;
-}
-
 TEST(FreeFieldFlow, DoesNotPassASideWithoutAHead)
 {
     const AssembledCase level = dike({}), walls = dike({"soil = \"roller\"\n", "", "0.0", false});
@@ -133,7 +126,7 @@ double velocity_after_settling(const Drawing& drawing)
     AssembledCase drawn = dike(drawing);
     relax(drawn.problem, *drawn.scene.relaxation, drawn.state, {}, {});
     run(drawn.problem, 0.5, {}, drawn.state);
-    return largest_velocity(drawn.state.particles);
+    return largest_speed_of_grains(drawn.state.particles);
 }
 
 // Between walls 1.4e-4 m/s as well: cells round the pressure at the line.

@@ -1,6 +1,7 @@
 // Steps with sound in the water where a water table lies within cells, close above a bent base that cuts
 // them.
 #include "tests/fixtures/drawn_section.hpp"
+#include "tests/fixtures/grain_speed.hpp"
 
 #include <gtest/gtest.h>
 
@@ -59,8 +60,7 @@ double fastest_within(double time, AssembledCase ground)
     double largest = 0.0;
     for (int part = 1; part <= 10; ++part) {
         run(ground.problem, 0.1 * part * time, {}, ground.state);
-        for (std::size_t p = 0; p < ground.state.particles.size(); ++p)
-            largest = std::max(largest, ground.state.particles.velocity_solid[p].norm());
+        largest = std::max(largest, largest_speed_of_grains(ground.state.particles));
     }
     return largest;
 }
