@@ -70,20 +70,21 @@ inline void step_in_first_order(const UbcSand& law, Block& block)
 /// Which substep of second order: the first one, of the whole strain, or one to the next event.
 enum class Round { first, later };
 
-/// [2] to [7] of a substep of second order, but for its end.
+/// [2] to [7] of a substep of second order, but for its end. gcc 12 keeps structures that are constant in
+/// memory here, where they would not become vectors.
 template <ElasticForm form, Round round>
 inline void make_trials(const UbcSand& law, const Block& block, TrialBlock& trials, VerdictBlock& verdicts)
 {
     for (std::size_t k = 0; k < width; ++k) {
         const UbcSandState state = block.state(k);
         const Strain remaining = block.strain(k);
-        const Start start = start_of<form>(law, state);
+        Start start = start_of<form>(law, state);
         double fraction = 1.0;
         if constexpr (round == Round::later) {
             fraction = next_fraction(law, start, state, remaining, block.size[k], block.budget[k]);
         }
         const Strain strain = part_of(remaining, fraction);
-        const Trial trial = elastic_trial<Integration::second_order, form>(law, state, start, strain);
+        Trial trial = elastic_trial<Integration::second_order, form>(law, state, start, strain);
         trials.set(k, trial, select(trial.plastic, block.open[k], 0.0));
         verdicts.fraction[k] = fraction;
         verdicts.elastic_event[k] = verdicts.plastic_event[k] = 0.0;

@@ -12,8 +12,7 @@ namespace {
 constexpr double most_shear = 0.08;      // that counts for reconsolidation [-] [YWS06]
 constexpr double liquefied_stress = 0.1; // of s_0, at which sand has liquefied [-]
 constexpr double least_distance = 0.02;  // of root s to root s_0, over the latter [-]
-constexpr double rising_exponent = 1.0;  // of ru until the sand has liquefied [-] [Sha12]
-constexpr double falling_exponent = 8.9; // and from then on [-] [Sha12]
+constexpr double falling_exponent = 8.9; // of ru once the sand has liquefied, 1 before [-] [Sha12]
 
 double mean_stress_of(const UbcSand& law, const Particles& particles, std::size_t p)
 {
@@ -91,8 +90,8 @@ double conductivity_factor(const UbcSand& law, double s, double start_mean, bool
     // counted from the floor, so that sand at the floor floats however little stress it had
     const double lost = start_mean - s, whole = start_mean - law.s_min;
     const double ru = whole > 0.0 ? std::clamp(lost / whole, 0.0, 1.0) : 1.0;
-    const double exponent = has_liquefied ? falling_exponent : rising_exponent;
-    return 1.0 + (law.liquefied_conductivity - 1.0) * std::pow(ru, exponent);
+    const double part = has_liquefied ? std::pow(ru, falling_exponent) : ru;
+    return 1.0 + (law.liquefied_conductivity - 1.0) * part;
 }
 
 } // namespace quicksand
