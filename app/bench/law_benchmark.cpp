@@ -13,7 +13,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::size_t particle_count = 4096;
+constexpr std::size_t particle_count = 1024;
 constexpr int steps_of_a_run = 100;
 constexpr std::size_t runs = 7;
 

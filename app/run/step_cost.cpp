@@ -5,6 +5,8 @@
 #include "app/run/example_folder.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/base/threads.hpp"
+#include "solver/free_field/free_field_steps.hpp"
+#include "solver/run/held_reactions.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/step/stepper.hpp"
 
@@ -18,12 +20,15 @@ namespace {
 
 /// The counter's thread takes all steps; none: instructions are not counted.
 StepCost measure_run(const Problem& problem, double dt, int steps, const InstructionCounter* counter,
-                     State& state, Stepper& stepper)
+                     State& state, FreeFieldSteps& columns, Stepper& stepper)
 {
     stepper.timers() = {};
     if (counter) stepper.timers().executed_instructions = [counter] { return counter->count(); };
     const auto start = std::chrono::steady_clock::now();
-    for (int step = 0; step < steps; ++step) stepper.advance(problem, dt, state);
+    for (int step = 0; step < steps; ++step) {
+        timed(stepper.timers(), Phase::free_field, [&] { columns.advance(problem, dt, state); });
+        stepper.advance(problem, dt, state);
+    }
     StepCost cost;
     cost.time_step = dt;
     cost.total = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / steps;
@@ -45,6 +50,7 @@ SceneSetup set_up_body(const BenchChoice& choice, const std::filesystem::path& s
     words.overrides.insert(words.overrides.end(), overrides.begin(), overrides.end());
     SceneSetup setup = set_up_scene(words, journal);
     begin_shaking(setup.assembled.problem, setup.assembled.state);
+    hold_reactions(setup.assembled.problem, setup.assembled.state);
     return setup;
 }
 
@@ -69,13 +75,16 @@ StepCost measure_step(const Problem& problem, int threads, State& state)
 {
     set_thread_count(threads);
     const std::unique_ptr<Stepper> stepper = make_stepper(problem);
-    const double dt = stable_time_step(problem, state.particles).dt;
+    FreeFieldSteps columns(problem);
+    measure_bounds(problem, state);
+    const double dt = shortest_time_step(problem, state).dt;
+    note_whole_step(dt, state);
     const int steps = steps_of_a_run(state.particles.size());
     const InstructionCounter counter;
     const InstructionCounter* const counting = threads == 1 && counter.works() ? &counter : nullptr;
-    measure_run(problem, dt, std::max(2, steps / 5), counting, state, *stepper);
+    measure_run(problem, dt, std::max(2, steps / 5), counting, state, columns, *stepper);
     std::array<StepCost, measured_runs> costs;
-    for (StepCost& cost : costs) cost = measure_run(problem, dt, steps, counting, state, *stepper);
+    for (StepCost& cost : costs) cost = measure_run(problem, dt, steps, counting, state, columns, *stepper);
     const double resident = resident_bytes();
     std::nth_element(costs.begin(), costs.begin() + measured_runs / 2, costs.end(),
                      [](const StepCost& a, const StepCost& b) { return a.total < b.total; });

@@ -8,14 +8,15 @@
 
 namespace quicksand {
 
-enum class Phase { sort, scatter, momentum, inertia, gather, pore_pressure, motion, stress };
+enum class Phase { free_field, sort, scatter, momentum, inertia, gather, pore_pressure, motion, stress };
 
-inline constexpr std::size_t phase_count = 8;
+inline constexpr std::size_t phase_count = 9;
 
 constexpr const char* name_of(Phase phase)
 {
-    constexpr const char* names[phase_count] = {"sort",   "scatter",       "momentum", "inertia",
-                                                "gather", "pore_pressure", "motion",   "stress"};
+    constexpr const char* names[phase_count] = {"free_field",    "sort",    "scatter",
+                                                "momentum",      "inertia", "gather",
+                                                "pore_pressure", "motion",  "stress"};
     return names[static_cast<std::size_t>(phase)];
 }
 

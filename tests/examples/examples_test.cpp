@@ -108,6 +108,15 @@ TEST(Bench, TellsWhatThePhasesOfAStepCost)
     EXPECT_NE(counted, excused) << outcome.output;
 }
 
+TEST(Bench, TakesTheColumnsOfFreeFieldsAlong)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("bench skip " + example("free_field") +
+                                        " --threads 1 --set grid.cell_size=2 -o " + folder.string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    expect_mention(outcome, "100 %");
+}
+
 TEST(Bench, ComparesTheAnswersOfGrids)
 {
     const WorkFolder folder;
