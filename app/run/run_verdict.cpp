@@ -49,6 +49,18 @@ std::vector<double> turnover(const PictureTable& table)
     return sum;
 }
 
+/// By what the energy errors of the rows count: what is turned over. That with which the run ends counts as
+/// it is, unless next to nothing of the energy is left in the balance.
+std::vector<double> energy_weights(const PictureTable& table)
+{
+    constexpr double next_to_nothing = 0.1;
+    std::vector<double> weights = turnover(table);
+    if (weights.empty()) return weights;
+    const double heaviest = *std::max_element(weights.begin(), weights.end());
+    if (weights.back() >= next_to_nothing * heaviest) weights.back() = heaviest;
+    return weights;
+}
+
 /// Energy put in by each row: what there was at the start, and the largest work from outside so far [J].
 std::vector<double> energy_put_in(const PictureTable& table)
 {
@@ -98,7 +110,7 @@ std::vector<Finding> judge_rows(const PictureTable& table, const std::vector<dou
         const std::vector<double>* values = table.find(criterion.quantity);
         if (values == nullptr) continue;
         if (criterion.quantity == "energy_error") {
-            findings.push_back(judge(criterion, times, *values, turnover(table)));
+            findings.push_back(judge(criterion, times, *values, energy_weights(table)));
         } else if (criterion.quantity == "numerical_loss_J") {
             findings.push_back(judge(criterion, times, loss_ratios(table, *values), energy_put_in(table)));
         } else {

@@ -18,9 +18,9 @@ namespace {
 // turned over in the examples, 0.1 to 0.9 of it in random scenes with sudden loads, resonance of a body with
 // its base, or cavities that close. Implicit steps lose as much where they are not much longer than those of
 // sound; where they are, it is not to be followed.
-constexpr double most_steps_of_sound = 16.0;                  // in an implicit one
-constexpr double energy_damped = 0.02, damped_at_once = 5e-4; // of the energy turned over
-constexpr double energy_made = 0.1;                           // of the energy turned over
+constexpr double most_steps_of_sound = 64.0;                  // in an implicit one
+constexpr double energy_damped = 0.01, damped_at_once = 5e-4; // of the energy turned over
+constexpr double energy_made = 0.1, made_at_once = 0.02;      // of the energy turned over
 constexpr double most_growth = 4.0; // of the kinetic energy from one restart point to the next
 // Of the energy put in: sound runs lose up to 0.8 of it from their start to their end.
 constexpr double energy_lost = 2.0, lost_at_once = 0.1;
@@ -75,6 +75,7 @@ void Watchdog::keep(const Problem& problem, State& state)
 void Watchdog::check_growth(const EnergyBalance& energy, double dt, const State& state) const
 {
     if (energy.kinetic <= most_growth * energy_.kinetic || energy.error() <= energy_made) return;
+    if (energy.residual - energy_.residual <= made_at_once * energy.turnover) return; // made before
     fail("the steps have made energy, " + percentage(energy.error()) +
              " of what was turned over, and the motion grows",
          dt, state);

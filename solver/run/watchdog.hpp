@@ -33,7 +33,7 @@ public:
     /// The same, and where the energy that they made is lost again between particles and grid: a tenth of all
     /// that was ever put in, or is held by stress and water at keep(), since then, and twice of it in all.
     /// Likewise where semi-implicit steps, or implicit ones not much longer than those of sound, have lost
-    /// energy since keep(), and 2 % of what was turned over in all.
+    /// energy since keep(), and 1 % of what was turned over in all.
     void check(const Problem& problem, double dt, const State& state) const;
 
     /// Bring the state back with the remedy of `error`; throws it, with what was tried, where half the step

@@ -32,6 +32,15 @@ TEST(RunVerdict, IsBadWhereMuchMoreIsLostThanWasPutIn)
     EXPECT_EQ(worst_grade(verdict_on(head + "0,0,0,0,0\n1,1,2,10,0\n2,1,8,4,0\n")), Grade::good);
 }
 
+// 5 J are lost of 20 J that are left of 100 J.
+TEST(RunVerdict, TakesTheEnergyErrorAtTheEndAsItIs)
+{
+    const std::string head = "time_s,kinetic_energy_J,energy_error\n", before = "0,0,0\n1,100,1e-3\n";
+    EXPECT_EQ(worst_grade(verdict_on(head + before + "2,20,0.25\n3,90,0.06\n")), Grade::usable);
+    EXPECT_EQ(worst_grade(verdict_on(head + before + "2,20,0.25\n")), Grade::bad);
+    EXPECT_EQ(worst_grade(verdict_on(head + before + "2,2,0.25\n")), Grade::good);
+}
+
 TEST(RunVerdict, CountsTheEnergyAtTheStart)
 {
     const std::string head = "time_s,kinetic_energy_J,numerical_loss_J,storage_energy_water_J\n";

@@ -107,6 +107,21 @@ TEST(Watchdog, TellsThatStepsMakeEnergy)
     }
 }
 
+// Going back would make nothing better.
+TEST(Watchdog, DoesNotBlameStepsForEnergyThatWasMadeBefore)
+{
+    Patch patch(1.0);
+    const double kinetic = monitor(patch.problem, patch.state, {}).kinetic_energy;
+    BalanceTerms& terms = *patch.state.balance_terms;
+    terms.skeleton_work = 25.0 * kinetic; // and nothing did it
+    const Watchdog watchdog(patch.problem, patch.state);
+    patch.state.step = 1;
+    for (double& v : patch.state.particles.velocity_solid.x) v *= 3.0;
+    EXPECT_NO_THROW(watchdog.check_growth(patch.problem, 1e-6, patch.state));
+    terms.skeleton_work += 5.0 * kinetic;
+    EXPECT_THROW(watchdog.check_growth(patch.problem, 1e-6, patch.state), NumericalError);
+}
+
 // It does not grow: the steps make energy, and the transfers lose it at once.
 TEST(Watchdog, TellsThatEnergyIsMadeAndLostAgain)
 {
