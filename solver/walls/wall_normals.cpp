@@ -85,11 +85,14 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
 {
     walls.edges = make_soil_edges(problem, stage);
     walls.divides_water = is_partly_wet(problem);
-    walls.aggregates_soil = !walls.edges.empty() || has_cut_soil(problem);
+    const bool has_solids = stage == Stage::shaking && problem.water && has_soil_and_solids(problem);
+    // slivers of soil get into the cells of a solid as soon as it moves, wherever it was drawn
+    const bool has_slivers = has_solids && problem.strain == StrainForm::large;
+    walls.aggregates_soil = !walls.edges.empty() || has_cut_soil(problem) || has_slivers;
     walls.aggregates_water = walls.divides_water && stage == Stage::shaking &&
                              water_flow(problem) == WaterFlow::coupled &&
                              problem.scheme == TimeScheme::explicit_steps;
-    walls.parts_from_solids = stage == Stage::shaking && problem.water && has_soil_and_solids(problem);
+    walls.parts_from_solids = has_solids;
     walls.any = walls.aggregates_soil || walls.aggregates_water || walls.parts_from_solids;
     if (!walls.any) return;
     for (const WallChain& chain : walls.edges.chains) {
