@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Whether the compiler has made vectors of the soil laws' kernels: python3 tests/vectors.py PROGRAM
 
-Their functions for AVX2, as objdump shows them, must have ten times as many packed operations as scalar ones. Twice
-they had not, without a wrong number anywhere: the law took up to three times as long.
+Their functions for AVX2, as objdump shows them, must have ten times as many packed operations as scalar ones. No number
+shows it where they have not: the laws take up to three times as long.
 """
 import re
 import subprocess
