@@ -1,5 +1,7 @@
 #include "solver/inertia/cell_moduli.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -23,9 +25,27 @@ Moduli mean_moduli(const Material& material, double dt, const Particles& particl
         material.law);
 }
 
-/// Give the cells of a stencil their parts of a volume with the moduli.
-void add_volume(const StoredStencil& stencil, const double* phi, double fraction, const Moduli& moduli,
-                const NodeRows& rows, CellModuli& cells)
+void add_to_cell(double fraction, const Moduli& moduli, double x, double y, StiffnessSums& cell)
+{
+    const double M = fraction * moduli.constrained, Mx = M * x, My = M * y;
+    cell.constrained += M;
+    cell.shear += fraction * moduli.shear;
+    cell.x += Mx;
+    cell.y += My;
+    cell.xx += Mx * x;
+    cell.xy += Mx * y;
+    cell.yy += My * y;
+}
+
+/// From the middle of a cell to that of what a domain has in it, along an axis.
+double place_within(double from_rim, int cell)
+{
+    return std::clamp(from_rim - cell - 0.5, -0.5, 0.5);
+}
+
+/// Give the cells of a stencil their parts of a volume with the moduli; its middle lies `from_rim` [cells].
+void add_volume(const StoredStencil& stencil, const double* phi, const Vector2& from_rim, double fraction,
+                const Moduli& moduli, const NodeRows& rows, std::vector<StiffnessSums>& cells)
 {
     const std::size_t corner =
         rows.place(static_cast<std::size_t>(stencil.column), static_cast<std::size_t>(stencil.row));
@@ -44,9 +64,10 @@ void add_volume(const StoredStencil& stencil, const double* phi, double fraction
     for (int b = 0, k = 0; b + 1 < height; ++b) {
         const std::size_t row = corner + static_cast<std::size_t>(b) * rows.stride;
         for (int a = 0; a + 1 < width; ++a, ++k) {
-            const std::size_t place = row + static_cast<std::size_t>(a);
-            cells.constrained[place] += scale * parts[k] * moduli.constrained;
-            cells.shear[place] += scale * parts[k] * moduli.shear;
+            if (parts[k] == 0.0) continue;
+            add_to_cell(scale * parts[k], moduli, place_within(from_rim.x(), stencil.column + a),
+                        place_within(from_rim.y(), stencil.row + b),
+                        cells[row + static_cast<std::size_t>(a)]);
         }
     }
 }
@@ -65,9 +86,10 @@ std::size_t end_of_run(const Particles& particles, const CellLists& lists, std::
 
 void add_tile(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,
               const Tile& tile, const StencilStore& store, const std::vector<std::uint8_t>& resists,
-              const NodeRows& rows, CellModuli& cells)
+              const NodeRows& rows, std::vector<StiffnessSums>& cells)
 {
     const double per_cell = 1.0 / (problem.grid.cell_size * problem.grid.cell_size);
+    const Vectors& position = place_in_equations(problem, particles);
     const std::size_t first_entry = lists.first_entry(tile);
     for (std::int32_t slot = tile.first_cell; slot < tile.last_cell; ++slot) {
         const auto last = static_cast<std::size_t>(lists.cell_start[static_cast<std::size_t>(slot) + 1]);
@@ -83,24 +105,46 @@ void add_tile(const Problem& problem, double dt, const Particles& particles, con
             const Moduli moduli = mean_moduli(material, dt, particles, p, p + (end - k));
             for (std::size_t q = p; k < end; ++k, ++q) {
                 const StoredStencil& stencil = store.stencils[k - first_entry];
-                add_volume(stencil, store.value.data() + stencil.first, per_cell * particles.volume[q],
-                           moduli, rows, cells);
+                add_volume(stencil, store.value.data() + stencil.first,
+                           problem.grid.cells_from_rim(position[q]), per_cell * particles.volume[q], moduli,
+                           rows, cells);
             }
         }
     }
 }
 
+double square(double x)
+{
+    return x * x;
+}
+
 } // namespace
+
+double eccentricity_factor(const StiffnessSums& cell)
+{
+    const double M = cell.constrained, c = 12.0 / (M + cell.shear), t = (cell.xx + cell.yy) / M;
+    const double s = 0.5 * (t + std::sqrt(square(cell.xx - cell.yy) + 4.0 * square(cell.xy)) / M);
+    const double q = c * ((M - cell.shear) * s + cell.shear * t);
+    const double r2 = (square(cell.x) + square(cell.y)) / (M * M);
+    return std::max(1.0, 0.5 * (1.0 + q + std::sqrt(square(1.0 - q) + 4.0 * c * M * r2)));
+}
 
 void sum_cell_moduli(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,
                      const std::vector<StencilStore>& stencils, const std::vector<std::uint8_t>& resists,
                      const NodeRows& rows, CellModuli& cells)
 {
-    cells.constrained.assign(rows.size(), 0.0);
-    cells.shear.assign(rows.size(), 0.0);
+    cells.sums.assign(rows.size(), {});
     for_each_tile_by_colour(lists, [&](const Tile& tile) {
         add_tile(problem, dt, particles, lists, tile, stencils[static_cast<std::size_t>(tile.number)],
-                 resists, rows, cells);
+                 resists, rows, cells.sums);
+    });
+    cells.constrained.resize(rows.size());
+    cells.shear.resize(rows.size());
+    for_each_index(rows.size(), [&](std::size_t k) {
+        const StiffnessSums& sums = cells.sums[k];
+        const double factor = sums.constrained > 0.0 ? eccentricity_factor(sums) : 0.0;
+        cells.constrained[k] = factor * sums.constrained;
+        cells.shear[k] = factor * sums.shear;
     });
 }
 

@@ -3,8 +3,8 @@
 // On a square cell it does not depend on the size. For the nodes a, b of a cell, the integrals being over the
 // unit square,
 //   K_xx = M int N_a,x N_b,x + G int N_a,y N_b,y        K_xy = (M - 2G) int N_a,x N_b,y + G int N_a,y N_b,x
-// and K_yy, K_yx with x and y exchanged. The mean gradients of particles' domains are softer, so that K
-// bounds the stiffness that particles feel.
+// and K_yy, K_yx with x and y exchanged. The mean gradients of particles' domains are softer and
+// the moduli those of cell_moduli.hpp, so that K bounds the stiffness that particles feel.
 #pragma once
 
 #include "solver/inertia/cell_moduli.hpp"

@@ -8,6 +8,7 @@
 #include "solver/step/two_phase_step.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -84,31 +85,41 @@ void balance_forces(const NodeConditions& conditions, const StiffResponse& respo
     balance(1, &Sums::inertia_force_y);
 }
 
+template <class Workspace, class Visit>
+void for_each_node_with_sums(const Workspace& work, Visit&& visit)
+{
+    for_each_index(work.sums.size(), [&](std::size_t i) {
+        if (work.conditions.master[i] == i && work.sums[i].active()) visit(i, work.inertia->places[i]);
+    });
+}
+
+template <class Workspace>
+void set_change(Workspace& work)
+{
+    InertiaSolve& inertia = *work.inertia;
+    for_each_node_with_sums(work, [&](std::size_t i, std::size_t place) {
+        inertia.change.set(place, solid_velocity(work.motion[i]) - inertia.before[place]);
+    });
+}
+
 /// Correct the force by that of the present change of velocity.
 template <class Workspace>
 void resist(double dt, double velocity_dt, Workspace& work)
 {
     InertiaSolve& inertia = *work.inertia;
-    const auto for_each_node_with_sums = [&](auto&& visit) {
-        for_each_index(work.sums.size(), [&](std::size_t i) {
-            if (work.conditions.master[i] == i && work.sums[i].active()) visit(i, inertia.places[i]);
-        });
-    };
-    for_each_node_with_sums([&](std::size_t i, std::size_t place) {
-        inertia.change.set(place, solid_velocity(work.motion[i]) - inertia.before[place]);
-    });
+    set_change(work);
     multiply_stiffness(-inertia.resistance * dt * velocity_dt, inertia.change, inertia);
-    for_each_node_with_sums([&](std::size_t i, std::size_t place) { // but for what is resisted already
+    for_each_node_with_sums(work, [&](std::size_t i, std::size_t place) { // but for what is resisted already
         inertia.moving.set(place, velocity_dt * inertia_force(work.sums[i]));
         inertia.product.set(place, inertia.product[place] - inertia.moving[place]);
     });
     inertia.response.answer_impulses(inertia.rows, velocity_dt, work.dashpots, inertia.product,
                                      inertia.answer, inertia.moving);
-    for_each_node_with_sums([&](std::size_t, std::size_t place) {
+    for_each_node_with_sums(work, [&](std::size_t, std::size_t place) {
         inertia.change.set(place, inertia.change[place] + inertia.answer[place]);
     });
     multiply_stiffness(-inertia.resistance * dt, inertia.change, inertia);
-    for_each_node_with_sums([&](std::size_t i, std::size_t place) {
+    for_each_node_with_sums(work, [&](std::size_t i, std::size_t place) {
         const auto force = [&](std::size_t axis, const Scalars& moving, const Scalars& product) {
             return inertia.response.is_light(i, axis) ? moving[place] / velocity_dt : product[place];
         };
@@ -143,6 +154,24 @@ void resist_acceleration(double dt, double velocity_dt, SemiImplicitWorkspace& w
 void resist_acceleration(double dt, double velocity_dt, SinglePhaseWorkspace& work)
 {
     resist(dt, velocity_dt, work);
+}
+
+double missing_inertia(double dt, SemiImplicitWorkspace& work)
+{
+    InertiaSolve& inertia = *work.inertia;
+    set_change(work);
+    multiply_stiffness(-inertia.resistance * dt, inertia.change, inertia);
+    double missing = 0.0, largest = 0.0;
+    for (std::size_t i = 0; i < work.sums.size(); ++i) {
+        if (work.conditions.master[i] != i || !work.sums[i].active()) continue;
+        const Vector2 force = inertia_force(work.sums[i]), product = inertia.product[inertia.places[i]];
+        for (const int axis : {0, 1}) {
+            if (inertia.response.is_light(i, static_cast<std::size_t>(axis))) continue;
+            missing = std::max(missing, std::abs(product[axis] - force[axis]));
+            largest = std::max(largest, std::abs(force[axis]));
+        }
+    }
+    return missing > 0.0 ? missing / largest : 0.0;
 }
 
 } // namespace quicksand

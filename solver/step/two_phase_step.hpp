@@ -83,5 +83,8 @@ void set_up_inertia(const Problem& problem, double dt, double velocity_dt, SemiI
 /// Set the inertia forces of work.sums to those of the velocities that the sums' other forces give with them.
 /// work.motion has the velocities that the sums, with the former inertia forces, give over `velocity_dt`.
 void resist_acceleration(double dt, double velocity_dt, SemiImplicitWorkspace& work);
+/// What these forces miss of those of the change of velocity in work.motion, over the largest force [-];
+/// light nodes, which have theirs from the balance of momentum, excepted.
+double missing_inertia(double dt, SemiImplicitWorkspace& work);
 
 } // namespace quicksand

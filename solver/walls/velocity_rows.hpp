@@ -85,6 +85,8 @@ public:
 
     /// Smallest pivot of P, scaled to a diagonal of ones: small where rows nearly repeat each other [-].
     double smallest_pivot() const { return smallest_pivot_; }
+    /// Whether it is so small that rows yield to their multipliers.
+    bool repeat() const;
 
     /// What a row yields by its multiplier where rows nearly repeat each other: c . u + softness multiplier
     /// is its value [m/s per N s].
@@ -166,7 +168,6 @@ private:
     Scalars solve(Scalars right_hand_side) const;
     Scalars correct(bool to_zero, std::vector<NodeVelocities>& velocities) const; // the multipliers
     bool inverses_turn() const;
-    bool repeat() const; // whether some rows nearly say what others do
     bool is_made_for_rows(const Pattern& pattern, bool turns) const;
     void choose_factor(bool turns);
     void find_pattern(bool turns, Factor& factor) const;

@@ -24,6 +24,7 @@
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <random>
 #include <vector>
 
 namespace quicksand {
@@ -217,6 +218,31 @@ TEST(ImplicitStep, RandomMotionDoesNotGrowAtAnyStep)
             for (int k = 0; k < 200; ++k) stepper->advance(problem, dt, state);
             EXPECT_LT(monitor(problem, state, {}).kinetic_energy, 1.05 * before) << conductivity << ' ' << dt;
         }
+    }
+}
+
+TEST(ImplicitStep, DoesNotGrowWherePointsLieAtTheSidesOfCells)
+{
+    Problem problem = patch(1e-4, false);
+    problem.scheme = TimeScheme::implicit;
+    problem.interpolation = Interpolation::linear;
+    problem.boundaries = {};
+    const double h = problem.grid.cell_size;
+    for (const Vector2& place : {Vector2(0.45, 0.0), Vector2(0.45, -0.45)}) { // in cells from the middle
+        State state = fill(problem, 1, [&](const Vector2& x) {
+            return x.x() > 2.0 * h && x.x() < 7.0 * h && x.y() > 2.0 * h && x.y() < 7.0 * h;
+        });
+        std::mt19937 generator(1);
+        std::normal_distribution<double> speed(0.0, 1e-6);
+        Particles& particles = state.particles;
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            particles.position.set(p, particles.position[p] + h * place);
+            particles.velocity_solid.set(p, {speed(generator), speed(generator)});
+        }
+        const double before = monitor(problem, state, {}).kinetic_energy;
+        const std::unique_ptr<Stepper> stepper = make_stepper(problem);
+        for (int k = 0; k < 200; ++k) stepper->advance(problem, 1e-3, state);
+        EXPECT_LT(monitor(problem, state, {}).kinetic_energy, 1.05 * before) << place.transpose();
     }
 }
 
