@@ -47,10 +47,9 @@ double place_within(double from_rim, int cell)
 void add_volume(const StoredStencil& stencil, const double* phi, const Vector2& from_rim, double fraction,
                 const Moduli& moduli, const NodeRows& rows, std::vector<StiffnessSums>& cells)
 {
-    const std::size_t corner =
-        rows.place(static_cast<std::size_t>(stencil.column), static_cast<std::size_t>(stencil.row));
+    constexpr int most = NodeStencil::max_width;
     const int width = stencil.width, height = stencil.height;
-    double parts[NodeStencil::max_width * NodeStencil::max_width];
+    double parts[most * most], x[most];
     double sum = 0.0;
     for (int b = 0, k = 0; b + 1 < height; ++b) {
         for (int a = 0; a + 1 < width; ++a, ++k) {
@@ -61,14 +60,13 @@ void add_volume(const StoredStencil& stencil, const double* phi, const Vector2& 
     }
     if (!(sum > 0.0)) return; // a point on a grid line: its neighbours count
     const double scale = fraction / sum;
-    for (int b = 0, k = 0; b + 1 < height; ++b) {
-        const std::size_t row = corner + static_cast<std::size_t>(b) * rows.stride;
-        for (int a = 0; a + 1 < width; ++a, ++k) {
-            if (parts[k] == 0.0) continue;
-            add_to_cell(scale * parts[k], moduli, place_within(from_rim.x(), stencil.column + a),
-                        place_within(from_rim.y(), stencil.row + b),
-                        cells[row + static_cast<std::size_t>(a)]);
-        }
+    for (int a = 0; a + 1 < width; ++a) x[a] = place_within(from_rim.x(), stencil.column + a);
+    StiffnessSums* row = cells.data() + rows.place(static_cast<std::size_t>(stencil.column),
+                                                   static_cast<std::size_t>(stencil.row));
+    for (int b = 0, k = 0; b + 1 < height; ++b, row += rows.stride) {
+        const double y = place_within(from_rim.y(), stencil.row + b);
+        for (int a = 0; a + 1 < width; ++a, ++k)
+            if (parts[k] > 0.0) add_to_cell(scale * parts[k], moduli, x[a], y, row[a]);
     }
 }
 

@@ -49,5 +49,25 @@ TEST(VelocityRows, ThatNearlyRepeatEachOtherHoldWhatTheyHaveInCommon)
     EXPECT_NEAR(left.y(), 1.0, 0.01);
 }
 
+// Soil above the ground water that reaches a node by its grains alone was left free there: hardly any water
+// answers by other orders than grains.
+TEST(VelocityRows, HoldGrainsBesideHardlyAnyWater)
+{
+    VelocityRows rows;
+    rows.clear(2);
+    rows.begin_followers();
+    for (const NodeVelocities& row :
+         {NodeVelocities(1.0, 0.0, 0.0, 0.0), NodeVelocities(-1.0, 0.0, 1.0, 0.0)}) {
+        rows.begin_row(0.0);
+        rows.add(1, row);
+    }
+    NodeInverse inverse = NodeInverse::Identity();
+    inverse(2, 2) = inverse(3, 3) = 1e20;
+    rows.factorise({inverse});
+    std::vector<NodeVelocities> velocities = {NodeVelocities(1.0, 2.0, 3.0, 4.0)};
+    rows.hold(velocities);
+    EXPECT_NEAR((velocities[0] - NodeVelocities(0.0, 2.0, 0.0, 4.0)).norm(), 0.0, 1e-9);
+}
+
 } // namespace
 } // namespace quicksand
