@@ -28,15 +28,6 @@ std::uint8_t axes_of(const NodeVelocities& c)
                                      (c[1] != 0.0 || c[3] != 0.0 ? 2 : 0));
 }
 
-/// c^T R c of a node that no condition holds: of grains and water apart, which at a node with hardly any
-/// water answer by quite other orders.
-double response_of_free(const NodeInverse& R, const NodeVelocities& c)
-{
-    const NodeVelocities diagonal = R.diagonal();
-    return c.head<2>().squaredNorm() * diagonal.head<2>().maxCoeff() +
-           c.tail<2>().squaredNorm() * diagonal.tail<2>().maxCoeff();
-}
-
 /// beta^T R beta, beta = (1-n, n): flux per force of the pressure.
 Eigen::Matrix2d pressure_compliance(const NodeInverse& R, double n)
 {
@@ -180,7 +171,10 @@ void VelocityRows::fill_matrix()
         const Entry& entry = entries_[k];
         responses_[k] = inverses_[entry.place] * entry.coefficients;
         own[r] += entry.coefficients.dot(responses_[k]);
-        of_free_nodes[r] += response_of_free(inverses_[entry.place], entry.coefficients);
+        const NodeVelocities c = entry.coefficients, R = inverses_[entry.place].diagonal();
+        // apart: where there is hardly any water it answers by other orders than the grains
+        of_free_nodes[r] += c.head<2>().squaredNorm() * R.head<2>().maxCoeff() +
+                            c.tail<2>().squaredNorm() * R.tail<2>().maxCoeff();
     });
     scale_.resize(size());
     for (std::size_t r = 0; r < size(); ++r)
