@@ -33,7 +33,7 @@ void add_side(const Problem& problem, const State& state, const Boundary& bounda
         if (free_field_beyond(problem, {present.start, present.end}) != field) continue;
         const auto [none, xx, xy, yy] = dashpot_of(problem, boundary, {piece, present, particles, p});
         const double height = std::abs(present.end.y() - present.start.y());
-        for_each_loaded_node(problem.grid, present, [&](std::size_t i, double fraction) {
+        for_each_loaded_node(problem.grid, braking_piece(present), [&](std::size_t i, double fraction) {
             if (fraction == 0.0) return;
             const std::size_t row = row_of(problem.grid, i);
             const Vector2 v = rows.velocity[row];

@@ -94,6 +94,17 @@ Impedance impedance(const Problem& problem, const Boundary& boundary, const Part
     return {density * (sealed ? speeds.undrained : speeds.skeleton), density * speeds.shear};
 }
 
+PresentPiece braking_piece(PresentPiece piece)
+{
+    double sum = 0.0;
+    for (double& fraction : piece.fractions) {
+        fraction = std::max(fraction, 0.0);
+        sum += fraction;
+    }
+    for (double& fraction : piece.fractions) fraction /= sum;
+    return piece;
+}
+
 Dashpot dashpot_of(const Problem& problem, const Boundary& boundary, const CarriedPiece& carried)
 {
     const Impedance beyond = impedance(problem, boundary, carried.particles, carried.p);
@@ -114,7 +125,7 @@ void gather_dashpots(const Problem& problem, const Particles& particles, const N
             const std::size_t p = places.find(particles, piece.identifier);
             const PresentPiece present = present_piece(problem, particles, piece, p);
             const auto [none, xx, xy, yy] = dashpot_of(problem, boundary, {piece, present, particles, p});
-            for_each_loaded_node(problem.grid, present, [&](std::size_t i, double fraction) {
+            for_each_loaded_node(problem.grid, braking_piece(present), [&](std::size_t i, double fraction) {
                 if (fraction != 0.0)
                     dashpots.push_back({conditions.master[i], fraction * xx, fraction * xy, fraction * yy});
             });

@@ -38,6 +38,11 @@ struct Dashpot {
 Impedance impedance(const Problem& problem, const Boundary& boundary, const Particles& particles,
                     std::size_t p);
 
+/// Where a piece brakes its nodes: as it loads them, but a piece that lies outside its particle's domain has
+/// negative fractions of a load for some corners, where a dashpot would drive the soil. They become zero, and
+/// the others smaller so that they add up to 1.
+PresentPiece braking_piece(PresentPiece piece);
+
 /// The dashpots of a piece as a whole; its node is not set.
 Dashpot dashpot_of(const Problem& problem, const Boundary& boundary, const CarriedPiece& carried);
 

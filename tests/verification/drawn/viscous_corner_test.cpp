@@ -1,9 +1,11 @@
 // Soil that reaches beyond the end of its viscous base, in a face that overhangs: what held it at rest.
+#include "solver/boundaries/viscous_boundary.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quicksand {
 namespace {
@@ -79,6 +81,74 @@ TEST(ViscousCorner, IsHeldAtRestByForcesAsLargeAsTheWeightWhichDoNoWork)
             EXPECT_LT(largest_of(soil.state.reactions.y), 0.3 * weight) << scheme << " " << base;
         }
     }
+}
+
+/// A block of one particle by two a cell, whose left side lies on stiff rock.
+AssembledCase leaning_block(const std::string& interpolation)
+{
+    const std::string text = R"([analysis]
+interpolation = ")" + interpolation +
+                             R"("
+scheme = "explicit"
+[sampling]
+particles_per_cell = [1, 2]
+[materials.soil]
+model = "linear_elastic"
+porosity = 0.4
+shear_modulus = 5e7
+poisson_ratio = 0.3
+[regions.soil]
+material = "soil"
+[boundaries.base]
+soil = "fixed"
+[boundaries.left]
+soil = "viscous"
+rock_density = 2500.0
+rock_shear_wave_speed = 1000.0
+rock_compression_wave_speed = 2500.0
+[boundaries.surface]
+soil = "free"
+pressure = 1e4
+ramp_time = 0.02
+[relaxation]
+)";
+    return assemble(
+        scene_with(1.0, {-6.0, 0.0}, 18, 8, text),
+        polygon_section(
+            {{{0.0, 0.4}, "base"}, {{6.0, 0.4}, ""}, {{6.0, 5.6}, "surface"}, {{-3.7, 6.4}, "left"}}));
+}
+
+// Pieces of the side lie up to five half edges outside the domains that carry them: they drove the soil.
+TEST(ViscousCorner, BrakesEveryNodeAndByTheWholeSide)
+{
+    const AssembledCase soil = leaning_block("cpdi2");
+    ParticlePlaces places;
+    std::vector<Dashpot> dashpots;
+    gather_dashpots(soil.problem, soil.state.particles, node_conditions(soil.problem, Stage::shaking), places,
+                    dashpots);
+    ASSERT_FALSE(dashpots.empty());
+    double trace = 0.0;
+    for (const auto& [node, xx, xy, yy] : dashpots) {
+        EXPECT_GE(std::min(xx, yy), 0.0) << node;
+        EXPECT_GE(xx * yy - xy * xy, -1e-9 * xx * yy) << node;
+        trace += xx + yy;
+    }
+    EXPECT_NEAR(trace, 2500.0 * (2500.0 + 1000.0) * std::hypot(3.7, 6.0), 1e-6 * trace);
+}
+
+TEST(ViscousCorner, MovesUnderALoadBesideStiffRockAsInOtherDomains)
+{
+    const auto fastest = [](const std::string& interpolation) {
+        AssembledCase soil = leaning_block(interpolation);
+        soil.problem.gravity = 0.0;
+        run(soil.problem, 0.1, {}, soil.state);
+        double speed = 0.0;
+        for (std::size_t p = 0; p < soil.state.particles.size(); ++p)
+            speed = std::max(speed, soil.state.particles.velocity_solid[p].norm());
+        return speed;
+    };
+    const double expected = fastest("cpdi");
+    EXPECT_NEAR(fastest("cpdi2"), expected, 0.05 * expected);
 }
 
 } // namespace
