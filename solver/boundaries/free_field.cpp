@@ -31,15 +31,14 @@ void add_side(const Problem& problem, const State& state, const Boundary& bounda
         const std::size_t p = places.find(particles, piece.identifier);
         const PresentPiece present = present_piece(problem, particles, piece, p);
         if (free_field_beyond(problem, {present.start, present.end}) != field) continue;
-        const auto [none, xx, xy, yy] = dashpot_of(problem, boundary, {piece, present, particles, p});
+        const Dashpot whole = dashpot_of(problem, boundary, {piece, present, particles, p});
         const double height = std::abs(present.end.y() - present.start.y());
         for_each_loaded_node(problem.grid, braking_piece(present), [&](std::size_t i, double fraction) {
             if (fraction == 0.0) return;
             const std::size_t row = row_of(problem.grid, i);
             const Vector2 v = rows.velocity[row];
-            if (absorbs_waves(boundary.soil))
-                side.dashpots.push_back(
-                    {i, fraction * Vector2(xx * v.x() + xy * v.y(), xy * v.x() + yy * v.y()), 0.0});
+            const Vector2 drive(whole.xx * v.x() + whole.xy * v.y(), whole.xy * v.x() + whole.yy * v.y());
+            if (absorbs_waves(boundary.soil)) side.dashpots.push_back({i, fraction * drive, 0.0});
             side.lengths.emplace_back(i, fraction * height);
             side.row_lengths[row] += fraction * height;
         });

@@ -124,10 +124,11 @@ void gather_dashpots(const Problem& problem, const Particles& particles, const N
         for (const BoundaryPiece& piece : boundary.pieces) {
             const std::size_t p = places.find(particles, piece.identifier);
             const PresentPiece present = present_piece(problem, particles, piece, p);
-            const auto [none, xx, xy, yy] = dashpot_of(problem, boundary, {piece, present, particles, p});
+            const Dashpot whole = dashpot_of(problem, boundary, {piece, present, particles, p});
             for_each_loaded_node(problem.grid, braking_piece(present), [&](std::size_t i, double fraction) {
                 if (fraction != 0.0)
-                    dashpots.push_back({conditions.master[i], fraction * xx, fraction * xy, fraction * yy});
+                    dashpots.push_back({conditions.master[i], fraction * whole.xx, fraction * whole.xy,
+                                        fraction * whole.yy});
             });
         }
     }
