@@ -89,9 +89,10 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
     // slivers of soil get into the cells of a solid as soon as it moves, wherever it was drawn
     const bool has_slivers = has_solids && problem.strain == StrainForm::large;
     walls.aggregates_soil = !walls.edges.empty() || has_cut_soil(problem) || has_slivers;
-    walls.aggregates_water =
+    const bool divides_pressures =
         walls.divides_water && stage == Stage::shaking && water_flow(problem) == WaterFlow::coupled;
-    walls.parts_from_solids = has_solids;
+    walls.aggregates_water = divides_pressures && problem.scheme == TimeScheme::explicit_steps;
+    walls.parts_from_solids = has_solids || (divides_pressures && !walls.aggregates_water);
     walls.any = walls.aggregates_soil || walls.aggregates_water || walls.parts_from_solids;
     if (!walls.any) return;
     for (const WallChain& chain : walls.edges.chains) {

@@ -37,10 +37,10 @@ struct WallRows {
     bool any = false;              // whether the scene has rows at all
     bool aggregates_soil = false;  // cells that soil fills badly have roots
     /// So have those that hold little water, where soil above the water table is dry: explicit steps would be
-    /// short without bound where almost no water reaches a node, and the strain of a cell of dry soil would
-    /// set the pressure of the little water in it.
+    /// short without bound where almost no water reaches a node. Implicit pressure and drag are stable there.
     bool aggregates_water = false;
-    /// Solids lie beside soil whose water has a pressure: cells that both share have roots, for the pressure.
+    /// Solids, or dry soil in implicit pressures, lie beside soil whose water has a pressure: cells that both
+    /// share have roots, for the pressure. The strain of the whole cell would set that of little water.
     bool parts_from_solids = false;
     bool divides_water = false; // wet and other particles meet: their normals differ
     WallContacts contacts;
