@@ -97,6 +97,12 @@ public:
     /// The problem with the scheme of the steps that are taken.
     const Problem& form() const { return *form_; }
 
+    /// That whose steps hit the times of observers as the step that is due does, whichever kind it becomes.
+    const Problem& form_of_events(const State& state) const
+    {
+        return state.step < state.explicit_end ? explicit_form_ : *form_;
+    }
+
     /// The step of that kind, or the explicit one that the watchdog asks for.
     TimeStep choose(double event, State& state)
     {
@@ -178,7 +184,7 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
     while (state.time < end_time) {
         try {
             steps.choose_kind(state);
-            const double event = next_event(steps.form(), observers, end_time);
+            const double event = next_event(steps.form_of_events(state), observers, end_time);
             report.time_step = steps.choose(event, state);
             show_start(steps.form(), observers, state, std::min(event, state.time + report.time_step.dt));
             steps.take(report.time_step.dt, event, state);

@@ -259,7 +259,9 @@ public:
     }
     void observe(const Problem&, const State& state, const StepReport&) override
     {
-        for (; next_time() <= state.time; ++count_) EXPECT_LE(start_, next_time());
+        const double start = steps.empty() ? 0.0 : steps.back();
+        EXPECT_TRUE(next_time() == state.time || start_ == start) << "the step's start was not shown";
+        for (; next_time() <= state.time; ++count_) EXPECT_FALSE(start_ > next_time());
     }
     void after_step(const StepReport& report) override { steps.push_back(report.time); }
 
@@ -268,7 +270,7 @@ public:
 private:
     double interval_;
     bool looks_into_;
-    double start_ = 0.0;
+    double start_ = NAN; // of the step that was shown last [s]
     int count_ = 0;
 };
 
@@ -290,6 +292,18 @@ TEST(ImplicitStep, IsNotShortenedForThoseWhoLookIntoIt)
     const double interval = 0.3 * (alone[1] - alone[0]);
     EXPECT_EQ(steps_seen_by({{interval, true}, {4.7 * interval, true}}), alone);
     EXPECT_GT(steps_seen_by({{interval, false}}).size(), 3 * alone.size());
+}
+
+TEST(ImplicitStep, ShowsItsStartOrHitsTheTimeWhereExplicitStepsTakeItsPlace)
+{
+    Problem problem = patch(1e-4, true);
+    problem.scheme = TimeScheme::implicit;
+    State state = restless(problem);
+    const double dt = stable_time_step(problem, state).dt;
+    state.explicit_end = 50; // as the watchdog asks for
+    Onlooker onlooker(0.013 * dt, true);
+    run(problem, 2.0 * dt, {&onlooker}, state);
+    EXPECT_GT(onlooker.steps.size(), 50U);
 }
 
 TEST(ImplicitStep, GrowsPastStepsThatWereShortened)
