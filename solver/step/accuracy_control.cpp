@@ -198,7 +198,8 @@ TimeStep accurate_time_step(const Problem& problem, double time, double last_ste
         limit({reach / extremes.shear_speed, TimeStepLimiter::inertia, ""});
         limit(at_least_wave(resolving_step(problem, time), TimeStepLimiter::shaking));
     } else {
-        limit(at_least_wave(step_growth * last_step, TimeStepLimiter::growth));
+        const double grown = step_growth * (last_step > 0.0 ? last_step : wave_step);
+        limit({grown, TimeStepLimiter::growth, ""});
         limit(at_least_wave(pressure_step(particles), TimeStepLimiter::pressure));
         limit(at_least_wave(resolving_step_of_histories(problem, time), TimeStepLimiter::shaking));
     }

@@ -84,6 +84,22 @@ TEST(AccuracyControl, GrowsStepsWhileALoadRisesSlowlyAndResolvesIt)
     EXPECT_EQ(longest.limiter, TimeStepLimiter::shaking);
 }
 
+// As after steps that the watchdog has made shorter: pressures go on at their rate in a step, and a step of
+// many times the last one carried them far beyond.
+TEST(AccuracyControl, GrowsFromTheLastStepHoweverShort)
+{
+    Problem problem = under_load({ConstantHistory{}, 0.0});
+    problem.grid = {{0.0, 0.0}, 0.5, 4, 4};
+    problem.materials = {stiff_sand()};
+    problem.scheme = TimeScheme::implicit;
+    State state = fill(problem, 2, [](const Vector2& x) { return x.norm() < 1.0; });
+    const double first = stable_time_step(problem, state, 1.0).dt;
+    state.whole_step = 0.01 * first;
+    const TimeStep next = stable_time_step(problem, state, 1.0);
+    EXPECT_DOUBLE_EQ(next.dt, step_growth * state.whole_step);
+    EXPECT_EQ(next.limiter, TimeStepLimiter::growth);
+}
+
 // Soft soil in cells so wide that its waves would take longer than the load.
 TEST(AccuracyControl, BoundsTheStepsOfEveryScheme)
 {
