@@ -151,7 +151,8 @@ std::string explain_bad_verdict(const std::vector<Finding>& findings)
     for (const Finding& finding : findings)
         if (finding.grade == Grade::bad) text += "\n  " + what_is_wrong(finding);
     return text + "\nlikely causes: a time step that is too long for the soil (try half of it, "
-                  "analysis.step_share), domains that are torn";
+                  "analysis.step_share), domains that are torn, a start out of equilibrium or motion above "
+                  "the frequencies that the cells resolve (quicksand check tells both)";
 }
 
 } // namespace quicksand
