@@ -371,7 +371,11 @@ void aggregate_cells(const CellLists& lists, const std::vector<AggregatedCell>& 
     CellLists& result = merged.lists;
     std::vector<std::int32_t> slot_of(lists.cell_of_slot.size());
     for (std::size_t s = 0; s < slot_of.size(); ++s) slot_of[s] = static_cast<std::int32_t>(s);
-    for (const AggregatedCell& cell : aggregated) slot_of[static_cast<std::size_t>(cell.slot)] = cell.root;
+    result.enlargement.assign(aggregated.empty() ? 0 : slot_of.size(), Enlargement::none);
+    for (const AggregatedCell& cell : aggregated) {
+        slot_of[static_cast<std::size_t>(cell.slot)] = cell.root;
+        result.enlargement[static_cast<std::size_t>(cell.root)] = Enlargement::by_edges;
+    }
     result.cell_start.assign(lists.cell_start.size(), 0);
     for (std::size_t s = 0; s < slot_of.size(); ++s)
         result.cell_start[static_cast<std::size_t>(slot_of[s]) + 1] +=

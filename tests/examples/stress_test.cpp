@@ -40,6 +40,19 @@ TEST(Stress, ARandomSceneRunsAgainByHand)
     EXPECT_EQ(read_file(folder / "again/history.csv"), read_file(folder / (row + "/results/history.csv")));
 }
 
+// Random scenes that steps have failed in: little water below dry soil whose pressure had a slope, and a
+// sudden pressure of water at the start of implicit steps.
+TEST(Stress, RandomScenesThatFailedOnceKeepTheirEnergy)
+{
+    for (const std::string rows : {"random/1-0103 --seed 1", "random/31337-0396 --seed 31337"}) {
+        const WorkFolder folder;
+        const Outcome outcome = run_program("stress --random 396 -o " + folder.string() + " " + rows);
+        EXPECT_EQ(outcome.code, 0) << outcome.output;
+        EXPECT_EQ(outcome.output.find(" bad"), std::string::npos) << outcome.output;
+        EXPECT_EQ(outcome.output.find(" stopped"), std::string::npos) << outcome.output;
+    }
+}
+
 TEST(Stress, ARowThatTakesTooLongIsEnded)
 {
     const WorkFolder folder;

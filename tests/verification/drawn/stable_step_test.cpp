@@ -1,4 +1,6 @@
 // The step that the program chooses bears random motion in bodies that the grid cuts anywhere.
+#include "solver/measure/balances.hpp"
+#include "solver/run/simulation.hpp"
 #include "solver/step/stepper.hpp"
 #include "solver/vibration/step_bound.hpp"
 #include "tests/fixtures/drawn_section.hpp"
@@ -6,7 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
+#include <string>
 
 namespace quicksand {
 namespace {
@@ -98,6 +102,25 @@ TEST(StableStep, IsCloseToTheLimitOfSoilThatIsNearlyIncompressible)
     for (const double degrees : {0.0, 17.0}) {
         EXPECT_LT(growth_in(turned_column(degrees, 0.3, keys), 1.0), 1.0) << degrees;
         EXPECT_GT(growth_in(turned_column(degrees, 0.3, keys), 1.5), 1.0) << degrees;
+    }
+}
+
+// Cells in the tip have the pressure of another one, with a slope over both. Its force made motion grow that
+// the grid's nodes do not know of, from whatever moves the body: here it begins out of equilibrium.
+TEST(StableStep, BearsASlopeOfPressureOverTheTipOfAWedge)
+{
+    const std::string soil = "model = \"linear_elastic\"\nshear_modulus = \"50 MPa\"\npoisson_ratio = 0.3\n";
+    const std::string tables = section_in_water(3, "semi_implicit", "20.0", soil) + "[initial]\nk0 = 0.6\n";
+    for (const double offset : {0.0, 0.3, 0.6}) {
+        AssembledCase wedge = assemble(
+            scene_with(1.0, {-1.0 + offset, -1.0 + 0.7 * offset}, 14, 8, tables),
+            polygon_section(
+                {{{0.0, 0.0}, "base"}, {{10.0, 0.0}, "right"}, {{2.5522, 4.3}, ""}, {{0.0, 4.3}, "left"}}));
+        begin_shaking(wedge.problem, wedge.state);
+        open_balances(wedge.problem, wedge.state);
+        run(wedge.problem, 1.5, {}, wedge.state);
+        EXPECT_EQ(wedge.state.times_halved, 0) << offset;
+        EXPECT_LT(std::abs(balance(wedge.problem, wedge.state).energy_error), 0.01) << offset;
     }
 }
 
