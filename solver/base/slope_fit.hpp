@@ -19,15 +19,15 @@ struct SlopeFit {
         y += apart.y() * difference;
     }
 
-    /// The slope; along the one line that the neighbours lie on when they do not span the plane [quantity/m].
+    /// The slope; along the one line that the neighbours lie on when they hardly span the plane. The slope
+    /// across a line that is nearly straight, as of cells in one row, would be many times that along it
+    /// [quantity/m].
     Vector2 slope(double cell_size) const
     {
-        constexpr double spans = 1e-2; // of a cell's size to the fourth
-        const double determinant = xx * yy - xy * xy;
-        if (determinant > spans * cell_size * cell_size * cell_size * cell_size) {
+        constexpr double width = 0.05; // squared, of what spans the plane [cells]
+        const double determinant = xx * yy - xy * xy, trace = xx + yy;
+        if (determinant > width * cell_size * cell_size * trace) // the product and the sum of the moments
             return Vector2(yy * x - xy * y, xx * y - xy * x) / determinant;
-        }
-        const double trace = xx + yy;
         return trace > 0.0 ? Vector2(x / trace, y / trace) : Vector2(0.0, 0.0);
     }
 };

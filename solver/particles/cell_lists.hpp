@@ -23,13 +23,6 @@ struct Tile {
     std::int32_t last_cell = 0;
 };
 
-/// Why the particles of other cells are in a cell's list.
-enum class Enlargement : std::uint8_t {
-    none,
-    by_edges,       // soil hardly fills them
-    by_little_water // saturated soil hardly fills them, below dry soil
-};
-
 struct CellLists {
     static constexpr int tile_cells = 8;
 
@@ -38,7 +31,7 @@ struct CellLists {
     std::vector<std::int32_t> cell_of_particle; // slot of the cell of the particle's centre [-]
     std::vector<std::int32_t> cell_start;       // slot -> first entry of `order`; one more than slots [-]
     std::vector<std::int32_t> order;            // particles, cell by cell [-]
-    std::vector<Enlargement> enlargement;       // by slot; none without enlarged cells
+    std::vector<std::uint8_t> takes_others;     // by slot: has particles of other cells; none: no slot does
     std::vector<Tile> tiles;                    // by number
     std::array<std::vector<Tile>, 4> tiles_of_colour;
     std::vector<std::int32_t> scratch; // buffer of the counting sort
@@ -54,10 +47,8 @@ struct CellLists {
         return static_cast<std::size_t>(cell_start[static_cast<std::size_t>(tile.last_cell)]);
     }
 
-    Enlargement enlargement_of(std::size_t slot) const
-    {
-        return enlargement.empty() ? Enlargement::none : enlargement[slot];
-    }
+    /// Whether badly filled cells are aggregated with that of a slot.
+    bool is_root(std::size_t slot) const { return !takes_others.empty() && takes_others[slot] != 0; }
 };
 
 /// Lists for a grid, still without particles.

@@ -43,23 +43,6 @@ void keep_reference_weights(const Problem& problem, double dt, State& state, Ste
     work.stencils_are_kept = true;
 }
 
-/// Tell which cells have the pressure of others that soil fills, but not saturated soil.
-void tell_little_water(const WallRows& walls, const std::vector<std::uint8_t>& solids, CellLists& shared)
-{
-    const auto is_filled = [&](std::size_t slot) {
-        const auto cell = static_cast<std::size_t>(shared.cell_of_slot[slot]);
-        return !walls.aggregates_soil || walls.roots.filling[cell] == Filling::good;
-    };
-    for (const AggregatedCell& cell : walls.shared_pressures())
-        shared.enlargement[static_cast<std::size_t>(cell.root)] = Enlargement::by_edges;
-    for (const AggregatedCell& cell : walls.shared_pressures()) {
-        const auto slot = static_cast<std::size_t>(cell.slot);
-        const bool holds_solid = !solids.empty() && solids[slot] != 0;
-        if (is_filled(slot) && !holds_solid)
-            shared.enlargement[static_cast<std::size_t>(cell.root)] = Enlargement::by_little_water;
-    }
-}
-
 } // namespace
 
 void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
@@ -123,12 +106,10 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
         find_roots(problem, work.conditions, work.lists, state.particles, {}, walls.roots);
         aggregate_cells(work.lists, walls.roots.aggregated, work.aggregated_lists);
     }
-    const std::vector<std::uint8_t> solids = slots_with_solids(problem, work.lists, state.particles);
     if (walls.aggregates_water || walls.parts_from_solids)
-        find_roots(problem, work.conditions, work.wet_lists, state.particles, solids, walls.wet_roots);
-    if (!work.partly_wet) return;
-    aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);
-    tell_little_water(walls, solids, work.aggregated_wet_lists.lists);
+        find_roots(problem, work.conditions, work.wet_lists, state.particles,
+                   slots_with_solids(problem, work.lists, state.particles), walls.wet_roots);
+    if (work.partly_wet) aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);
 }
 
 } // namespace quicksand

@@ -371,10 +371,10 @@ void aggregate_cells(const CellLists& lists, const std::vector<AggregatedCell>& 
     CellLists& result = merged.lists;
     std::vector<std::int32_t> slot_of(lists.cell_of_slot.size());
     for (std::size_t s = 0; s < slot_of.size(); ++s) slot_of[s] = static_cast<std::int32_t>(s);
-    result.enlargement.assign(aggregated.empty() ? 0 : slot_of.size(), Enlargement::none);
+    result.takes_others.assign(aggregated.empty() ? 0 : slot_of.size(), 0);
     for (const AggregatedCell& cell : aggregated) {
         slot_of[static_cast<std::size_t>(cell.slot)] = cell.root;
-        result.enlargement[static_cast<std::size_t>(cell.root)] = Enlargement::by_edges;
+        result.takes_others[static_cast<std::size_t>(cell.root)] = 1;
     }
     result.cell_start.assign(lists.cell_start.size(), 0);
     for (std::size_t s = 0; s < slot_of.size(); ++s)

@@ -120,14 +120,12 @@ Vector2 pressure_slope(const Problem& problem, Slopes slopes, const CellLists& l
     return fit.slope(problem.grid.cell_size);
 }
 
-/// Whether the pressure of a cell must be flat. Beside a solid slopes are stable with 0.4 of a cell more and
-/// not with 0.5; over little water below dry soil no slope is that was tried.
-bool must_be_flat(const Problem& problem, Enlargement enlargement, double volume)
+/// Whether a cell beside a solid has so much soil of others besides its own that its pressure must be flat:
+/// the force of a slope on the means (new_part_of_slopes) grows with the square of its length. With 0.4 of a
+/// cell more it is stable, with 0.5 it is not.
+bool is_enlarged(const Problem& problem, double volume)
 {
-    constexpr double most = 1.4; // [cells]
-    if (enlargement == Enlargement::none) return false;
-    return enlargement == Enlargement::by_little_water ||
-           (has_soil_and_solids(problem) && volume > most * problem.grid.cell_size * problem.grid.cell_size);
+    return volume > 1.4 * problem.grid.cell_size * problem.grid.cell_size;
 }
 
 /// dp of a tile's cells from divergence(p) of the flux [1/s].
@@ -301,8 +299,7 @@ void follow_solved_pressure(double dt, const CellLists& lists, const Tile& tile,
         const double increment = solved.increment[slot];
         const double rate = (increment + solved.expected[slot] / acting_weight) / dt; // r + b (dp/dt - r)
         const double change = (increment + solved.expected[slot]) / acting_weight;    // dp without deficit
-        const bool is_whole = lists.enlargement_of(slot) == Enlargement::none;
-        const double new_part = is_whole ? new_part_of_slopes : new_part_where_enlarged;
+        const double new_part = lists.is_root(slot) ? new_part_of_long_slopes : new_part_of_slopes;
         means.sloping_pressure[slot] = means.pore_pressure[slot] - (1.0 - new_part) * (change - increment);
         for (std::size_t k = first; k < last; ++k)
             particles.pore_pressure_rate[static_cast<std::size_t>(lists.order[k])] = rate;
@@ -314,10 +311,11 @@ void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, c
 {
     const Vectors& place = place_in_equations(problem, particles);
     const bool cavitates = problem.water->cavitation_pressure.has_value();
+    const bool has_solids = has_soil_and_solids(problem);
     const Slopes slopes = slopes_of(problem);
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
         const Vector2 centre = means.centre[slot];
-        const Vector2 slope = must_be_flat(problem, lists.enlargement_of(slot), means.volume[slot])
+        const Vector2 slope = has_solids && is_enlarged(problem, means.volume[slot])
                                   ? Vector2::Zero()
                                   : pressure_slope(problem, slopes, lists, means, sloping, slot);
         for (std::size_t k = first; k < last; ++k) {

@@ -34,7 +34,7 @@ inline constexpr double new_part_of_slopes = 0.4;
 /// The same in cells with which badly filled ones are aggregated, where slopes act over a greater length: in
 /// the tip of a wedge of 30 degrees random motion grows with 0.2 and, of water that hardly flows, with 0; it
 /// decays with -0.2 [-].
-inline constexpr double new_part_where_enlarged = -0.5;
+inline constexpr double new_part_of_long_slopes = -0.5;
 
 /// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
 struct CellMeans {
