@@ -97,16 +97,13 @@ public:
     /// The problem with the scheme of the steps that are taken.
     const Problem& form() const { return *form_; }
 
-    /// That whose steps hit the times of observers as the step that is due does, whichever kind it becomes.
-    const Problem& form_of_events(const State& state) const
-    {
-        return state.step < state.explicit_end ? explicit_form_ : *form_;
-    }
-
     /// The step of that kind, or the explicit one that the watchdog asks for.
-    TimeStep choose(double event, State& state)
+    /// `event_of` is the time that steps of a form must hit.
+    template <class EventOf>
+    TimeStep choose(EventOf&& event_of, State& state)
     {
-        if (state.step < state.explicit_end) return choose_explicit(event, state);
+        if (state.step < state.explicit_end) return choose_explicit(event_of, state);
+        const double event = event_of(*form_);
         return replaced_ ? choose_wave_step(*wave_form_, replaced_->dt, event, state)
                          : choose_step(problem_, event, state);
     }
@@ -133,9 +130,10 @@ public:
     std::int64_t limited_domains() const { return stepper_->limited_domains(); }
 
 private:
-    TimeStep choose_explicit(double event, State& state)
+    template <class EventOf>
+    TimeStep choose_explicit(EventOf&& event_of, State& state)
     {
-        TimeStep step = choose_step(explicit_form_, event, state);
+        TimeStep step = choose_step(explicit_form_, event_of(explicit_form_), state);
         if (step.limiter == TimeStepLimiter::wave) step.limiter = TimeStepLimiter::sound;
         // forces act from the middle of the last step on: over a long interval pressures have to be implicit
         constexpr double most_shrinking = 0.5;
@@ -143,7 +141,7 @@ private:
             std::ldexp(most_shrinking * state.last_step, -static_cast<int>(state.step_halvings));
         change_over(step.dt >= least ? explicit_form_ : problem_);
         step.scheme = form_->scheme;
-        if (step.dt < least) step.dt = std::min(least, event - state.time);
+        if (step.dt < least) step.dt = std::min(least, event_of(*form_) - state.time);
         return step;
     }
 
@@ -184,8 +182,9 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
     while (state.time < end_time) {
         try {
             steps.choose_kind(state);
-            const double event = next_event(steps.form_of_events(state), observers, end_time);
-            report.time_step = steps.choose(event, state);
+            const auto event_of = [&](const Problem& form) { return next_event(form, observers, end_time); };
+            report.time_step = steps.choose(event_of, state);
+            const double event = event_of(steps.form());
             show_start(steps.form(), observers, state, std::min(event, state.time + report.time_step.dt));
             steps.take(report.time_step.dt, event, state);
             report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
