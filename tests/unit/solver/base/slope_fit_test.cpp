@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <vector>
 
 namespace quicksand {
@@ -36,10 +37,12 @@ TEST(SlopeFit, GoesAlongARowOfCells)
 // other.
 TEST(SlopeFit, IsNoneAcrossARowThatIsNotQuiteStraight)
 {
-    SlopeFit bent;
-    bent.add({-h, 0.1 * h}, 1.0);
-    bent.add({h, 0.1 * h}, 1.0);
-    EXPECT_LT(bent.slope(h).norm(), 0.11 / h);
+    for (const double angle : {0.0, 0.5, 1.2, 2.4}) {
+        SlopeFit bent;
+        bent.add(Eigen::Rotation2Dd(angle) * Vector2(-h, 0.1 * h), 1.0);
+        bent.add(Eigen::Rotation2Dd(angle) * Vector2(h, 0.1 * h), 1.0);
+        EXPECT_LT(bent.slope(h).norm(), 0.11 / h) << angle;
+    }
 }
 
 } // namespace
