@@ -11,6 +11,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <vector>
 
 namespace quicksand {
 namespace {
@@ -111,17 +112,21 @@ TEST(StableStep, BearsASlopeOfPressureOverTheTipOfAWedge)
 {
     const std::string soil = "model = \"linear_elastic\"\nshear_modulus = \"50 MPa\"\npoisson_ratio = 0.3\n";
     const std::string tables = section_in_water(3, "semi_implicit", "20.0", soil) + "[initial]\nk0 = 0.6\n";
-    for (const double offset : {0.0, 0.3, 0.6}) {
-        AssembledCase wedge = assemble(
-            scene_with(1.0, {-1.0 + offset, -1.0 + 0.7 * offset}, 14, 8, tables),
-            polygon_section(
-                {{{0.0, 0.0}, "base"}, {{10.0, 0.0}, "right"}, {{2.5522, 4.3}, ""}, {{0.0, 4.3}, "left"}}));
-        begin_shaking(wedge.problem, wedge.state);
-        open_balances(wedge.problem, wedge.state);
-        run(wedge.problem, 1.5, {}, wedge.state);
-        EXPECT_EQ(wedge.state.times_halved, 0) << offset;
-        EXPECT_LT(std::abs(balance(wedge.problem, wedge.state).energy_error), 0.01) << offset;
-    }
+    const std::vector<NamedCorner> to_right = {
+        {{0.0, 0.0}, "base"}, {{10.0, 0.0}, "right"}, {{2.5522, 4.3}, ""}, {{0.0, 4.3}, "left"}};
+    const std::vector<NamedCorner> to_left = {
+        {{0.0, 0.0}, "base"}, {{10.0, 0.0}, "right"}, {{10.0, 4.3}, ""}, {{7.4478, 4.3}, "left"}};
+    for (const auto& corners : {to_right, to_left})
+        for (const double offset : {0.0, 0.3, 0.6}) {
+            AssembledCase wedge =
+                assemble(scene_with(1.0, {-1.0 + offset, -1.0 + 0.7 * offset}, 14, 8, tables),
+                         polygon_section(corners));
+            begin_shaking(wedge.problem, wedge.state);
+            open_balances(wedge.problem, wedge.state);
+            run(wedge.problem, 1.5, {}, wedge.state);
+            EXPECT_EQ(wedge.state.times_halved, 0) << offset;
+            EXPECT_LT(std::abs(balance(wedge.problem, wedge.state).energy_error), 0.01) << offset;
+        }
 }
 
 } // namespace
