@@ -37,6 +37,13 @@ private:
 PresentPiece present_piece(const Problem& problem, const Particles& particles, const BoundaryPiece& piece,
                            std::size_t p);
 
+/// What lies beyond a curve does this to a node; a node can have several.
+struct NodalForce {
+    std::size_t node = 0;
+    Vector2 grains = Vector2::Zero();  // of loads, held reactions, the ground beyond [N/m]
+    Vector2 mixture = Vector2::Zero(); // of the water beyond: (1 - n) on the grains, n on the water [N/m]
+};
+
 /// Call add(node, fraction) for the nodes that a piece's load acts on; the fractions add up to 1.
 template <class Add>
 void for_each_loaded_node(const BackgroundGrid& grid, const PresentPiece& piece, Add&& add);

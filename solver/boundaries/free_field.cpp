@@ -11,7 +11,7 @@ namespace {
 
 /// What the nodes carry of the sides along one free field.
 struct SideNodes {
-    std::vector<GroundForce> dashpots;                   // their part with the velocity of the ground [N/m]
+    std::vector<NodalForce> dashpots;                    // their part with the velocity of the ground [N/m]
     std::vector<std::pair<std::size_t, double>> lengths; // of the side, node by node [m]
     Scalars row_lengths;                                 // the same by rows of nodes [m]
 };
@@ -38,7 +38,7 @@ void add_side(const Problem& problem, const State& state, const Boundary& bounda
             const std::size_t row = row_of(problem.grid, i);
             const Vector2 v = rows.velocity[row];
             const Vector2 drive(whole.xx * v.x() + whole.xy * v.y(), whole.xy * v.x() + whole.yy * v.y());
-            if (absorbs_waves(boundary.soil)) side.dashpots.push_back({i, fraction * drive, 0.0});
+            if (absorbs_waves(boundary.soil)) side.dashpots.push_back({i, fraction * drive, Vector2::Zero()});
             side.lengths.emplace_back(i, fraction * height);
             side.row_lengths[row] += fraction * height;
         });
@@ -46,7 +46,7 @@ void add_side(const Problem& problem, const State& state, const Boundary& bounda
 }
 
 void add_forces(const BackgroundGrid& grid, double outward, const FreeFieldRows& rows, const SideNodes& side,
-                std::vector<GroundForce>& forces)
+                std::vector<NodalForce>& forces)
 {
     forces.insert(forces.end(), side.dashpots.begin(), side.dashpots.end());
     for (const auto& [node, length] : side.lengths) {
@@ -54,30 +54,8 @@ void add_forces(const BackgroundGrid& grid, double outward, const FreeFieldRows&
         // where the body is lower than the ground, the part of the force on its height
         const double share = length / std::max(side.row_lengths[row], rows.height[row]);
         const Vector2 force = rows.force[row];
-        forces.push_back({node, outward * share * force, -outward * share * rows.pressure[row]});
+        forces.push_back({node, outward * share * force, {-outward * share * rows.pressure[row], 0.0}});
     }
-}
-
-void add_to(TwoPhaseSums& node, const GroundForce& ground)
-{
-    node.stress_force_x += ground.grains.x();
-    node.stress_force_y += ground.grains.y();
-    node.pressure_force_x += ground.mixture_x;
-}
-
-void add_to(SinglePhaseSums& node, const GroundForce& ground)
-{
-    node.stress_force_x += ground.grains.x() + ground.mixture_x;
-    node.stress_force_y += ground.grains.y();
-}
-
-template <class Sums>
-void scatter_ground_forces(const Problem& problem, const State& state, ParticlePlaces& places,
-                           std::vector<Sums>& sums)
-{
-    if (state.free_fields.empty() || state.stage != Stage::shaking) return;
-    for (const GroundForce& ground : free_field_forces(problem, state, places))
-        add_to(sums[ground.node], ground);
 }
 
 } // namespace
@@ -92,9 +70,9 @@ std::optional<std::size_t> free_field_beyond(const Problem& problem, const Segme
     return nearest;
 }
 
-std::vector<GroundForce> free_field_forces(const Problem& problem, const State& state, ParticlePlaces& places)
+void add_free_fields(const Problem& problem, const State& state, ParticlePlaces& places,
+                     std::vector<NodalForce>& forces)
 {
-    std::vector<GroundForce> forces;
     for (std::size_t k = 0; k < state.free_fields.size(); ++k) {
         SideNodes side;
         side.row_lengths.assign(static_cast<std::size_t>(problem.grid.nodes_y()), 0.0);
@@ -103,19 +81,6 @@ std::vector<GroundForce> free_field_forces(const Problem& problem, const State& 
                 add_side(problem, state, boundary, k, places, side);
         add_forces(problem.grid, problem.free_fields[k].outward, state.free_fields[k].rows, side, forces);
     }
-    return forces;
-}
-
-void scatter_free_fields(const Problem& problem, const State& state, ParticlePlaces& places,
-                         std::vector<TwoPhaseSums>& sums)
-{
-    scatter_ground_forces(problem, state, places, sums);
-}
-
-void scatter_free_fields(const Problem& problem, const State& state, ParticlePlaces& places,
-                         std::vector<SinglePhaseSums>& sums)
-{
-    scatter_ground_forces(problem, state, places, sums);
 }
 
 } // namespace quicksand

@@ -17,7 +17,6 @@
 #pragma once
 
 #include "solver/boundaries/boundary_pieces.hpp"
-#include "solver/boundaries/nodes.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 
@@ -27,26 +26,13 @@
 
 namespace quicksand {
 
-/// What the ground beyond does to a node.
-struct GroundForce {
-    std::size_t node = 0;
-    Vector2 grains = Vector2::Zero(); // of the effective stress, and of the dashpots [N/m]
-    double mixture_x = 0.0;           // of the pore pressure [N/m]
-};
-
 /// The free field beyond a part of a free-field side: the place in Problem::free_fields of the nearest one;
 /// none where there is none.
 std::optional<std::size_t> free_field_beyond(const Problem& problem, const Segment& part);
 
-/// Forces of the ground beyond free-field sides, from the rows of the state's free fields. A node can have
-/// several.
-std::vector<GroundForce> free_field_forces(const Problem& problem, const State& state,
-                                           ParticlePlaces& places);
-
-/// Add them to the nodes, in the shaking.
-void scatter_free_fields(const Problem& problem, const State& state, ParticlePlaces& places,
-                         std::vector<TwoPhaseSums>& sums);
-void scatter_free_fields(const Problem& problem, const State& state, ParticlePlaces& places,
-                         std::vector<SinglePhaseSums>& sums);
+/// Add the forces of the ground beyond free-field sides, from the rows of the state's free fields: on the
+/// grains those of the effective stress and of the dashpots.
+void add_free_fields(const Problem& problem, const State& state, ParticlePlaces& places,
+                     std::vector<NodalForce>& forces);
 
 } // namespace quicksand

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "solver/boundaries/boundary_pieces.hpp"
-#include "solver/boundaries/nodes.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 
@@ -10,27 +9,13 @@
 
 namespace quicksand {
 
-/// Add the forces of curves that press on the soil at `time` to the nodes' forces on the grains [s].
-void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
-                           ParticlePlaces& places, std::vector<TwoPhaseSums>& sums);
-void scatter_surface_loads(const Problem& problem, double time, const Particles& particles,
-                           ParticlePlaces& places, std::vector<SinglePhaseSums>& sums);
+/// Add the forces of curves that press on the soil at `time` [s].
+void add_surface_loads(const Problem& problem, double time, const Particles& particles,
+                       ParticlePlaces& places, std::vector<NodalForce>& forces);
 
-/// Add the excess pressure of the water beyond curves at `time` to the nodes' pressure forces: the grains
-/// take (1 - n) of it and the water n, as of the pore pressure.
-void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
-                         ParticlePlaces& places, std::vector<TwoPhaseSums>& sums);
-
-/// The same onto a body of one phase whose pores hold their pressure.
-void scatter_outer_water(const Problem& problem, double time, const Particles& particles,
-                         ParticlePlaces& places, std::vector<SinglePhaseSums>& sums);
-
-/// Whether anything on the boundary curves acts on the nodes: loads, water, held reactions.
-bool has_outer_forces(const Problem& problem);
-
-/// The same forces, and the reactions held where curves have let go, kept apart for the balances.
-void note_outer_forces(const Problem& problem, double time, const State& state, ParticlePlaces& places,
-                       std::vector<OuterForce>& outer);
+/// Add those of the excess pressure of the water beyond curves at `time` [s].
+void add_outer_water(const Problem& problem, double time, const Particles& particles, ParticlePlaces& places,
+                     std::vector<NodalForce>& forces);
 
 /// The time at which a state's loads act: that of the shaking, 0 while the soil settles [s].
 double load_time(const State& state);

@@ -57,16 +57,6 @@ void brake(const NodeConditions& conditions, double dt, const std::vector<Dashpo
     }
 }
 
-template <class Sums>
-void scatter_nodal_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
-                             std::vector<Sums>& sums)
-{
-    for_each_nodal_reaction(problem, state, places, [&](std::size_t i, const Vector2& force) {
-        sums[i].stress_force_x += force.x();
-        sums[i].stress_force_y += force.y();
-    });
-}
-
 } // namespace
 
 Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponse& x, const NodeResponse& y)
@@ -151,16 +141,20 @@ void brake_by_dashpots(const NodeConditions& conditions, double dt, const std::v
     brake(conditions, dt, dashpots, sums, motion);
 }
 
-void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
-                       std::vector<TwoPhaseSums>& sums)
+void add_held_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
+                        std::vector<NodalForce>& forces)
 {
-    scatter_nodal_reactions(problem, state, places, sums);
-}
-
-void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
-                       std::vector<SinglePhaseSums>& sums)
-{
-    scatter_nodal_reactions(problem, state, places, sums);
+    if (state.reactions.x.empty() || state.stage != Stage::shaking) return;
+    std::size_t k = 0;
+    for_each_held_piece(problem, [&](const Boundary&, const BoundaryPiece& piece) {
+        const Vector2 force = state.reactions[k++];
+        if (force == Vector2::Zero()) return;
+        const std::size_t p = places.find(state.particles, piece.identifier);
+        for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
+                             [&](std::size_t i, double fraction) {
+                                 forces.push_back({i, fraction * force, Vector2::Zero()});
+                             });
+    });
 }
 
 } // namespace quicksand

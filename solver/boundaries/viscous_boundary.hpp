@@ -77,28 +77,8 @@ void for_each_held_piece(const Problem& problem, Visit&& visit)
     }
 }
 
-/// Call add(node, force) for every nodal part of the held forces.
-template <class Add>
-void for_each_nodal_reaction(const Problem& problem, const State& state, ParticlePlaces& places, Add&& add);
-
-/// Add the held forces to the nodes.
-void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
-                       std::vector<TwoPhaseSums>& sums);
-void scatter_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
-                       std::vector<SinglePhaseSums>& sums);
-
-template <class Add>
-void for_each_nodal_reaction(const Problem& problem, const State& state, ParticlePlaces& places, Add&& add)
-{
-    if (state.reactions.x.empty() || state.stage != Stage::shaking) return;
-    std::size_t k = 0;
-    for_each_held_piece(problem, [&](const Boundary&, const BoundaryPiece& piece) {
-        const Vector2 force = state.reactions[k++];
-        if (force == Vector2::Zero()) return;
-        const std::size_t p = places.find(state.particles, piece.identifier);
-        for_each_loaded_node(problem.grid, present_piece(problem, state.particles, piece, p),
-                             [&](std::size_t i, double fraction) { add(i, fraction * force); });
-    });
-}
+/// Add the held forces at their nodes, in the shaking.
+void add_held_reactions(const Problem& problem, const State& state, ParticlePlaces& places,
+                        std::vector<NodalForce>& forces);
 
 } // namespace quicksand

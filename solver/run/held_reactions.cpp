@@ -109,8 +109,10 @@ std::vector<Vector2> resting_ground(const Problem& problem, const NodeConditions
         field.rows.velocity.y.assign(field.rows.height.size(), 0.0);
     }
     ParticlePlaces places;
-    for (const GroundForce& ground : free_field_forces(problem, state, places))
-        forces[conditions.master[ground.node]] += ground.grains + Vector2(ground.mixture_x, 0.0);
+    std::vector<NodalForce> ground;
+    add_free_fields(problem, state, places, ground);
+    for (const NodalForce& force : ground)
+        forces[conditions.master[force.node]] += force.grains + force.mixture;
     return forces;
 }
 

@@ -1,6 +1,7 @@
 #include "solver/run/held_shape.hpp"
 
 #include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/outer_forces.hpp"
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/particle_to_grid.hpp"
@@ -98,9 +99,11 @@ HeldShape hold_shape(const Problem& problem, State& state)
         scatter_body_force(problem, state.time, resting, masses, shape.lists, tile, store, shape.rest);
     });
     ParticlePlaces places;
-    scatter_surface_loads(problem, state.time, resting, places, shape.rest);
+    std::vector<NodalForce> forces;
+    add_surface_loads(problem, state.time, resting, places, forces);
     // without pore pressures the grains alone would carry the water beyond curves
-    if (has_pressure(resting)) scatter_outer_water(problem, state.time, resting, places, shape.rest);
+    if (has_pressure(resting)) add_outer_water(problem, state.time, resting, places, forces);
+    add_outer_forces(forces, shape.rest);
     shape.sums = shape.rest;
     hold_walls_of(problem, state, shape);
     shape.average = make_volumetric_average(problem);

@@ -1,7 +1,7 @@
 #include "solver/step/single_phase_step.hpp"
 
-#include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/outer_forces.hpp"
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/inertia/coupled_motion.hpp"
 #include "solver/measure/balances.hpp"
@@ -112,18 +112,15 @@ void scatter_to_nodes(const Problem& problem, double dt, const State& state, Sin
         if (!problem.body_acceleration) return;
         scatter_body_force(problem, state.time, particles, work.masses, work.lists, tile, store, work.sums);
     });
-    const double time = load_time(state);
-    scatter_surface_loads(problem, time, particles, work.places, work.sums);
-    if (pressed) scatter_outer_water(problem, time, particles, work.places, work.sums);
-    scatter_reactions(problem, state, work.places, work.sums);
-    scatter_free_fields(problem, state, work.places, work.sums);
+    gather_outer_forces(problem, load_time(state), state, work.places, work.outer_forces);
+    if (!pressed) // without pore pressures the grains alone would carry the water beyond curves
+        for (NodalForce& force : work.outer_forces) force.mixture.setZero();
+    add_outer_forces(work.outer_forces, work.sums);
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     if (work.outer.empty() || !state.balance_terms) return;
     work.outer.assign(work.outer.size(), OuterForce{});
-    note_outer_forces(problem, time, state, work.places, work.outer);
-    if (!pressed)
-        for (OuterForce& outer : work.outer) outer.water_x = outer.water_y = 0.0;
+    note_outer_forces(work.outer_forces, work.outer);
     gather_tied_sums(work.conditions, work.outer);
 }
 

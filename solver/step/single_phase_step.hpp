@@ -12,7 +12,8 @@ namespace quicksand {
 
 struct SinglePhaseWorkspace : StepWorkspace {
     std::vector<SinglePhaseSums> sums;
-    std::vector<OuterForce> outer; // none where there are none
+    std::vector<NodalForce> outer_forces;
+    std::vector<OuterForce> outer; // by nodes, for the balances; none where there are none
     std::vector<SinglePhaseMotion> motion;
     CarriedMasses masses;
     Scalars null_space_damping; // theta of null_space_damping.hpp [-]

@@ -2,10 +2,9 @@
 
 #include "solver/base/failure.hpp"
 #include "solver/boundaries/boundary_compliance.hpp"
-#include "solver/boundaries/free_field.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/outer_forces.hpp"
 #include "solver/boundaries/solid_seals.hpp"
-#include "solver/boundaries/surface_loads.hpp"
 #include "solver/inertia/coupled_motion.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/motion/grid_to_particle.hpp"
@@ -277,12 +276,9 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
             scatter_risen_water(problem, particles, work.lists, tile, work.stencils_of(tile), work.sums,
                                 work.outer);
     });
-    scatter_surface_loads(problem, time, particles, work.places, work.sums);
-    scatter_outer_water(problem, time, particles, work.places, work.sums);
-    scatter_reactions(problem, state, work.places, work.sums);
-    scatter_free_fields(problem, state, work.places, work.sums);
-    if (state.balance_terms && !work.outer.empty())
-        note_outer_forces(problem, time, state, work.places, work.outer);
+    gather_outer_forces(problem, time, state, work.places, work.outer_forces);
+    add_outer_forces(work.outer_forces, work.sums);
+    if (state.balance_terms && !work.outer.empty()) note_outer_forces(work.outer_forces, work.outer);
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     gather_tied_sums(work.conditions, work.outer);

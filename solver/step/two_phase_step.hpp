@@ -15,7 +15,8 @@ namespace quicksand {
 struct TwoPhaseWorkspace : StepWorkspace {
     Scalars wet_volume; // of the wet particles, 0 of the others [m3/m]
     std::vector<TwoPhaseSums> sums;
-    std::vector<OuterForce> outer; // none where there are none
+    std::vector<NodalForce> outer_forces;
+    std::vector<OuterForce> outer; // by nodes, for the balances; none where there are none
     std::vector<TwoPhaseMotion> motion;
     Scalars flux_divergence;    // [1/s]
     Scalars pressure_increment; // of the cells [Pa]

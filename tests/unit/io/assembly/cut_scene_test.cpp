@@ -45,11 +45,11 @@ std::vector<Vector2> nodal_normals(const Problem& problem, const Particles& part
 /// The forces of all loads on the nodes [N/m].
 std::vector<Vector2> nodal_loads(const Problem& problem, const Particles& particles)
 {
-    std::vector<SinglePhaseSums> sums(problem.grid.node_count());
+    std::vector<NodalForce> loads;
     ParticlePlaces places;
-    scatter_surface_loads(problem, 0.0, particles, places, sums);
-    std::vector<Vector2> forces;
-    for (const SinglePhaseSums& sum : sums) forces.emplace_back(sum.stress_force_x, sum.stress_force_y);
+    add_surface_loads(problem, 0.0, particles, places, loads);
+    std::vector<Vector2> forces(problem.grid.node_count(), Vector2::Zero());
+    for (const NodalForce& load : loads) forces[load.node] += load.grains;
     return forces;
 }
 

@@ -1,4 +1,5 @@
 // Loads on boundary curves: exact totals and moments, whatever the sampling and the interpolation.
+#include "solver/boundaries/outer_forces.hpp"
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/step/single_phase_step.hpp"
 #include "tests/fixtures/soil_block.hpp"
@@ -49,12 +50,21 @@ Resultant resultant(const Problem& problem, const std::vector<SinglePhaseSums>& 
     return result;
 }
 
+/// The nodes with the forces of all loads.
+std::vector<SinglePhaseSums> loaded_nodes(const Problem& problem, double time, const Particles& particles,
+                                          ParticlePlaces& places)
+{
+    std::vector<SinglePhaseSums> sums(problem.grid.node_count());
+    std::vector<NodalForce> forces;
+    add_surface_loads(problem, time, particles, places, forces);
+    add_outer_forces(forces, sums);
+    return sums;
+}
+
 Resultant scattered(const Problem& problem, const Particles& particles, double time = 0.0)
 {
     ParticlePlaces places;
-    std::vector<SinglePhaseSums> sums(problem.grid.node_count());
-    scatter_surface_loads(problem, time, particles, places, sums);
-    return resultant(problem, sums);
+    return resultant(problem, loaded_nodes(problem, time, particles, places));
 }
 
 /// Turn and stretch the particles about the block's middle by the gradient F.
@@ -211,12 +221,11 @@ TEST(SurfaceLoads, FollowTheParticlesWhenTheArraysAreReordered)
     State state = fill(problem, 3, in_block);
     attach_boundaries(problem, state.particles);
     ParticlePlaces places;
-    std::vector<SinglePhaseSums> before(problem.grid.node_count()), after(problem.grid.node_count());
-    scatter_surface_loads(problem, 0.0, state.particles, places, before);
+    const std::vector<SinglePhaseSums> before = loaded_nodes(problem, 0.0, state.particles, places);
     std::vector<std::int32_t> order(state.particles.size());
     std::iota(order.rbegin(), order.rend(), 0);
     reorder(state.particles, order);
-    scatter_surface_loads(problem, 0.0, state.particles, places, after);
+    const std::vector<SinglePhaseSums> after = loaded_nodes(problem, 0.0, state.particles, places);
     for (std::size_t i = 0; i < before.size(); ++i) {
         EXPECT_EQ(before[i].stress_force_x, after[i].stress_force_x);
         EXPECT_EQ(before[i].stress_force_y, after[i].stress_force_y);
