@@ -106,7 +106,7 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
         find_roots(problem, work.conditions, work.lists, state.particles, {}, walls.roots);
         aggregate_cells(work.lists, walls.roots.aggregated, work.aggregated_lists);
     }
-    if (walls.aggregates_water || walls.parts_from_solids)
+    if (walls.aggregates_water || walls.shares_pressures)
         find_roots(problem, work.conditions, work.wet_lists, state.particles,
                    slots_with_solids(problem, work.lists, state.particles), walls.wet_roots);
     if (work.partly_wet) aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);

@@ -92,8 +92,8 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
     const bool divides_pressures =
         walls.divides_water && stage == Stage::shaking && water_flow(problem) == WaterFlow::coupled;
     walls.aggregates_water = divides_pressures && problem.scheme == TimeScheme::explicit_steps;
-    walls.parts_from_solids = has_solids || (divides_pressures && !walls.aggregates_water);
-    walls.any = walls.aggregates_soil || walls.aggregates_water || walls.parts_from_solids;
+    walls.shares_pressures = has_solids || (divides_pressures && !walls.aggregates_water);
+    walls.any = walls.aggregates_soil || walls.aggregates_water || walls.shares_pressures;
     if (!walls.any) return;
     for (const WallChain& chain : walls.edges.chains) {
         walls.chain_moves.push_back(moves(problem.boundaries[chain.edges.front().boundary].soil));

@@ -41,7 +41,7 @@ struct WallRows {
     bool aggregates_water = false;
     /// Solids, or dry soil in implicit pressures, lie beside soil whose water has a pressure: cells that both
     /// share have roots, for the pressure. The strain of the whole cell would set that of little water.
-    bool parts_from_solids = false;
+    bool shares_pressures = false;
     bool divides_water = false; // wet and other particles meet: their normals differ
     WallContacts contacts;
     bool contacts_are_due = true;
@@ -59,7 +59,7 @@ struct WallRows {
     /// The cells that have the pressure of another.
     const std::vector<AggregatedCell>& shared_pressures() const
     {
-        return aggregates_water || parts_from_solids ? wet_roots.aggregated : roots.aggregated;
+        return aggregates_water || shares_pressures ? wet_roots.aggregated : roots.aggregated;
     }
 };
 
