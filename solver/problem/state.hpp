@@ -4,6 +4,7 @@
 #include "solver/base/stage.hpp"
 #include "solver/particles/particles.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -103,6 +104,12 @@ struct FreeFieldState {
 inline double velocity_interval(const State& state, double dt)
 {
     return state.last_step > 0.0 ? 0.5 * (state.last_step + dt) : 0.5 * dt;
+}
+
+/// Part of a step that the watchdog's halvings leave [-].
+inline double part_after_halvings(const State& state)
+{
+    return std::ldexp(1.0, -static_cast<int>(state.step_halvings));
 }
 
 } // namespace quicksand

@@ -12,7 +12,6 @@
 #include "solver/vibration/step_bound.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -137,8 +136,7 @@ private:
         if (step.limiter == TimeStepLimiter::wave) step.limiter = TimeStepLimiter::sound;
         // forces act from the middle of the last step on: over a long interval pressures have to be implicit
         constexpr double most_shrinking = 0.5;
-        const double least =
-            std::ldexp(most_shrinking * state.last_step, -static_cast<int>(state.step_halvings));
+        const double least = most_shrinking * state.last_step * part_after_halvings(state);
         change_over(step.dt >= least ? explicit_form_ : problem_);
         step.scheme = form_->scheme;
         if (step.dt < least) step.dt = std::min(least, event_of(*form_) - state.time);

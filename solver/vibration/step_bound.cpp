@@ -3,7 +3,6 @@
 #include "solver/vibration/vibration_limit.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace quicksand {
 
@@ -62,8 +61,8 @@ void measure_bound(const Problem& problem, State& state)
 
 TimeStep bounded_time_step(const Problem& problem, const State& state)
 {
-    const double halved = std::ldexp(1.0, -static_cast<int>(state.step_halvings));
-    return stable_time_step(problem, state, halved * part_left(problem, state.step_scale));
+    return stable_time_step(problem, state,
+                            part_after_halvings(state) * part_left(problem, state.step_scale));
 }
 
 TimeStep measure_time_step(const Problem& problem, const State& state)
