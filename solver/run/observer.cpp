@@ -21,10 +21,16 @@ bool is_observed(const std::vector<Observer*>& observers, const State& state)
 
 double next_event(const Problem& problem, const std::vector<Observer*>& observers, double latest)
 {
-    double next = latest;
+    std::vector<double> times{latest};
     for (const Observer* observer : observers)
-        if (steps_are_shortened(problem, *observer)) next = std::min(next, observer->next_time());
-    return next;
+        if (steps_are_shortened(problem, *observer)) times.push_back(observer->next_time());
+    const double next = *std::min_element(times.begin(), times.end());
+    // those that differ by rounding are one: a step from one to the other would be of no length
+    constexpr double rounding = 1e-10; // of the time
+    double event = next;
+    for (const double time : times)
+        if (time <= next * (1.0 + rounding)) event = std::max(event, time);
+    return event;
 }
 
 void show_start(const Problem& problem, const std::vector<Observer*>& observers, const State& state,

@@ -55,7 +55,7 @@ using StopRule = std::function<bool()>;
 bool is_observed(const std::vector<Observer*>& observers, const State& state);
 
 /// The earliest time that steps of the scheme must hit for one of the observers, `latest` when there is no
-/// earlier one [s].
+/// earlier one; the last of several that differ by rounding alone [s].
 double next_event(const Problem& problem, const std::vector<Observer*>& observers, double latest);
 
 /// Show the state at the start of a step to `end` to the observers whose time lies within it.
