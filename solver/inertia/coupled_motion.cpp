@@ -64,7 +64,17 @@ std::vector<CoupledNode> coupled_nodes(const NodeConditions& conditions, double 
 
 // The velocities before the step are those that the balance gives without time for forces, and without the
 // rows at walls: these move light nodes by far more than what the mean velocities of the particles miss them
-// by, and the stiffness would answer that.
+// by, and the stiffness would answer that. So it would the momentum of water that flows past a seal, which
+// the balance shares with the grains: with a displacement of beta dt times that velocity, while nothing
+// moves.
+
+/// The grains' own velocity where a seal moves them and the water together.
+void leave_out_water(const TwoPhaseSums& sums, std::uint8_t held, NodeVelocities& before)
+{
+    const Vector2 grains = momentum_of_grains(sums) / mass_of(sums);
+    if ((held & seal_x) != 0 && (held & solid_x_fixed) == 0) before[0] = grains.x();
+    if ((held & seal_y) != 0 && (held & solid_y_fixed) == 0) before[1] = grains.y();
+}
 
 std::vector<CoupledNode> coupled_nodes(const Problem& problem, const NodeConditions& conditions,
                                        double velocity_dt, double acceleration,
@@ -78,6 +88,7 @@ std::vector<CoupledNode> coupled_nodes(const Problem& problem, const NodeConditi
             node.mass = mass_matrix(of_node, velocity_dt);
             node.porosity = node_porosity(problem, of_node);
             node.before = velocities_of(before[node.node]);
+            leave_out_water(of_node, node.held, node.before);
             node.before.head<2>() *= kept;
             if ((node.held & seal_x) != 0) node.before[2] = node.before[0];
             if ((node.held & seal_y) != 0) node.before[3] = node.before[1];
