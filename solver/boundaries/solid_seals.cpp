@@ -16,7 +16,8 @@ void seal_node(std::size_t node, NodeConditions& conditions)
 } // namespace
 
 void seal_by_solids(const Problem& problem, const Particles& particles, const CellLists& lists,
-                    const std::vector<std::uint8_t>& drawn, NodeConditions& conditions)
+                    const std::vector<TwoPhaseSums>& sums, const std::vector<std::uint8_t>& drawn,
+                    NodeConditions& conditions)
 {
     const auto row = static_cast<std::size_t>(problem.grid.all_cells_x()),
                nodes = static_cast<std::size_t>(problem.grid.nodes_x());
@@ -30,6 +31,8 @@ void seal_by_solids(const Problem& problem, const Particles& particles, const Ce
         for (const std::size_t node : {first, first + 1, first + nodes, first + nodes + 1})
             seal_node(node, conditions);
     }
+    for (std::size_t i = 0; i < sums.size(); ++i) // drag is that of soil alone
+        if (sums[i].mass_fluid > 0.0 && sums[i].drag == 0.0) seal_node(i, conditions);
 }
 
 } // namespace quicksand

@@ -283,7 +283,7 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
     gather_tied_sums(work.conditions, work.sums);
     gather_tied_sums(work.conditions, work.outer);
     if (!work.drawn_conditions.empty())
-        seal_by_solids(problem, particles, work.lists, work.drawn_conditions, work.conditions);
+        seal_by_solids(problem, particles, work.lists, work.sums, work.drawn_conditions, work.conditions);
 }
 
 double set_fluxes(double dt, double velocity_dt, SemiImplicitWorkspace& work)
