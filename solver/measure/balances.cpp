@@ -40,14 +40,15 @@ struct StepEntries {
 
 /// One phase's motion at a node over the step.
 struct PhaseStep {
-    Vector2 end, mean, impulse; // v_1, (v_0 + v_1) / 2 [m/s] and m (v_1 - v_0) [N s/m]
-    double kinetic() const { return impulse.dot(mean); } // what its energy gains [J/m]
+    Vector2 end, working, impulse; // v_1, v of the works [m/s] and m (v_1 - v_0) [N s/m]
+    double kinetic() const { return impulse.dot(working); } // what its energy gains [J/m]
 };
 
-PhaseStep phase_step(double mass, double x, double y, double change_x, double change_y)
+PhaseStep phase_step(WorkingVelocity working, double mass, double x, double y, double change_x,
+                     double change_y)
 {
     const Vector2 end(x, y), change(change_x, change_y);
-    return {end, end - 0.5 * change, mass * change};
+    return {end, working == WorkingVelocity::mean ? end - 0.5 * change : end, mass * change};
 }
 
 /// The wall's reaction works with the wall's velocity; that it stops nodes is a loss.
@@ -55,18 +56,18 @@ void enter_reaction(const Vector2& reaction, const PhaseStep& phase, StepEntries
 {
     const double at_wall = reaction.dot(phase.end);
     entries.boundary += at_wall;
-    entries.wall_loss += at_wall - reaction.dot(phase.mean);
+    entries.wall_loss += at_wall - reaction.dot(phase.working);
     entries.impulse += reaction;
 }
 
-void enter_node(const Problem& problem, double dt, double acceleration, NodeKind kind,
-                const TwoPhaseSums& node, const OuterForce& outer, const TwoPhaseMotion& motion,
-                StepEntries& entries)
+void enter_node(const Problem& problem, double dt, double acceleration, WorkingVelocity working,
+                NodeKind kind, const TwoPhaseSums& node, const OuterForce& outer,
+                const TwoPhaseMotion& motion, StepEntries& entries)
 {
-    const PhaseStep solid = phase_step(node.mass_solid, motion.solid_x, motion.solid_y, motion.solid_change_x,
-                                       motion.solid_change_y);
-    const PhaseStep fluid = phase_step(node.mass_fluid, motion.fluid_x, motion.fluid_y, motion.fluid_change_x,
-                                       motion.fluid_change_y);
+    const PhaseStep solid = phase_step(working, node.mass_solid, motion.solid_x, motion.solid_y,
+                                       motion.solid_change_x, motion.solid_change_y);
+    const PhaseStep fluid = phase_step(working, node.mass_fluid, motion.fluid_x, motion.fluid_y,
+                                       motion.fluid_change_x, motion.fluid_change_y);
 
     const double density = problem.water->density;
     const double porosity = node_porosity(problem, node);
@@ -79,20 +80,20 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     const Vector2 risen(0.0, -dt * outer.risen_weight);
     const Vector2 load(dt * outer.load_x, dt * outer.load_y);
     const Vector2 water(dt * outer.water_x, dt * outer.water_y);
-    const Vector2 mean_flux = (1.0 - porosity) * solid.mean + porosity * fluid.mean;
+    const Vector2 flux = (1.0 - porosity) * solid.working + porosity * fluid.working;
     const Vector2 drag =
         dt * (node.drag * (fluid.end - solid.end) + Vector2(node.drag_force_x, node.drag_force_y));
     const Vector2 inertia = dt * Vector2(node.inertia_force_x, node.inertia_force_y);
 
     entries.kinetic += solid.kinetic() + fluid.kinetic();
-    entries.skeleton -= (stress - load).dot(solid.mean);
-    entries.boundary += load.dot(solid.mean) + water.dot(mean_flux);
+    entries.skeleton -= (stress - load).dot(solid.working);
+    entries.boundary += load.dot(solid.working) + water.dot(flux);
     entries.late_pressure -=
         0.5 * (pressure - risen - water).dot((1.0 - porosity) * solid.end + porosity * fluid.end);
-    entries.inertia -= inertia.dot(solid.mean);
-    entries.drag += drag.dot(fluid.mean - solid.mean);
-    entries.gravity += weight.dot(solid.mean) + risen.dot(mean_flux);
-    entries.base += base_solid.dot(solid.mean) + base_fluid.dot(fluid.mean);
+    entries.inertia -= inertia.dot(solid.working);
+    entries.drag += drag.dot(fluid.working - solid.working);
+    entries.gravity += weight.dot(solid.working) + risen.dot(flux);
+    entries.base += base_solid.dot(solid.working) + base_fluid.dot(fluid.working);
     entries.impulse += weight + risen + load + water + base_solid + base_fluid;
     if (kind != wall_node) return;
     const Vector2 known_solid = stress + (1.0 - porosity) * pressure + base_solid + weight + drag + inertia;
@@ -101,28 +102,32 @@ void enter_node(const Problem& problem, double dt, double acceleration, NodeKind
     enter_reaction(fluid.impulse - known_fluid, fluid, entries);
 }
 
-void enter_node(const Problem& problem, double dt, double acceleration, NodeKind kind,
-                const SinglePhaseSums& node, const OuterForce& outer, const SinglePhaseMotion& motion,
-                StepEntries& entries)
+void enter_node(const Problem& problem, double dt, double acceleration, WorkingVelocity working,
+                NodeKind kind, const SinglePhaseSums& node, const OuterForce& outer,
+                const SinglePhaseMotion& motion, StepEntries& entries)
 {
-    const PhaseStep body = phase_step(node.mass, motion.x, motion.y, motion.change_x, motion.change_y);
+    const PhaseStep body =
+        phase_step(working, node.mass, motion.x, motion.y, motion.change_x, motion.change_y);
     const Vector2 stress = dt * Vector2(node.stress_force_x, node.stress_force_y);
     const Vector2 base(-dt * node.mass * acceleration, 0.0), weight(0.0, -dt * node.weight * problem.gravity);
     const Vector2 load(dt * (outer.load_x + outer.water_x), dt * (outer.load_y + outer.water_y));
     const Vector2 inertia = dt * Vector2(node.inertia_force_x, node.inertia_force_y);
     entries.kinetic += body.kinetic();
-    entries.skeleton -= (stress - load).dot(body.mean);
-    entries.boundary += load.dot(body.mean);
-    entries.inertia -= inertia.dot(body.mean);
-    entries.gravity += weight.dot(body.mean);
-    entries.base += base.dot(body.mean);
+    entries.skeleton -= (stress - load).dot(body.working);
+    entries.boundary += load.dot(body.working);
+    entries.inertia -= inertia.dot(body.working);
+    entries.gravity += weight.dot(body.working);
+    entries.base += base.dot(body.working);
     entries.impulse += weight + load + base;
     if (kind == wall_node) enter_reaction(body.impulse - (stress + weight + base + inertia), body, entries);
 }
 
-/// Add a step's sums to the terms.
-void enter_step(const StepEntries& step, BalanceTerms& terms)
+/// Add a step's sums to the terms. Where the pressure works with the velocities after the step it is not
+/// ahead of them: what counts for stored then does not change with the half step.
+void enter_step(const StepEntries& step, WorkingVelocity working, BalanceTerms& terms)
 {
+    if (working == WorkingVelocity::last)
+        terms.opening_storage_energy += terms.late_pressure_work - step.late_pressure;
     terms.kinetic_change += step.kinetic;
     terms.skeleton_work += step.skeleton;
     terms.late_pressure_work = step.late_pressure;
@@ -138,19 +143,20 @@ void enter_step(const StepEntries& step, BalanceTerms& terms)
 
 template <class Sums, class Motion>
 void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                     double acceleration, const std::vector<Sums>& sums, const std::vector<OuterForce>& outer,
-                     const std::vector<Motion>& motion, BalanceTerms& terms)
+                     double acceleration, WorkingVelocity working, const std::vector<Sums>& sums,
+                     const std::vector<OuterForce>& outer, const std::vector<Motion>& motion,
+                     BalanceTerms& terms)
 {
     const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t first, std::size_t last) {
         StepEntries entries;
         for (std::size_t i = first; i < last; ++i) {
             if (nodes[i] == stands_for_nobody || !sums[i].active()) continue;
-            enter_node(problem, dt, acceleration, static_cast<NodeKind>(nodes[i]), sums[i],
+            enter_node(problem, dt, acceleration, working, static_cast<NodeKind>(nodes[i]), sums[i],
                        outer.empty() ? OuterForce{} : outer[i], motion[i], entries);
         }
         return entries;
     });
-    enter_step(step, terms);
+    enter_step(step, working, terms);
 }
 
 /// sum value(p) over the particles, four sums side by side: one alone would wait for each addition.
@@ -222,7 +228,7 @@ EnergyBalance balance_energy(const Problem& problem, const State& state, double 
     result.residual = kinetic + result.numerical_loss + terms.skeleton_work + stored + terms.inertia_work +
                       terms.drag_dissipation - outside;
     result.turnover = kinetic_energy + terms.opening_kinetic_energy + std::abs(terms.skeleton_work) +
-                      storage + terms.opening_storage_energy + std::abs(terms.inertia_work) +
+                      storage + std::abs(terms.opening_storage_energy) + std::abs(terms.inertia_work) +
                       std::abs(terms.drag_dissipation) + std::abs(terms.gravity_work) +
                       std::abs(terms.base_work) + std::abs(terms.boundary_work);
     return result;
@@ -260,19 +266,19 @@ void open_balances(const Problem& problem, State& state)
 }
 
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, const std::vector<TwoPhaseSums>& sums,
+                 double acceleration, WorkingVelocity working, const std::vector<TwoPhaseSums>& sums,
                  const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
                  BalanceTerms& terms)
 {
-    enter_all_nodes(problem, nodes, dt, acceleration, sums, outer, motion, terms);
+    enter_all_nodes(problem, nodes, dt, acceleration, working, sums, outer, motion, terms);
 }
 
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, const std::vector<SinglePhaseSums>& sums,
+                 double acceleration, WorkingVelocity working, const std::vector<SinglePhaseSums>& sums,
                  const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
                  BalanceTerms& terms)
 {
-    enter_all_nodes(problem, nodes, dt, acceleration, sums, outer, motion, terms);
+    enter_all_nodes(problem, nodes, dt, acceleration, working, sums, outer, motion, terms);
 }
 
 void enter_outflow(const Problem& problem, double dt, const Particles& particles,
@@ -329,8 +335,8 @@ EnergyBalance energy_balance(const Problem& problem, const State& state)
 
 double energy_put_in(const BalanceTerms& terms)
 {
-    return terms.opening_kinetic_energy + terms.opening_storage_energy + std::abs(terms.gravity_work) +
-           std::abs(terms.base_work) + std::abs(terms.boundary_work);
+    return terms.opening_kinetic_energy + std::abs(terms.opening_storage_energy) +
+           std::abs(terms.gravity_work) + std::abs(terms.base_work) + std::abs(terms.boundary_work);
 }
 
 double storage_energy(const Problem& problem, const Particles& particles)

@@ -6,6 +6,10 @@
 // force times the mean velocity. It belongs to the time of the velocities, half a step before that of the
 // stresses. The difference between the kinetic energy of the nodes and that of the particles is lost in the
 // transfers and at the walls; this numerical dissipation is a term of its own.
+//
+// In a long step, whose stiffness and pressure are solved together, forces work with the velocities after it.
+// Those before it come from the particles and are smoother: over such a step the difference, times forces
+// that balance each other, would be energy made or lost, while water flows steadily and nothing moves.
 #pragma once
 
 #include "solver/boundaries/nodes.hpp"
@@ -30,14 +34,20 @@ std::vector<std::uint8_t> balance_nodes(const NodeConditions& conditions);
 /// forces is the force of its dashpots, which move with the soil.
 void count_reaction(std::size_t node, std::vector<std::uint8_t>& kinds);
 
+/// The velocities with which the forces of a step work.
+enum class WorkingVelocity {
+    mean, // of those before and after the step
+    last  // those after it
+};
+
 /// Add the works of one step's forces on the nodes. `acceleration` is that of the base [m/s2]; `outer` is the
 /// part of the forces that acts from outside, empty without.
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, const std::vector<TwoPhaseSums>& sums,
+                 double acceleration, WorkingVelocity working, const std::vector<TwoPhaseSums>& sums,
                  const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
                  BalanceTerms& terms);
 void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, const std::vector<SinglePhaseSums>& sums,
+                 double acceleration, WorkingVelocity working, const std::vector<SinglePhaseSums>& sums,
                  const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
                  BalanceTerms& terms);
 

@@ -49,9 +49,10 @@ void damp_accelerations(double damping, double velocity_dt, SinglePhaseWorkspace
     });
 }
 
-/// The velocities at the end of the step where stiffness resists accelerations.
-void solve_resisted(const Problem& problem, double dt, double velocity_dt, double acceleration,
-                    double damping, const State& state, SinglePhaseWorkspace& work)
+/// The velocities at the end of the step where stiffness resists accelerations; returns those with which its
+/// forces work.
+WorkingVelocity solve_resisted(const Problem& problem, double dt, double velocity_dt, double acceleration,
+                               double damping, const State& state, SinglePhaseWorkspace& work)
 {
     const auto solve = [&] { solve_single_phase_velocities(problem, velocity_dt, acceleration, 0.0, work); };
     sum_moduli(problem, dt, state.particles, work);
@@ -60,18 +61,19 @@ void solve_resisted(const Problem& problem, double dt, double velocity_dt, doubl
         if (!move_coupled(problem, work.conditions, dt, velocity_dt, acceleration, work.dashpots,
                           work.walls.rows, work.sums, work.motion, *work.inertia, work.coupled))
             fail_to_resist(dt, state);
-        return;
+        return WorkingVelocity::last;
     }
     solve();
     set_up_inertia(problem, dt, velocity_dt, work);
     resist_acceleration(dt, velocity_dt, work);
     solve();
-    if (damping == 0.0) return;
+    if (damping == 0.0) return WorkingVelocity::mean;
     const std::vector<SinglePhaseSums> undamped = work.sums;
     damp_accelerations(damping, velocity_dt, work);
     resist_acceleration(dt, velocity_dt, work);
     solve();
     work.sums = undamped; // what is out of balance is told without the damping
+    return WorkingVelocity::mean;
 }
 
 /// Whether pore pressures act on the body: they follow from its motion, or are constant. While the soil
@@ -135,15 +137,16 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         const double acceleration = shaking ? base_acceleration(problem.base_motion, state.time) : 0.0;
         const double velocity_dt = velocity_interval(state, dt);
         assemble_walls(problem, velocity_dt, work.sums, work);
+        WorkingVelocity working = WorkingVelocity::mean;
         if (work.inertia) {
-            solve_resisted(problem, dt, velocity_dt, acceleration, damping, state, work);
+            working = solve_resisted(problem, dt, velocity_dt, acceleration, damping, state, work);
         } else {
             if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
             solve_single_phase_velocities(problem, velocity_dt, acceleration, damping, work);
         }
         if (state.balance_terms)
-            enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, work.sums, work.outer,
-                        work.motion, *state.balance_terms);
+            enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, working, work.sums,
+                        work.outer, work.motion, *state.balance_terms);
         spread_tied_motion(work.conditions, work.motion);
     });
     timed(work.timers, Phase::gather, [&] {

@@ -36,12 +36,13 @@ void solve_two_phase_velocities(const Problem& problem, double velocity_dt, cons
     spread_tied_motion(work.conditions, work.motion);
 }
 
-void enter_works(const Problem& problem, double velocity_dt, const TwoPhaseWorkspace& work, State& state)
+void enter_works(const Problem& problem, double velocity_dt, WorkingVelocity working,
+                 const TwoPhaseWorkspace& work, State& state)
 {
     if (!state.balance_terms) return;
     const double acceleration = base_acceleration(problem.base_motion, state.time);
-    enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, work.sums, work.outer, work.motion,
-                *state.balance_terms);
+    enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, working, work.sums, work.outer,
+                work.motion, *state.balance_terms);
 }
 
 void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
@@ -328,7 +329,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
         centre_drag(velocity_dt, explicit_strong_drag, work.sums);
         assemble_walls(problem, velocity_dt, work.sums, work);
         solve_two_phase_velocities(problem, velocity_dt, state, work);
-        enter_works(problem, velocity_dt, work, state);
+        enter_works(problem, velocity_dt, WorkingVelocity::mean, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
@@ -373,7 +374,10 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
         else
             answer(problem, dt, velocity_dt, state, work);
     }
-    timed(work.timers, Phase::momentum, [&] { enter_works(problem, velocity_dt, work, state); });
+    timed(work.timers, Phase::momentum, [&] {
+        enter_works(problem, velocity_dt, together ? WorkingVelocity::last : WorkingVelocity::mean, work,
+                    state);
+    });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
         const PressureSolve& pressure = work.pressure;
