@@ -104,6 +104,14 @@ void tie_beyond(const Problem& problem, const Segment& drawn, const Segment& wal
     });
 }
 
+bool lies_on_rim(const Problem& problem, const Segment& segment)
+{
+    const double tolerance = on_wall * problem.grid.cell_size;
+    const Vector2 middle = 0.5 * (segment.start + segment.end);
+    return std::any_of(problem.rim.begin(), problem.rim.end(),
+                       [&](const Segment& edge) { return lies_on(middle, edge, tolerance); });
+}
+
 std::vector<Segment> unnamed_edges(const Problem& problem)
 {
     const double tolerance = on_wall * problem.grid.cell_size;

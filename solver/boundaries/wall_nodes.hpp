@@ -49,6 +49,9 @@ using Masters = std::vector<std::size_t>;
 /// problem has it, `wall` as it stands now.
 void tie_beyond(const Problem& problem, const Segment& drawn, const Segment& wall, Masters& masters);
 
+/// Whether soil ends along a curve's segment; others lie between two regions.
+bool lies_on_rim(const Problem& problem, const Segment& segment);
+
 /// The edges of the soil's rim that no boundary has.
 std::vector<Segment> unnamed_edges(const Problem& problem);
 

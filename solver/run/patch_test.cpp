@@ -22,8 +22,8 @@ bool is_free(const Boundary& boundary)
     return std::holds_alternative<FreeFace>(boundary.soil);
 }
 
-/// The problem with pieces on every curve that is no wall, dry, of the density 1 and without loads of its
-/// own.
+/// The problem with pieces on every curve that is no wall and where soil ends, dry, of the density 1 and
+/// without loads of its own.
 Problem bare_problem(const Problem& problem, const Particles& particles)
 {
     Problem bare = problem;
@@ -35,7 +35,9 @@ Problem bare_problem(const Problem& problem, const Particles& particles)
     if (!rest.segments.empty()) bare.boundaries.push_back(rest);
     for (Boundary& boundary : bare.boundaries) {
         boundary.water = Drained{};
-        if (is_free(boundary)) boundary.soil = FreeFace{SurfaceLoad{}};
+        if (!is_free(boundary)) continue;
+        boundary.soil = FreeFace{SurfaceLoad{}};
+        std::erase_if(boundary.segments, [&](const Segment& part) { return !lies_on_rim(problem, part); });
     }
     attach_boundaries(bare, particles);
     return bare;

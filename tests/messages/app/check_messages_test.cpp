@@ -108,6 +108,52 @@ TEST(CheckMessages, RefuseACurveThatLeavesMoreThanTwoPerCent)
     EXPECT_FALSE(std::filesystem::exists(folder / "check"));
 }
 
+TEST(CheckMessages, AskNothingOfANamedCurveBetweenTwoRegions)
+{
+    const WorkFolder folder;
+    std::ofstream(folder / "layers.geo") << R"(
+Point(1) = {0, 0, 0}; Point(2) = {10, 0, 0}; Point(3) = {10, 5, 0}; Point(4) = {0, 5, 0};
+Point(5) = {0, 2.7, 0}; Point(6) = {10, 3.1, 0};
+Line(1) = {1, 2}; Line(2) = {2, 6}; Line(3) = {6, 5}; Line(4) = {5, 1};
+Line(5) = {6, 3}; Line(6) = {3, 4}; Line(7) = {4, 5};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Curve Loop(2) = {-3, 5, 6, 7}; Plane Surface(2) = {2};
+Physical Surface("low") = {1}; Physical Surface("high") = {2};
+Physical Curve("base") = {1}; Physical Curve("sides") = {2, 5, 7, 4};
+Physical Curve("top") = {6}; Physical Curve("between") = {3};
+)";
+    std::ofstream(folder / "scene.toml") << R"(scene_version = 1
+[geometry]
+file = "layers.geo"
+[grid]
+cell_size = 0.6
+[sampling]
+particles_per_cell = [2, 2]
+[materials.sand]
+model = "linear_elastic"
+shear_modulus = "20 MPa"
+poisson_ratio = 0.3
+porosity = 0.4
+[regions.low]
+material = "sand"
+[regions.high]
+material = "sand"
+[boundaries.base]
+soil = "fixed"
+[boundaries.sides]
+soil = "roller"
+[boundaries.between]
+soil = "free"
+[boundaries.top]
+soil = "free"
+[run]
+end_time = 1
+)";
+    const Outcome outcome = run_program("check " + (folder / "scene.toml").string() + " --until 1e-3 -o " +
+                                        (folder / "check").string());
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+}
+
 TEST(CheckMessages, CountTheStepsOfSoilThatSettlesWithinTheTrial)
 {
     const WorkFolder folder;
