@@ -73,6 +73,20 @@ void set_memory(const Problem& problem, const StageStart& start, SoilMemory reac
                           });
 }
 
+/// Soil that is dry in this stage has no pore pressure: its grains bear what its water bore, so that the
+/// total stress stays.
+void dry_soil(const Problem& problem, Particles& particles)
+{
+    if (!is_partly_wet(problem) || particles.pore_pressure.empty()) return;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (problem.materials[static_cast<std::size_t>(particles.material[p])].saturated) continue;
+        const double pressure = std::exchange(particles.pore_pressure[p], 0.0);
+        particles.stress.xx[p] -= pressure;
+        particles.stress.yy[p] -= pressure;
+        particles.stress.zz[p] -= pressure;
+    }
+}
+
 /// Let the present pore pressure be that from which ru and excess pore pressures count: the height to which
 /// water would stand that has it.
 void count_pressures_from_here(const Problem& problem, Particles& particles)
@@ -125,6 +139,7 @@ State begin_body(const Problem& problem, const State& initial, State reached, co
     if (!start.settles && !goes_on.water_table.empty()) particles.water_table = goes_on.water_table;
     set_grains(problem, start, drawn, goes_on, particles);
     set_water(goes_on, particles);
+    dry_soil(problem, particles);
     if (start.settles) {
         place_soil(problem, matched, particles);
         set_at_rest(particles);

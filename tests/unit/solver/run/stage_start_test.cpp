@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <utility>
 
 namespace quicksand {
@@ -123,6 +125,30 @@ TEST(StageStart, TakesTheGrainsOfChangedSoil)
     const Particles& particles = stage.state().particles;
     for (std::size_t p = 0; p < particles.size(); ++p)
         EXPECT_DOUBLE_EQ(particles.mass_solid[p], (1.0 - porosity) * 2700.0 * particles.volume[p]);
+}
+
+TEST(StageStart, LetsGrainsBearWhatTheWaterBoreWhereTheSoilIsDryNow)
+{
+    const Problem wet = sandy_ground();
+    StagedRun run = settled(wet);
+    run.shake({});
+    const Particles& before = run.state().particles;
+    Problem fallen = wet;
+    fallen.materials.push_back(wet.materials.front());
+    fallen.materials.back().saturated = false;
+    State initial = unsettled_ground(fallen, 0.8);
+    initial.particles.material.back() = static_cast<std::int32_t>(wet.materials.size());
+    const std::size_t dry = initial.particles.size() - 1;
+    ASSERT_GT(before.pore_pressure[dry], 100.0); // Pa
+    const State state = begin_stage(fallen, initial, run.state(), {});
+    const Particles& after = state.particles;
+    EXPECT_EQ(after.pore_pressure[dry], 0.0);
+    EXPECT_DOUBLE_EQ(after.stress.xx[dry], before.stress.xx[dry] - before.pore_pressure[dry]);
+    EXPECT_DOUBLE_EQ(after.stress.yy[dry], before.stress.yy[dry] - before.pore_pressure[dry]);
+    EXPECT_DOUBLE_EQ(after.stress.zz[dry], before.stress.zz[dry] - before.pore_pressure[dry]);
+    EXPECT_EQ(after.stress.xy[dry], before.stress.xy[dry]);
+    EXPECT_EQ(after.pore_pressure.front(), before.pore_pressure.front());
+    EXPECT_EQ(after.stress.yy.front(), before.stress.yy.front());
 }
 
 TEST(StageStart, RefusesAnotherNumberOfParticles)
