@@ -19,7 +19,7 @@ void check_shaking(const SceneValues& values, const BaseMotion& motion, Diagnost
     if (end_time > 0.0 && std::isfinite(shaking) && shaking > end_time * (1.0 + 1e-9)) {
         findings.add(warning_at(values.place("run.end_time"), "run.end_time", "motion",
                                 "the run ends at " + number_text(end_time) + " s, the shaking at " +
-                                    number_text(shaking) + " s"));
+                                    time_text(shaking)));
     }
 }
 
