@@ -42,7 +42,24 @@ public:
     }
 
     /// Relax with the strength divided by `factor`; the state moves on when the body stands.
-    StrengthTrial relax(double factor)
+    StrengthTrial relax(double factor) { return relax(factor, largest_displacement_); }
+
+    /// Let the body come to rest with the greatest strength, however far it moves: a body at the end of a
+    /// shaking is out of balance. Returns whether it has moved so far that a trial before tells nothing.
+    bool moves_to_rest()
+    {
+        constexpr double much = 0.1; // of the largest displacement
+        const StrengthTrial rest =
+            relax(1.0 / controls_.greatest_factor, std::numeric_limits<double>::infinity());
+        return rest.stands && rest.displacement > much * largest_displacement_;
+    }
+
+    /// The particles displaced as in the last trial that failed.
+    Particles failure() && { return std::move(failure_); }
+
+private:
+    /// Relax until the body stands, or has moved by more than `most` [m].
+    StrengthTrial relax(double factor, double most)
     {
         Problem weaker = with_reduced_strength(problem_, factor);
         soften_solids(fastest_waves(weaker, state_.particles), weaker);
@@ -53,7 +70,7 @@ public:
         StrengthTrial trial;
         trial.factor = factor;
         const auto most_steps = static_cast<std::int64_t>(controls_.crossings * crossing_time_ / dt);
-        while (trial.steps < most_steps && trial.displacement < largest_displacement_ && !trial.stands) {
+        while (trial.steps < most_steps && trial.displacement < most && !trial.stands) {
             for (std::int64_t step = 0; step < steps_between_judgements; ++step, ++trial.steps)
                 advance_held_shape(weaker, dt, controls_.damping, acceleration, trial_particles, trial_shape);
             trial.displacement = largest_displacement(problem_, trial_shape);
@@ -74,10 +91,6 @@ public:
         return trial;
     }
 
-    /// The particles displaced as in the last trial that failed.
-    Particles failure() && { return std::move(failure_); }
-
-private:
     [[noreturn]] void fail(const StrengthTrial& trial, double dt) const
     {
         FailureRecord record;
@@ -125,6 +138,7 @@ SafetyFactor safety_factor(const Problem& problem, const StrengthReductionContro
         const StrengthTrial trial = reduction.relax(factor);
         result.trials.push_back(trial);
         if (progress) progress(trial);
+        if (!trial.stands && result.trials.size() == 1 && reduction.moves_to_rest()) continue;
         (trial.stands ? result.stands : result.fails) = factor;
         if (result.stands == 0.0) {
             factor /= factor_growth;

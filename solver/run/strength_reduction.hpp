@@ -5,7 +5,8 @@
 // For every factor the body relaxes under gravity with damping, on a fixed shape, from the stress in
 // which it was stable with the last factor. It is stable if the forces come into balance, and fails
 // otherwise: then its displacement grows far beyond that of an elastic body. The factor is found by
-// bisection.
+// bisection. A body that fails at the factor 1 comes to rest with the greatest strength first: at the end of
+// a shaking it is out of balance, and what it moves by then is none of its failure.
 #pragma once
 
 #include "solver/problem/problem.hpp"

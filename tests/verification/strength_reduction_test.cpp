@@ -161,6 +161,21 @@ TEST(StrengthReduction, ASlopeThatIsTooWeakHasAFactorBelowOne)
     EXPECT_NEAR(safety.factor / critical_circle(slope).factor_of_safety, 1.0, 0.06);
 }
 
+TEST(StrengthReduction, ABodyOutOfBalanceComesToRestFirst)
+{
+    // stresses of ten times its weight, which lift it by more than the displacement of a failure
+    HomogeneousSlope slope;
+    slope.friction_angle = 20.0 * degree;
+    slope.cohesion = 0.05 * slope.unit_weight * slope.height;
+    const Problem problem = griffiths_lane(6, slope);
+    State state = slope_of_columns(problem, slope);
+    for (Scalars* part : {&state.particles.stress.xx, &state.particles.stress.yy, &state.particles.stress.zz})
+        for (double& stress : *part) stress *= 10.0;
+    const SafetyFactor safety = safety_factor(problem, coarse(), state);
+    EXPECT_FALSE(safety.trials.front().stands);
+    EXPECT_NEAR(safety.factor / critical_circle(slope).factor_of_safety, 1.0, 0.06);
+}
+
 TEST(StrengthReduction, SoilThatCannotFailIsSafe)
 {
     HomogeneousSlope slope;
