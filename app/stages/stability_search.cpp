@@ -16,8 +16,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
+#include <vector>
 
 namespace quicksand {
 
@@ -159,7 +161,8 @@ std::optional<double> read_factor_of_safety(const ResultsFolder& folder)
     const std::filesystem::path curve = folder.directory / curve_file;
     if (!std::filesystem::exists(curve)) return std::nullopt;
     std::istringstream text(read_text(curve));
-    double stands = 0.0, fails = std::numeric_limits<double>::infinity();
+    double stands = 0.0;
+    std::vector<double> failed; // also before the body came to rest, at factors that it bears
     for (std::string line; std::getline(text, line);) {
         const CsvRow cells = csv_cells(line);
         const double factor = csv_value(cells.front());
@@ -167,9 +170,13 @@ std::optional<double> read_factor_of_safety(const ResultsFolder& folder)
         if (cells[3] == "1")
             stands = std::max(stands, factor);
         else
-            fails = std::min(fails, factor);
+            failed.push_back(factor);
     }
-    return stands > 0.0 && std::isfinite(fails) ? 0.5 * (stands + fails) : stands;
+    double fails = std::numeric_limits<double>::infinity();
+    for (const double factor : failed)
+        if (factor > stands) fails = std::min(fails, factor);
+    constexpr double scale = 1e4; // digits beyond the width of any bracket are of no use
+    return std::isfinite(fails) && stands > 0.0 ? std::round(scale * 0.5 * (stands + fails)) / scale : stands;
 }
 
 } // namespace quicksand
