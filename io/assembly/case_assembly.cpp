@@ -245,7 +245,8 @@ void cut_columns(AssembledCase& assembled)
             boundary->place, "free-field",
             "the free-field side \"" + obstacle.boundary + "\" has no column of its own: " + obstacle.what,
             "level ground over one cell beside the side",
-            "draw the surface, the layers and the phreatic line level over the last cells before the side"));
+            "draw the surface, the layers, the base and the phreatic line level over the last cells before "
+            "the side"));
     }
     throw_errors(assembled.warnings, assembled.scene);
 }

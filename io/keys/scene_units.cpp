@@ -108,6 +108,11 @@ std::string three_digits(double number)
     return fmt::format("{:.3g}", number);
 }
 
+std::string six_digits(double number)
+{
+    return fmt::format("{:.6g}", number);
+}
+
 std::string time_text(double seconds)
 {
     constexpr double hour = 3600.0, day = 24.0 * hour;

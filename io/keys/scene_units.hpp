@@ -41,6 +41,9 @@ std::string number_text(double number);
 /// Three significant digits, for numbers that are told but not read back: 0.45, 2.2e+09.
 std::string three_digits(double number);
 
+/// Six significant digits, for places and factors that follow from others: 31.87.
+std::string six_digits(double number);
+
 /// A time with four digits, in hours from two hours on and in days from two days on: 0.45 s, 24 h, 10 d.
 std::string time_text(double seconds);
 

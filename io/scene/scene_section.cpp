@@ -167,7 +167,7 @@ std::optional<UprightSide> find_upright_side(const SceneBoundary& boundary, cons
     findings.add(
         error_at(boundary.place, kind,
                  name + " at x = " + number_text(side.x) +
-                     " m is not on a grid line: the nearest is at x = " + number_text(side.x - offset) + " m",
+                     " m is not on a grid line: the nearest is at x = " + six_digits(side.x - offset) + " m",
                  "a vertical straight line on a grid line",
                  "choose a cell size that divides the width, or set origin in [grid]"));
     return std::nullopt;

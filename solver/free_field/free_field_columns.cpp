@@ -207,7 +207,7 @@ std::optional<Problem> cut_column(const Problem& problem, const Particles& parti
         const std::vector<Segment> parts = within(strip, boundary.segments);
         if (parts.empty()) continue;
         if (!is_level(parts, strip.tolerance)) {
-            what = uneven;
+            what = "the curve \"" + boundary.name + "\" is not level over the first column of cells";
             return std::nullopt;
         }
         if (moves(boundary.soil)) {

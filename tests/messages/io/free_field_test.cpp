@@ -85,7 +85,7 @@ TEST(FreeFieldSides, NeedLevelGroundBesideThem)
         << message;
     EXPECT_NE(message.find(R"(
 expected: level ground over one cell beside the side
-hint: draw the surface, the layers and the phreatic line level over the last cells before the side
+hint: draw the surface, the layers, the base and the phreatic line level over the last cells before the side
 )"),
               std::string::npos)
         << message;

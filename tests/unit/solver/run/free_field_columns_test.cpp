@@ -102,7 +102,8 @@ TEST(FreeFieldColumns, NeedLevelGround)
 
     Problem slope = problem;
     slope.boundaries[2].segments = {{{12.0, 6.0}, {1.0, 6.0}}, {{1.0, 6.0}, {0.0, 5.9}}};
-    EXPECT_EQ(left_obstacle(slope, state), uneven);
+    EXPECT_EQ(left_obstacle(slope, state),
+              "the curve \"" + slope.boundaries[2].name + "\" is not level over the first column of cells");
 }
 
 TEST(FreeFieldColumns, HaveTheWaterNearestToTheSide)
