@@ -7,7 +7,8 @@
 // stresses. The difference between the kinetic energy of the nodes and that of the particles is lost in the
 // transfers and at the walls; this numerical dissipation is a term of its own.
 //
-// In a long step, whose stiffness and pressure are solved together, forces work with the velocities after it.
+// In a long step, whose stiffness and pressure are solved together, forces work with the velocities after it
+// where nothing moves the soil and vibrations are damped.
 // Those before it come from the particles and are smoother: over such a step the difference, times forces
 // that balance each other, would be energy made or lost, while water flows steadily and nothing moves.
 #pragma once

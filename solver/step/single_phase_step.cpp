@@ -61,7 +61,7 @@ WorkingVelocity solve_resisted(const Problem& problem, double dt, double velocit
         if (!move_coupled(problem, work.conditions, dt, velocity_dt, acceleration, work.dashpots,
                           work.walls.rows, work.sums, work.motion, *work.inertia, work.coupled))
             fail_to_resist(dt, state);
-        return WorkingVelocity::last;
+        return work.inertia->kept < 1.0 ? WorkingVelocity::last : WorkingVelocity::mean;
     }
     solve();
     set_up_inertia(problem, dt, velocity_dt, work);

@@ -375,7 +375,8 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
             answer(problem, dt, velocity_dt, state, work);
     }
     timed(work.timers, Phase::momentum, [&] {
-        enter_works(problem, velocity_dt, together ? WorkingVelocity::last : WorkingVelocity::mean, work,
+        const bool is_quiet = together && work.inertia->kept < 1.0; // vibrations are damped, not followed
+        enter_works(problem, velocity_dt, is_quiet ? WorkingVelocity::last : WorkingVelocity::mean, work,
                     state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
