@@ -84,7 +84,7 @@ std::string describe_soil(const AssembledCase& assembled)
 {
     const Problem& problem = assembled.problem;
     std::string text = fmt::format("Soil\n  {:<16}{:>12}{:>14}{:>12}{:>20}\n", "region", "area m2",
-                                   "area error", "particles", "cut at the outline");
+                                   "area error", "particles", "of them cut");
     std::size_t cut = 0;
     for (std::size_t r = 0; r < assembled.sampling.regions.size(); ++r) {
         const RegionSampling& region = assembled.sampling.regions[r];
@@ -101,7 +101,8 @@ std::string describe_soil(const AssembledCase& assembled)
     const Monitors sums = monitor(problem, assembled.state, {});
     const BackgroundGrid& grid = problem.grid;
     const std::string of_them =
-        cut > 0 ? fmt::format(", of them {} cut at the outline,", grouped(static_cast<long long>(cut))) : "";
+        cut > 0 ? fmt::format(", of them {} cut at outlines or water,", grouped(static_cast<long long>(cut)))
+                : "";
     text +=
         fmt::format("  {} particles{} in {} x {} = {} cells of {} m; {:.2f} per occupied cell ({} cells)\n",
                     grouped(static_cast<long long>(assembled.state.particles.size())), of_them, grid.cells_x,

@@ -12,14 +12,6 @@ namespace quicksand {
 
 namespace {
 
-constexpr double rounding = 1e-9; // places that are the same [boxes]
-
-double on_lattice(double coordinate)
-{
-    const double line = std::round(coordinate);
-    return std::abs(coordinate - line) < rounding ? line : coordinate;
-}
-
 /// The ring counted in boxes, counter-clockwise or, as a hole, clockwise.
 Ring in_boxes(const Lattice& lattice, const Ring& ring, bool is_hole)
 {
@@ -95,7 +87,7 @@ private:
         const auto limited = [&](double value) {
             return static_cast<int>(std::clamp(value, 0.0, static_cast<double>(boxes)));
         };
-        return {limited(std::floor(from + rounding)), limited(std::ceil(to - rounding))};
+        return {limited(std::floor(from + lattice_rounding)), limited(std::ceil(to - lattice_rounding))};
     }
 
     void mark_edge(const Vector2& start, const Vector2& end)
@@ -171,7 +163,7 @@ private:
                 local.emplace_back(on_lattice(CGAL::to_double(x.exact())),
                                    on_lattice(CGAL::to_double(y.exact())));
             }
-            local = without_needless_vertices(std::move(local), rounding);
+            local = without_needless_vertices(std::move(local), lattice_rounding);
             if (!local.empty()) rest.rings.push_back(std::move(local));
         }
         if (!rest.rings.empty()) boxes_[lattice_.index(box.i_begin, box.j_begin)].push_back(std::move(rest));
@@ -195,13 +187,19 @@ CutBox content_of(std::size_t index, const std::vector<CountedPolygon>& polygons
     }
     if (box.filled_by) return box;
     for (const CountedPolygon& polygon : polygons) {
-        for (Ring& piece : convex_pieces(polygon.rings, rounding, smallest_fraction))
+        for (Ring& piece : convex_pieces(polygon.rings, lattice_rounding, smallest_fraction))
             box.pieces.push_back({polygon.region, std::move(piece)});
     }
     return box;
 }
 
 } // namespace
+
+double on_lattice(double coordinate)
+{
+    const double line = std::round(coordinate);
+    return std::abs(coordinate - line) < lattice_rounding ? line : coordinate;
+}
 
 std::vector<CutBox> cut_boxes(const Section& section, const Lattice& lattice)
 {

@@ -42,6 +42,12 @@ struct CutBox {
 /// The least of a box that counts: smaller pieces are left out, and a box that lacks less is whole [-].
 inline constexpr double smallest_fraction = 1e-6;
 
+/// Places nearer to each other than this are the same [boxes].
+inline constexpr double lattice_rounding = 1e-9;
+
+/// A coordinate counted in boxes, on a line of the lattice where it is that near to one.
+double on_lattice(double coordinate);
+
 /// All boxes that an outline runs through, row by row from the lower left.
 std::vector<CutBox> cut_boxes(const Section& section, const Lattice& lattice);
 

@@ -1,6 +1,7 @@
 #include "geometry/sampling/particle_sampler.hpp"
 
 #include "geometry/sampling/box_cutting.hpp"
+#include "geometry/sampling/water_cutting.hpp"
 #include "geometry/section/region_locator.hpp"
 #include "solver/base/cross_product.hpp"
 #include "solver/base/failure.hpp"
@@ -87,6 +88,18 @@ void add_piece(const Lattice& lattice, int i, int j, const BoxPiece& piece, Samp
         sampling.shapes.push_back(make_cut_domain(std::move(corners)));
     }
     sampling.domains.push_back(domain);
+}
+
+/// Part the soil of the box (i, j) where the line runs through it.
+void part_box(const LineInBoxes& line, int i, int j, CutBox& box)
+{
+    if (!(box.filled_by || !box.pieces.empty()) || !line.crosses(i, j)) return;
+    std::vector<BoxPiece> pieces = box.pieces;
+    if (box.filled_by) pieces.push_back({*box.filled_by, {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
+    std::vector<BoxPiece> parts = line.part(i, j, pieces);
+    if (parts.size() == pieces.size()) return;
+    box.filled_by.reset();
+    box.pieces = std::move(parts);
 }
 
 /// A sum whose error does not grow with the number of terms (Neumaier).
@@ -181,7 +194,8 @@ ParticleDomain domain_of_quad(const MeshQuad& quad)
 
 } // namespace
 
-Sampling sample_lattice(const Section& section, const BackgroundGrid& grid, int per_cell_x, int per_cell_y)
+Sampling sample_lattice(const Section& section, const BackgroundGrid& grid, int per_cell_x, int per_cell_y,
+                        const std::vector<WaterLine>& water_lines)
 {
     ENSURE(per_cell_x >= 1 && per_cell_y >= 1);
     Lattice lattice;
@@ -191,17 +205,19 @@ Sampling sample_lattice(const Section& section, const BackgroundGrid& grid, int 
     lattice.rows = grid.cells_y * per_cell_y;
 
     const std::vector<CutBox> cut = cut_boxes(section, lattice);
+    std::vector<LineInBoxes> lines;
+    for (const WaterLine& line : water_lines) lines.emplace_back(lattice, line);
     const RegionLocator locator(section);
     Sampling sampling;
     auto next = cut.begin();
     for (int j = 0; j < lattice.rows; ++j) {
         for (int i = 0; i < lattice.columns; ++i) {
-            const bool is_cut = next != cut.end() && next->index == lattice.index(i, j);
-            const auto region = is_cut ? next->filled_by : locator.locate(lattice.centre(i, j));
-            if (region) sampling.domains.push_back(domain_of_box(lattice, i, j, *region));
-            if (!is_cut) continue;
-            for (const BoxPiece& piece : next->pieces) add_piece(lattice, i, j, piece, sampling);
-            ++next;
+            const std::size_t index = lattice.index(i, j);
+            const bool is_cut = next != cut.end() && next->index == index;
+            CutBox box = is_cut ? *next++ : CutBox{index, locator.locate(lattice.centre(i, j)), {}};
+            for (const LineInBoxes& line : lines) part_box(line, i, j, box);
+            if (box.filled_by) sampling.domains.push_back(domain_of_box(lattice, i, j, *box.filled_by));
+            for (const BoxPiece& piece : box.pieces) add_piece(lattice, i, j, piece, sampling);
         }
     }
     report_regions(section, sampling);

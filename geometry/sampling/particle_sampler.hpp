@@ -2,6 +2,7 @@
 #pragma once
 
 #include "geometry/section/section.hpp"
+#include "solver/faces/water_condition.hpp"
 #include "solver/interpolation/cut_domains.hpp"
 #include "solver/particles/background_grid.hpp"
 
@@ -21,14 +22,14 @@ struct ParticleDomain {
     Vector2 twist = Vector2::Zero();       // [m]
     double volume = 0.0;                   // [m2]
     std::size_t region = 0;                // index into Section::regions
-    bool is_piece = false;                 // of a box that an outline cuts
+    bool is_piece = false;                 // of a box that an outline or a water line cuts
     std::int32_t shape = -1;               // index into Sampling::shapes; -1 where it is its half edges'
 };
 
 /// What the sampling of one region cost and how good it is.
 struct RegionSampling {
     std::size_t particles = 0;
-    std::size_t cut = 0;          // of the particles: pieces of boxes that an outline cuts
+    std::size_t cut = 0;          // of the particles: pieces of boxes that an outline or a water line cuts
     double area = 0.0;            // exact, of the region's polygons [m2]
     double area_error = 0.0;      // of the domains, (theirs - area) / area [-]
     double smallest_volume = 0.0; // [m2]
@@ -44,8 +45,10 @@ struct Sampling {
 };
 
 /// A regular lattice of per_cell_x x per_cell_y domains in every cell. Those that outlines cut become exact
-/// convex pieces, one domain each, in the order of the lattice.
-Sampling sample_lattice(const Section& section, const BackgroundGrid& grid, int per_cell_x, int per_cell_y);
+/// convex pieces, one domain each, in the order of the lattice; those that water lines run through are parted
+/// there.
+Sampling sample_lattice(const Section& section, const BackgroundGrid& grid, int per_cell_x, int per_cell_y,
+                        const std::vector<WaterLine>& water_lines = {});
 
 /// One domain per quadrilateral of the section's mesh, corners included. Throws InputError where one is
 /// folded or not convex.

@@ -79,11 +79,11 @@ std::vector<std::int32_t> materials_of_regions(const Scene& scene, const Section
     return materials;
 }
 
-Sampling sample(const Scene& scene, const Section& section, const BackgroundGrid& grid)
+Sampling sample(const Scene& scene, const Section& section, const BackgroundGrid& grid,
+                const std::vector<WaterLine>& water_lines)
 {
-    if (const auto* lattice = std::get_if<LatticeSampling>(&scene.sampling)) {
-        return sample_lattice(section, grid, lattice->per_cell_x, lattice->per_cell_y);
-    }
+    if (const auto* lattice = std::get_if<LatticeSampling>(&scene.sampling))
+        return sample_lattice(section, grid, lattice->per_cell_x, lattice->per_cell_y, water_lines);
     return sample_mesh(section, grid);
 }
 
@@ -337,7 +337,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     place_probes(section, assembled.scene);
     leave_out_probes(section, absent, assembled.scene);
 
-    assembled.sampling = sample(assembled.scene, section, assembled.problem.grid);
+    assembled.sampling = sample(assembled.scene, section, assembled.problem.grid, reading.water_lines);
     check_sampling(assembled.sampling, assembled);
     assembled.problem.cut_domains = take_cut_domains(assembled.problem, assembled.sampling);
     const std::vector<std::int32_t> numbers =

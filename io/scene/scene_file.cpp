@@ -321,7 +321,9 @@ std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
             file, read.document, read.stands_alone ? read.text : document_text(read.document), findings);
         if (findings.has_errors()) throw_findings(findings, read.text);
         reading.warnings = std::move(findings);
-        return {std::move(reading)};
+        std::vector<SceneReading> readings{std::move(reading)};
+        share_water_lines(readings);
+        return readings;
     }
     check_placement(read.document, findings);
     std::vector<SceneReading> readings;
@@ -336,6 +338,7 @@ std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
     readings.front().warnings = std::move(findings); // of all stages
     for (SceneReading& reading : readings) reading.warnings.keep_text(file, read.text);
     carry_water_on(readings);
+    share_water_lines(readings);
     return readings;
 }
 

@@ -19,6 +19,8 @@ struct SceneReading {
     std::size_t wetting = 0;
     /// Whether the stage has the flow of the last of them: one in time, which no heads tell.
     bool keeps_flow = false;
+    /// Lines up to which still water stands in this and the other stages: particles are parted there.
+    std::vector<WaterLine> water_lines;
     std::vector<ResolvedKey> keys;
     Diagnostics warnings;
 };

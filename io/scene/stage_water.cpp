@@ -2,6 +2,8 @@
 
 #include "io/tables/scene_boundaries.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <variant>
 
 namespace quicksand {
@@ -54,6 +56,13 @@ void append_flow(const SceneReading& before, SceneReading& stage)
     if (before.scene.starts_seeping) ++stage.wetting;
 }
 
+std::optional<WaterLine> still_water_line(const Scene& scene)
+{
+    if (!scene.water || scene.starts_seeping) return std::nullopt;
+    if (scene.phreatic_line.empty()) return WaterLine{{Vector2(0.0, scene.water->level)}};
+    return WaterLine{scene.phreatic_line};
+}
+
 } // namespace
 
 void carry_water_on(std::vector<SceneReading>& stages)
@@ -69,6 +78,19 @@ void carry_water_on(std::vector<SceneReading>& stages)
             stage.keeps_flow = !stage.flows.empty() && flows_in_time(stage.flows.back());
         }
     }
+}
+
+void share_water_lines(std::vector<SceneReading>& stages)
+{
+    std::vector<WaterLine> lines;
+    for (const SceneReading& stage : stages) {
+        const std::optional<WaterLine> line = still_water_line(stage.scene);
+        const bool is_known = line && std::any_of(lines.begin(), lines.end(), [&](const WaterLine& known) {
+                                  return known.points == line->points;
+                              });
+        if (line && !is_known) lines.push_back(*line);
+    }
+    for (SceneReading& stage : stages) stage.water_lines = lines;
 }
 
 } // namespace quicksand

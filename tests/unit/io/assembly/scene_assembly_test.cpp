@@ -243,6 +243,24 @@ TEST(Assembly, DividesTheSoilAtTheWaterLevel)
     }
 }
 
+TEST(Assembly, WetsExactlyTheSoilBelowTheLevelBetweenRowsOfParticles)
+{
+    for (const std::string keys :
+         {"level = 0.1512", "level = 0.1\nphreatic_line = [[0, 0.1512], [1, 0.1512]]"}) {
+        const AssembledCase column = assemble_case(
+            SceneFolder().read(replaced(column_scene, "level = 0.3175", keys)), column_section());
+        const Particles& particles = column.state.particles;
+        double wet = 0.0, width = 0.0;
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            const bool is_saturated =
+                column.problem.materials[static_cast<std::size_t>(particles.material[p])].saturated;
+            if (is_saturated) wet += particles.volume[p];
+            width += particles.volume[p] / 0.3175;
+        }
+        EXPECT_NEAR(wet / width, 0.1512, 1e-12) << keys;
+    }
+}
+
 TEST(Assembly, MoistSandIsLoosestAndDensestAtTheSamePorosityAsSaturatedSand)
 {
     std::string text = replaced(column_scene, "level = 0.3175", "level = 0.15");

@@ -87,6 +87,19 @@ TEST(SceneStages, SeepageIsSettlingInTheSteadyFlow)
     EXPECT_TRUE(stages[2].scene.starts_seeping); // the water stays
 }
 
+TEST(SceneStages, ShareTheLinesOfStillWaterOfAllOfThem)
+{
+    const auto stages = read_stages(
+        column_scene + settle + "[stages.water]\nlevel = 0.2\n" +
+        "[[stages]]\nname = \"higher\"\nkind = \"settle\"\n[stages.water]\nlevel = 0.25\n" + shake);
+    ASSERT_EQ(stages.size(), 3U);
+    for (const SceneReading& stage : stages) {
+        ASSERT_EQ(stage.water_lines.size(), 2U);
+        EXPECT_EQ(stage.water_lines[0].points.front().y(), 0.2);
+        EXPECT_EQ(stage.water_lines[1].points.front().y(), 0.25);
+    }
+}
+
 TEST(SceneStages, OverridesAndVariantsNameThem)
 {
     EXPECT_DOUBLE_EQ(
