@@ -11,9 +11,10 @@ namespace quicksand {
 std::optional<TimeStep> step_replaced_by_waves(const Problem& problem, const Problem& wave_form, State& state)
 {
     if (problem.scheme != TimeScheme::implicit || state.step_halvings > 0) return std::nullopt;
-    if (state.time >= end_of_motion(problem, crossing_time(problem, state.time, state.particles)))
-        return std::nullopt;
+    const bool is_left_alone =
+        state.time >= end_of_motion(problem, crossing_time(problem, state.time, state.particles));
     const TimeStep accurate = shortest_time_step(problem, state);
+    if (is_left_alone && accurate.limiter != TimeStepLimiter::flow) return std::nullopt; // steps grow
     // the bound costs as much as twenty steps: first whether it matters
     if (!are_waves_cheaper(stable_time_step(wave_form, state), accurate)) return std::nullopt;
     if (state.step_scale == not_measured) measure_bounds(wave_form, state);

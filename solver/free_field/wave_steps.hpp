@@ -14,7 +14,7 @@ namespace quicksand {
 
 /// The implicit step from the state in whose place steps of `wave_form`, the problem with the scheme of
 /// waves, are to be taken; none where implicit steps are:
-///   once nothing moves the soil any more: they grow, and damp vibrations
+///   once nothing moves the soil any more and it does not flow: they grow, and damp vibrations
 ///   after a failure, to the next restart point
 /// Measures the bound of the steps of waves where it is considered for the first time since measure_bounds().
 /// Throws NumericalError.

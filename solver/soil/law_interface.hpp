@@ -133,6 +133,13 @@ Law reduced(const Law& law, double)
     return law;
 }
 
+/// Shear stress that the soil bears without mean stress [Pa].
+template <class Law>
+double cohesion_of(const Law&)
+{
+    return 0.0;
+}
+
 /// G of unloading at the particle's present stress [Pa].
 template <class Law>
 double shear_modulus_at(const Law& law, std::size_t, const Particles&)

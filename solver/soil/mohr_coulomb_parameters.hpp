@@ -38,6 +38,11 @@ inline bool flows_at_constant_volume(const MohrCoulomb&)
     return true;
 }
 
+inline double cohesion_of(const MohrCoulomb& law)
+{
+    return law.cohesion;
+}
+
 inline bool has_strength(const MohrCoulomb&)
 {
     return true;

@@ -2,6 +2,7 @@
 
 #include "solver/base/overload.hpp"
 #include "solver/inertia/inertia_solve.hpp"
+#include "solver/step/flowing_soil.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -178,9 +179,12 @@ void choose_resistance(const Problem& problem, const State& state, InertiaSolve&
     const bool is_left_alone =
         state.whole_step > 0.0 &&
         state.time >= end_of_motion(problem, crossing_time(problem, state.time, state.particles));
-    const double damping = state.stage == Stage::relaxation ? damping_of_settling_solids
-                           : is_left_alone                  ? damping_of_vibrations
-                                                            : 0.0;
+    double damping = 0.0;
+    if (state.stage == Stage::relaxation)
+        damping = damping_of_settling_solids;
+    else if (is_left_alone) // less in soil that flows, which it would stop
+        damping =
+            damping_of_vibrations * std::min(1.0, step_of_flow(problem, state.particles) / state.whole_step);
     inertia.resistance = inertia_fraction + damping;
     inertia.kept = inertia_fraction / inertia.resistance;
 }
@@ -200,6 +204,7 @@ TimeStep accurate_time_step(const Problem& problem, double time, double last_ste
     } else {
         const double grown = step_growth * (last_step > 0.0 ? last_step : wave_step);
         limit({grown, TimeStepLimiter::growth, ""});
+        limit(at_least_wave(step_of_flow(problem, particles), TimeStepLimiter::flow));
         limit(at_least_wave(pressure_step(particles), TimeStepLimiter::pressure));
         limit(at_least_wave(resolving_step_of_histories(problem, time), TimeStepLimiter::shaking));
     }

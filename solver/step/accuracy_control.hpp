@@ -7,8 +7,9 @@
 //                          below the waves' step
 //   0.05                   strain of the particle that is strained fastest, but not below the waves' step
 // After that, and in scenes where nothing moves the soil, it starts at the limit of the waves and grows by a
-// factor from step to step, as long as pore pressures change by a small part of the largest; so it does from
-// steps that the watchdog has made shorter, for pressures go on at their rate within a step. What rises over
+// factor from step to step, as long as pore pressures change by a small part of the largest and the soil does
+// not flow (flowing_soil.hpp); so it does from steps that the watchdog has made shorter, for pressures go on
+// at their rate within a step. What rises over
 // a hundred times the time in which shear waves rise through the grid, as a flood does, moves the soil
 // without waves: steps grow, and resolve it.
 #pragma once

@@ -17,6 +17,7 @@ enum class TimeStepLimiter {
     growth,
     pressure,
     strain,
+    flow,
     motion,
     output
 };

@@ -202,6 +202,8 @@ const char* name_of(TimeStepLimiter limiter)
         return "change of pore pressure";
     case TimeStepLimiter::strain:
         return "strain of a step";
+    case TimeStepLimiter::flow:
+        return "flow of the soil";
     case TimeStepLimiter::motion:
         return "motion";
     case TimeStepLimiter::output:

@@ -1,0 +1,57 @@
+#include "solver/step/flowing_soil.hpp"
+
+#include "solver/problem/material_runs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace quicksand {
+
+namespace {
+
+constexpr double elastic_change = 0.05; // e: of the soil's stress in a step, were its strain elastic [-]
+
+/// Square of the rate of strain, D : D [1/s2].
+double rate_squared(const Gradients& L, std::size_t p)
+{
+    const double shear = L.xy[p] + L.yx[p];
+    return L.xx[p] * L.xx[p] + L.yy[p] * L.yy[p] + 0.5 * shear * shear;
+}
+
+/// The stress of a particle that its soil bears, or has borne before its water took it over [Pa].
+template <class Law>
+double borne_stress(const Law& law, const Particles& particles, std::size_t p)
+{
+    const double mean = -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]);
+    return cohesion_of(law) + std::max({particles.initial_vertical_effective_stress[p], mean, 0.0});
+}
+
+/// Rates of work of the soil that yields, per length [W/m].
+struct RatesOfWork {
+    double borne = 0.0;   // of the soil's stress
+    double elastic = 0.0; // of the stress that its strain in a second would cause, were it elastic
+};
+
+} // namespace
+
+double step_of_flow(const Problem& problem, const Particles& particles)
+{
+    RatesOfWork sum;
+    const auto add = [&](const auto& law, std::size_t first, std::size_t last) {
+        if (!yields(law)) return;
+        for (std::size_t p = first; p < last; ++p) {
+            const double squared = rate_squared(particles.affine_velocity_solid, p);
+            sum.borne += particles.volume[p] * borne_stress(law, particles, p) * std::sqrt(squared);
+            sum.elastic += particles.volume[p] * 2.0 * shear_modulus_at(law, p, particles) * squared;
+        }
+    };
+    for_each_material_run(problem, particles, 0, particles.size(),
+                          [&](const Material& material, std::size_t first, std::size_t last) {
+                              std::visit([&](const auto& law) { add(law, first, last); }, material.law);
+                          });
+    return sum.elastic > 0.0 ? elastic_change * sum.borne / sum.elastic
+                             : std::numeric_limits<double>::infinity();
+}
+
+} // namespace quicksand

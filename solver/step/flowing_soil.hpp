@@ -1,0 +1,20 @@
+// The step that soil in failure bears.
+//
+// The stiffness that resists accelerations and damps vibrations in long steps (inertia/inertia_solve.hpp) is
+// elastic. Soil that flows at its strength is far softer: with the strain D dt of a step its resistance is a
+// stress c 2 G D dt that nothing balances, and that stops slopes which slide. So 2 G |D| dt stays a small
+// part of the stress that the soil bears, in the mean over the work of both:
+//   dt <= e sum V s |D| / sum V 2 G D : D
+// s: cohesion and the larger of the vertical stress at first and the mean stress. Elastic soil never flows.
+// Where soil consolidates, 2 G D dt is the change of its stress in a step, and pore pressures limit it first.
+#pragma once
+
+#include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
+
+namespace quicksand {
+
+/// Longest step of the soil with its present rates of strain; infinite at rest [s].
+double step_of_flow(const Problem& problem, const Particles& particles);
+
+} // namespace quicksand
