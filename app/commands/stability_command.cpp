@@ -46,6 +46,7 @@ ExitCode assess_stability(const StabilityChoice& choice)
 {
     Journal journal;
     Subject subject = find_subject(choice, journal);
+    if (subject.results) part_as_in(*subject.results, subject.reading);
     SceneSetup setup = set_up_reading(choice.scene, std::move(subject.reading), journal);
     AssembledCase& assembled = setup.assembled;
     require_strength(assembled);

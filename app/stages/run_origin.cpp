@@ -57,6 +57,12 @@ fs::path folder_of_end(const std::string& from)
                      "\nexpected: " + (names.empty() ? "a run with stages" : one_of(names)));
 }
 
+void part_as_in(const fs::path& folder, SceneReading& reading)
+{
+    const RunRecord record = read_run_record(ResultsFolder{folder}.manifest());
+    if (record.water_lines) reading.water_lines = *record.water_lines;
+}
+
 Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
                    const AssembledCase& assembled)
 {

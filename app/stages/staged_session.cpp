@@ -1,6 +1,6 @@
 #include "app/stages/staged_session.hpp"
 
-#include "app/run/number_format.hpp"
+#include "app/run/stop_signal.hpp"
 #include "app/stages/former_run.hpp"
 #include "app/stages/run_origin.hpp"
 #include "app/stages/stability_search.hpp"
@@ -20,6 +20,13 @@ namespace quicksand {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Its own results where it is resumed, and else those before it.
+std::optional<fs::path> results_gone_on_from(const RunChoice& chosen, const std::optional<fs::path>& before)
+{
+    const bool takes_up_its_own = chosen.resume && fs::exists(ResultsFolder{chosen.directory}.manifest());
+    return takes_up_its_own ? std::optional(chosen.directory) : before;
+}
 
 /// The stages on their way: what each has come to, and where the next one goes on from.
 class StageSequence {
@@ -48,12 +55,22 @@ public:
             fs::create_directories(directory_);
             write_stage_table(directory_, rows_);
             if (outcome.end != SessionEnd::finished) break;
+            if (StopSignal::received() && next_ + 1 < stages_.size()) return stop_between(outcome, journal);
             if (stage().kind != StageKind::stability) before_ = outcome.folder.directory;
         }
         return outcome;
     }
 
 private:
+    /// The request came when the stage had no step left.
+    SessionOutcome stop_between(SessionOutcome outcome, Journal& journal) const
+    {
+        journal.say(fmt::format(
+            "Stopped on request after stage {}. Go on with the same command and --resume.", stage().name));
+        outcome.end = SessionEnd::stopped;
+        return outcome;
+    }
+
     /// A former run in the folder of a later stage is told before hours of earlier ones.
     void require_room() const
     {
@@ -77,7 +94,9 @@ private:
             return {SessionEnd::finished, {folder}};
         }
         Journal of_stage; // keeps the log of the stage
-        SceneSetup setup = set_up_reading(choice_.scene, stages_[next_], of_stage);
+        SceneReading reading = stages_[next_];
+        if (const auto earlier = results_gone_on_from(chosen, before_)) part_as_in(*earlier, reading);
+        SceneSetup setup = set_up_reading(choice_.scene, std::move(reading), of_stage);
         if (stage().kind == StageKind::stability) return find_safety(folder, std::move(setup), of_stage);
         std::optional<Origin> origin;
         if (before_ && !chosen.resume) origin = origin_from(*before_, setup.keys, setup.assembled);
@@ -144,20 +163,22 @@ private:
 
 SessionOutcome run_whole(const RunChoice& choice, SceneReading reading, Journal& journal)
 {
-    SceneSetup setup = set_up_reading(choice.scene, std::move(reading), journal);
     RunChoice chosen = choice;
-    if (chosen.directory.empty()) chosen.directory = default_results(setup.assembled.scene.file);
+    if (chosen.directory.empty()) chosen.directory = default_results(reading.scene.file);
     if (choice.go_on) {
-        const FormerRun former = former_run({chosen.directory}, setup.hashes);
+        const FormerRun former = former_run({chosen.directory}, hashes_of(choice.scene, reading));
         take_up(former, chosen);
         if (former == FormerRun::finished) {
             journal.say("Nothing to do: the run in " + chosen.directory.string() + " is finished.");
             return {SessionEnd::finished, {}};
         }
     }
+    std::optional<fs::path> before;
+    if (!choice.from.empty()) before = folder_of_end(choice.from);
+    if (const auto earlier = results_gone_on_from(chosen, before)) part_as_in(*earlier, reading);
+    SceneSetup setup = set_up_reading(choice.scene, std::move(reading), journal);
     std::optional<Origin> origin;
-    if (!choice.from.empty() && !chosen.resume)
-        origin = origin_from(folder_of_end(choice.from), setup.keys, setup.assembled);
+    if (before && !chosen.resume) origin = origin_from(*before, setup.keys, setup.assembled);
     return run_session(chosen, std::move(setup), journal, std::move(origin));
 }
 

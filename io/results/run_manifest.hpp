@@ -5,6 +5,7 @@
 #include "io/results/run_summary.hpp"
 #include "io/scene/scene_file.hpp"
 #include "io/tables/scene.hpp"
+#include "solver/faces/water_condition.hpp"
 #include "solver/measure/verdict.hpp"
 
 #include <cstdint>
@@ -57,6 +58,7 @@ struct RunManifest {
     std::string state_hash;             // text_hash() of state_text(), see io/scene/state_keys.hpp
     std::vector<std::string> overrides; // path=value, as given
     std::vector<InputFile> inputs;
+    std::vector<WaterLine> water_lines; // at which particles are parted
     int threads = 1;
     std::optional<double> resumed_at; // t of the checkpoint [s]
     std::string start_time;           // UTC; filled by begin_manifest()

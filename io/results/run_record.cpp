@@ -41,6 +41,21 @@ std::vector<SummaryValue> read_summary(const Json& json)
     return values;
 }
 
+std::optional<std::vector<WaterLine>> read_water_lines(const Json& json)
+{
+    const auto found = json.find("water_lines_m");
+    if (found == json.end() || !found->is_array()) return std::nullopt;
+    std::vector<WaterLine> lines;
+    for (const Json& points : *found) {
+        WaterLine line;
+        for (const Json& point : points)
+            if (point.is_array() && point.size() == 2 && point[0].is_number() && point[1].is_number())
+                line.points.emplace_back(point[0].get<double>(), point[1].get<double>());
+        if (!line.points.empty()) lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
 } // namespace
 
 RunRecord read_run_record(const std::filesystem::path& manifest)
@@ -67,6 +82,7 @@ RunRecord read_run_record(const std::filesystem::path& manifest)
     record.threads = number_of(json, "threads");
     record.step_halvings = number_of(json, "step_halvings");
     record.summary = read_summary(json);
+    record.water_lines = read_water_lines(json);
     if (json.contains("overrides") && json["overrides"].is_array())
         for (const auto& word : json["overrides"])
             if (word.is_string()) record.overrides.push_back(word.get<std::string>());

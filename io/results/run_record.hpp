@@ -2,9 +2,11 @@
 #pragma once
 
 #include "io/results/run_summary.hpp"
+#include "solver/faces/water_condition.hpp"
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +17,9 @@ struct RunRecord {
     std::string version, status, exit_reason, verdict;
     std::filesystem::path scene_file;
     std::string scene_hash, state_hash;
-    std::vector<std::string> overrides;           // path=value, as given
+    std::vector<std::string> overrides; // path=value, as given
+    /// At which particles are parted; none in a manifest that does not tell it.
+    std::optional<std::vector<WaterLine>> water_lines;
     std::string start_time, end_time;             // UTC
     double wall_time = 0.0;                       // of the last process [s]
     double simulated_time = 0.0;                  // t reached [s]

@@ -1,5 +1,6 @@
 // A scene in stages: each goes on from the one before, a run that was stopped goes on, others begin with an
 // end.
+#include "io/results/run_record.hpp"
 #include "tests/examples/program.hpp"
 #include "tests/fixtures/checkout.hpp"
 
@@ -88,6 +89,25 @@ TEST_F(Stages, AreTheRunThatSettlesAndShakes)
     ASSERT_EQ(run(scene() + " --from " + results("a") + ":gravity -o " + results("d")).code, 0);
     EXPECT_FALSE(std::filesystem::exists(folder / "d/gravity"));
     EXPECT_TRUE(rows("d/after/history.csv") == rows("a/after/history.csv"));
+}
+
+// Particles are parted at the water level, those of another level stand for other soil.
+TEST_F(Stages, GoOnFromAnotherWaterLevelWithTheSameParticles)
+{
+    const auto settle_at = [&](const std::string& name, const std::string& level) {
+        std::ofstream(folder / "column" / (name + ".toml"))
+            << "scene_version = 1\nbase = \"scene.toml\"\n[[stages]]\nname = \"" << name
+            << "\"\nkind = \"settle\"\n[stages.water]\nlevel = " << level << "\n";
+        return (folder / "column" / (name + ".toml")).string();
+    };
+    ASSERT_EQ(run(settle_at("high", "0.2213") + " -o " + results("a")).code, 0);
+    const Outcome lower = run(settle_at("low", "0.1013") + " --from " + results("a") + " -o " + results("b"));
+    EXPECT_EQ(lower.code, 0) << lower.output;
+    const auto lines = read_run_record(folder / "b/low/run_manifest.json").water_lines;
+    ASSERT_TRUE(lines && lines->size() == 1);
+    EXPECT_EQ(lines->front().points.front().y(), 0.2213);
+    EXPECT_EQ(read_run_record(folder / "b/low/run_manifest.json").particles,
+              read_run_record(folder / "a/high/run_manifest.json").particles);
 }
 
 TEST_F(Stages, CommandsShowTheOneThatShakes)
