@@ -200,6 +200,7 @@ TimeStep accurate_time_step(const Problem& problem, double time, double last_ste
     if (time < end_of_motion(problem, crossing_time(problem.grid, extremes.shear_speed))) {
         const double reach = smoothed_cells * problem.grid.cell_size / std::sqrt(inertia_fraction);
         limit({reach / extremes.shear_speed, TimeStepLimiter::inertia, ""});
+        limit(at_least_wave(step_of_shaken_flow(problem, particles), TimeStepLimiter::flow));
         limit(at_least_wave(resolving_step(problem, time), TimeStepLimiter::shaking));
     } else {
         const double grown = step_growth * (last_step > 0.0 ? last_step : wave_step);

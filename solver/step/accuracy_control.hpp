@@ -6,6 +6,7 @@
 //   1/200 of the period of a sine or of a ramp, the interval of a record or of a table at that time; but not
 //                          below the waves' step
 //   0.05                   strain of the particle that is strained fastest, but not below the waves' step
+//   that in which the stiffness of soil that flows adds little to its inertia (flowing_soil.hpp), likewise
 // After that, and in scenes where nothing moves the soil, it starts at the limit of the waves and grows by a
 // factor from step to step, as long as pore pressures change by a small part of the largest and the soil does
 // not flow (flowing_soil.hpp); so it does from steps that the watchdog has made shorter, for pressures go on

@@ -1,5 +1,6 @@
 #include "solver/step/flowing_soil.hpp"
 
+#include "solver/inertia/inertia_solve.hpp"
 #include "solver/problem/material_runs.hpp"
 
 #include <algorithm>
@@ -11,6 +12,7 @@ namespace quicksand {
 namespace {
 
 constexpr double elastic_change = 0.05; // e: of the soil's stress in a step, were its strain elastic [-]
+constexpr double added_inertia = 0.02;  // r: of the soil's, by its stiffness [-]
 
 /// Square of the rate of strain, D : D [1/s2].
 double rate_squared(const Gradients& L, std::size_t p)
@@ -33,7 +35,52 @@ struct RatesOfWork {
     double elastic = 0.0; // of the stress that its strain in a second would cause, were it elastic
 };
 
+/// Twice the energies of the present motion, per length [J/m].
+struct MotionEnergies {
+    double kinetic = 0.0; // relative to the base
+    double strain = 0.0;  // of the elastic strain of a second [J/(m s2)]
+};
+
+/// Mass of the soil and of the water in it per initial volume [kg/m3].
+double initial_density(const Problem& problem, const Material& material)
+{
+    const double solid = (1.0 - material.porosity) * material.grain_density;
+    const auto water = water_of(problem, material);
+    return water ? solid + material.porosity * water->density : solid;
+}
+
+MotionEnergies energies_of_motion(const Problem& problem, const Particles& particles)
+{
+    MotionEnergies sum;
+    const Vectors& v = particles.velocity_solid;
+    const Gradients& L = particles.affine_velocity_solid;
+    const auto add = [&](const Material& material, const auto& law, std::size_t first, std::size_t last) {
+        const double density = initial_density(problem, material);
+        const double lambda_of_G = constrained_modulus(law) / shear_modulus(law) - 2.0;
+        for (std::size_t p = first; p < last; ++p) {
+            const double volume = particles.volume[p], expansion = L.xx[p] + L.yy[p];
+            sum.kinetic += volume * density * (v.x[p] * v.x[p] + v.y[p] * v.y[p]);
+            sum.strain += volume * shear_modulus_at(law, p, particles) *
+                          (2.0 * rate_squared(L, p) + lambda_of_G * expansion * expansion);
+        }
+    };
+    for_each_material_run(problem, particles, 0, particles.size(),
+                          [&](const Material& material, std::size_t first, std::size_t last) {
+                              std::visit([&](const auto& law) { add(material, law, first, last); },
+                                         material.law);
+                          });
+    return sum;
+}
+
 } // namespace
+
+double step_of_shaken_flow(const Problem& problem, const Particles& particles)
+{
+    const MotionEnergies sum = energies_of_motion(problem, particles);
+    if (!(sum.strain > 0.0)) return std::numeric_limits<double>::infinity();
+    const double of_inertia = std::sqrt(added_inertia * sum.kinetic / (inertia_fraction * sum.strain));
+    return std::max(step_of_flow(problem, particles), of_inertia);
+}
 
 double step_of_flow(const Problem& problem, const Particles& particles)
 {

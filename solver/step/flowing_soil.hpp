@@ -7,6 +7,11 @@
 //   dt <= e sum V s |D| / sum V 2 G D : D
 // s: cohesion and the larger of the vertical stress at first and the mean stress. Elastic soil never flows.
 // Where soil consolidates, 2 G D dt is the change of its stress in a step, and pore pressures limit it first.
+//
+// While something shakes it, soil that flows has waves as well. Steps may then be longer, as long as the
+// stiffness of the soil adds little to its inertia, in the mean over its motion:
+//   beta dt^2 sum V (2 G D : D + lambda (tr D)^2) <= r sum m v^2
+// v is relative to the base. A block that slides on a band of soil accelerates by that part too little.
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -16,5 +21,8 @@ namespace quicksand {
 
 /// Longest step of the soil with its present rates of strain; infinite at rest [s].
 double step_of_flow(const Problem& problem, const Particles& particles);
+
+/// The same while something shakes it [s].
+double step_of_shaken_flow(const Problem& problem, const Particles& particles);
 
 } // namespace quicksand

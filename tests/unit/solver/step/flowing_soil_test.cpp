@@ -14,20 +14,35 @@ using namespace fixtures;
 
 constexpr double shear_modulus_of_soil = 20e6; // [Pa]
 
-/// That of a block in simple shear at a rate, which has borne a vertical stress at first.
+/// A block in simple shear at a rate that moves with a velocity and has borne a vertical stress at first.
+struct Block {
+    Block(const SkeletonLaw& law, double shear_rate, double vertical, double velocity = 0.0)
+    {
+        problem.grid = {{0.0, 0.0}, 1.0, 2, 2};
+        problem.materials = {stiff_sand()};
+        problem.materials.front().law = law;
+        state = fill(problem, 2, [](const Vector2&) { return true; });
+        Particles& particles = state.particles;
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            particles.affine_velocity_solid.xy[p] = shear_rate;
+            particles.initial_vertical_effective_stress[p] = vertical;
+            particles.velocity_solid.x[p] = velocity;
+        }
+    }
+    double density() const
+    {
+        const Material& sand = problem.materials.front();
+        return (1.0 - sand.porosity) * sand.grain_density;
+    }
+
+    Problem problem;
+    State state;
+};
+
 double step_of_block(const SkeletonLaw& law, double shear_rate, double vertical)
 {
-    Problem problem;
-    problem.grid = {{0.0, 0.0}, 1.0, 2, 2};
-    problem.materials = {stiff_sand()};
-    problem.materials.front().law = law;
-    State state = fill(problem, 2, [](const Vector2&) { return true; });
-    Particles& particles = state.particles;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        particles.affine_velocity_solid.xy[p] = shear_rate;
-        particles.initial_vertical_effective_stress[p] = vertical;
-    }
-    return step_of_flow(problem, particles);
+    const Block block(law, shear_rate, vertical);
+    return step_of_flow(block.problem, block.state.particles);
 }
 
 MohrCoulomb sand_with(double cohesion)
@@ -55,6 +70,24 @@ TEST(StepOfFlow, IsInfiniteAtRestAndWhereSoilIsElastic)
     constexpr double infinite = std::numeric_limits<double>::infinity();
     EXPECT_EQ(step_of_block(sand_with(0.0), 0.0, 40e3), infinite);
     EXPECT_EQ(step_of_block(LinearElastic{shear_modulus_of_soil, 0.3}, 1.0, 40e3), infinite);
+}
+
+// beta dt^2 G gamma^2 = r rho v^2, with beta = 1/2 and r = 0.02
+TEST(StepOfShakenFlow, LetsStiffnessAddAFiftiethToTheInertia)
+{
+    const Block block(sand_with(0.0), 2.0, 40e3, 3.0);
+    const double expected = std::sqrt(0.04 * block.density() * 9.0 / (shear_modulus_of_soil * 4.0));
+    EXPECT_NEAR(step_of_shaken_flow(block.problem, block.state.particles) / expected, 1.0, 1e-12);
+}
+
+TEST(StepOfShakenFlow, IsNoShorterThanThatOfFlow)
+{
+    const Block block(sand_with(0.0), 1e-3, 40e3); // soil that hardly moves
+    EXPECT_EQ(step_of_shaken_flow(block.problem, block.state.particles),
+              step_of_flow(block.problem, block.state.particles));
+    const Block elastic(LinearElastic{shear_modulus_of_soil, 0.3}, 1.0, 40e3, 3.0);
+    EXPECT_EQ(step_of_shaken_flow(elastic.problem, elastic.state.particles),
+              std::numeric_limits<double>::infinity());
 }
 
 } // namespace
