@@ -192,11 +192,12 @@ void add_calibrate(CLI::App& program, Commands& commands)
         ->required();
     parser
         ->add_option("DATA", choice->data,
-                     "CSV file with columns CSR and N, and if you like alpha, k0, sigma_v (Pa) and criterion")
+                     "CSV file with columns CSR and N, and if you like alpha, k0, sigma_v (Pa) and criterion, "
+                     "which are those of the test where they are left out")
         ->required();
     parser
         ->add_option("--fit", choice->keys,
-                     "Two to four keys of the sand: --fit secondary_factor,secondary_growth")
+                     "Keys of the sand, up to four: --fit secondary_factor,secondary_growth")
         ->delimiter(',')
         ->required()
         ->expected(1, 4);

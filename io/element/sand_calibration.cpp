@@ -41,14 +41,13 @@ std::string cell_of(const CsvRow& names, const CsvRow& cells, std::string_view c
 
 LiquefactionCriterion criterion_of(const std::filesystem::path& file, const std::string& word)
 {
-    if (word.empty()) return LiquefactionCriterion::ru_95;
     if (const auto criterion = find_criterion(word)) return *criterion;
     refuse(file, "criterion " + word +
                      " is none of ru_95, strain_3_percent, strain_3.75_percent and double_7.5_percent");
 }
 
 StrengthObservation observation_of(const std::filesystem::path& file, const CsvRow& names,
-                                   const CsvRow& cells)
+                                   const CsvRow& cells, const StrengthObservation& usual)
 {
     const auto number = [&](std::string_view column, double otherwise) {
         const std::string cell = cell_of(names, cells, column);
@@ -58,13 +57,14 @@ StrengthObservation observation_of(const std::filesystem::path& file, const CsvR
             refuse(file, "'" + cell + "' is no number");
         return quantity->number;
     };
-    StrengthObservation point;
+    StrengthObservation point = usual;
     point.csr = number("CSR", 0.0);
     point.cycles = number("N", 0.0);
     point.static_shear_ratio = number("alpha", point.static_shear_ratio);
     point.k0 = number("k0", point.k0);
     point.vertical_stress = number("sigma_v", point.vertical_stress);
-    point.criterion = criterion_of(file, cell_of(names, cells, "criterion"));
+    if (const std::string word = cell_of(names, cells, "criterion"); !word.empty())
+        point.criterion = criterion_of(file, word);
     const bool good = point.csr > 0.0 && point.cycles > 0.0 && point.k0 > 0.0 && point.vertical_stress > 0.0;
     if (!good) refuse(file, "CSR, N, k0 and sigma_v must be positive");
     return point;
@@ -141,7 +141,22 @@ FittedKey fitted_key(const ElementReading& reading, const std::string& path)
 
 } // namespace
 
-std::vector<StrengthObservation> read_observations(const std::filesystem::path& file)
+StrengthObservation conditions_of_first_test(const std::filesystem::path& test_file,
+                                             const std::vector<std::string>& overrides)
+{
+    const ElementReading reading = read_element_file(test_file, overrides);
+    const ElementTest& test = reading.programme.tests.front();
+    const Consolidation& start = test.specimens.front().start;
+    StrengthObservation point;
+    point.vertical_stress = start.vertical_stress;
+    point.k0 = start.k0;
+    point.static_shear_ratio = start.static_shear / start.vertical_stress;
+    point.criterion = test.criterion;
+    return point;
+}
+
+std::vector<StrengthObservation> read_observations(const std::filesystem::path& file,
+                                                   const StrengthObservation& usual)
 {
     std::ifstream stream(file);
     if (!stream) throw InputError("there is no file " + file.string());
@@ -154,7 +169,7 @@ std::vector<StrengthObservation> read_observations(const std::filesystem::path& 
         if (names.empty()) {
             names = cells;
         } else {
-            points.push_back(observation_of(file, names, cells));
+            points.push_back(observation_of(file, names, cells, usual));
         }
     }
     if (points.empty()) refuse(file, "it holds no points");

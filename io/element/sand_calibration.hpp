@@ -23,9 +23,15 @@ struct StrengthObservation {
     LiquefactionCriterion criterion = LiquefactionCriterion::ru_95;
 };
 
+/// A point, without its stress ratio and cycles, under the conditions of the file's first test. Throws
+/// InputError.
+StrengthObservation conditions_of_first_test(const std::filesystem::path& test_file,
+                                             const std::vector<std::string>& overrides);
+
 /// Columns CSR and N and, where they are there, alpha, k0, sigma_v [Pa] and criterion (the words of
-/// tests.*.criterion). Throws InputError.
-std::vector<StrengthObservation> read_observations(const std::filesystem::path& file);
+/// tests.*.criterion); what they do not tell is as `usual`. Throws InputError.
+std::vector<StrengthObservation> read_observations(const std::filesystem::path& file,
+                                                   const StrengthObservation& usual = {});
 
 /// Cycles after which a test of the fit ends [-].
 double longest_test(const StrengthObservation& observation);

@@ -39,6 +39,23 @@ TEST(SandCalibration, ReadsPointsByTheNamesOfTheirColumns)
     EXPECT_EQ(points[1].criterion, LiquefactionCriterion::ru_95);
 }
 
+TEST(SandCalibration, TakesWhatThePointsDoNotTellFromTheFirstTest)
+{
+    const ElementFolder folder;
+    folder.write("points.csv", "CSR,N,k0\n0.15,12,\n0.2,8,0.7\n");
+    folder.read(sound_tests); // writes the file of the tests
+    const std::vector<std::string> changes = {"tests.strength.vertical_stress=83e3", "tests.strength.k0=0.6",
+                                              "tests.strength.criterion=strain_3_percent"};
+    const auto points =
+        read_observations(folder.folder().path() / "points.csv",
+                          conditions_of_first_test(folder.folder().path() / "test.toml", changes));
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_EQ(points[0].vertical_stress, 83e3);
+    EXPECT_EQ(points[0].k0, 0.6);
+    EXPECT_EQ(points[1].k0, 0.7);
+    EXPECT_EQ(points[1].criterion, LiquefactionCriterion::strain_3_percent);
+}
+
 TEST(SandCalibration, PointsThatAreNoneAreRefused)
 {
     const ElementFolder folder;
