@@ -39,10 +39,13 @@ void remember_stop(int number)
 /// What SIGHUP did before: nohup has it ignored, which stays so.
 Handler former_hangup = SIG_DFL;
 
+int signals_alive = 0;
+
 } // namespace
 
 StopSignal::StopSignal()
 {
+    if (signals_alive++ > 0) return;
     stop_received = 0;
     std::signal(SIGINT, remember_stop);
     std::signal(SIGTERM, remember_stop);
@@ -52,6 +55,7 @@ StopSignal::StopSignal()
 
 StopSignal::~StopSignal()
 {
+    if (--signals_alive > 0) return;
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
     std::signal(SIGHUP, former_hangup);

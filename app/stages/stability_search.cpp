@@ -2,6 +2,7 @@
 
 #include "app/run/flow_text.hpp"
 #include "app/run/number_format.hpp"
+#include "app/run/stop_signal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/csv_file.hpp"
 #include "io/frames/grid_frame.hpp"
@@ -144,6 +145,7 @@ SafetyFactor search_stability(const AssembledCase& assembled, const StrengthRedu
     journal.say("    factor          displ. mm  unbalanced    steps");
     SafetyFactor safety = safety_factor(assembled.problem, controls, state, [&](const StrengthTrial& trial) {
         journal.say(describe_trial(trial));
+        if (StopSignal::received()) throw SearchStopped();
     });
     const std::filesystem::path curve = folder.directory / curve_file;
     write_curve(safety, curve);

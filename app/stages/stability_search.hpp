@@ -23,8 +23,11 @@ void require_still_water(const AssembledCase& assembled);
 void weaken_liquefied(const ResidualStrength& residual, AssembledCase& assembled, State& state,
                       Journal& journal);
 
+/// A search that its user stopped after a trial (app/run/stop_signal.hpp).
+struct SearchStopped {};
+
 /// Reduce the strength from the state's stresses and pore pressures, tell every trial, and write the curve
-/// and the mode of failure into the folder. Throws NumericalError, FileError.
+/// and the mode of failure into the folder. Throws SearchStopped, NumericalError, FileError.
 SafetyFactor search_stability(const AssembledCase& assembled, const StrengthReductionControls& controls,
                               State& state, const ResultsFolder& folder, Journal& journal);
 

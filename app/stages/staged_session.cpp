@@ -48,25 +48,27 @@ public:
     SessionOutcome run(Journal& journal)
     {
         require_room();
+        const StopSignal signal; // also between the stages, and while one is set up
         SessionOutcome outcome;
         for (; next_ < stages_.size(); ++next_) {
+            if (StopSignal::received()) return stop_before(outcome, journal);
             outcome = run_next(journal);
+            if (outcome.end == SessionEnd::stopped && stage().kind == StageKind::stability) return outcome;
             rows_.push_back(row_of(outcome.folder));
             fs::create_directories(directory_);
             write_stage_table(directory_, rows_);
             if (outcome.end != SessionEnd::finished) break;
-            if (StopSignal::received() && next_ + 1 < stages_.size()) return stop_between(outcome, journal);
             if (stage().kind != StageKind::stability) before_ = outcome.folder.directory;
         }
         return outcome;
     }
 
 private:
-    /// The request came when the stage had no step left.
-    SessionOutcome stop_between(SessionOutcome outcome, Journal& journal) const
+    /// The request came when the stage before had no step left, or while none was under way.
+    SessionOutcome stop_before(SessionOutcome outcome, Journal& journal) const
     {
-        journal.say(fmt::format(
-            "Stopped on request after stage {}. Go on with the same command and --resume.", stage().name));
+        journal.say("Stopped on request before stage " + stage().name +
+                    ". Go on with the same command and --resume.");
         outcome.end = SessionEnd::stopped;
         return outcome;
     }
@@ -131,8 +133,13 @@ private:
         weaken_liquefied({stage().residual_strength, stage().liquefied_ru}, setup.assembled, state, journal);
         StrengthReductionControls controls;
         controls.seismic_coefficient = stage().seismic_coefficient;
-        const SafetyFactor safety = search_stability(setup.assembled, controls, state, folder, journal);
-        if (!before_) require_standing(safety);
+        try {
+            const SafetyFactor safety = search_stability(setup.assembled, controls, state, folder, journal);
+            if (!before_) require_standing(safety);
+        } catch (const SearchStopped&) {
+            journal.say("Stopped on request. Go on with the same command and --resume.");
+            return {SessionEnd::stopped, folder};
+        }
         return {SessionEnd::finished, folder};
     }
 

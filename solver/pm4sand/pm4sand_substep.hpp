@@ -36,6 +36,13 @@ inline double elastic_part(const Pm4Sand& m, const Point& from, const Point& cha
     return select(A + 2.0 * B + C > 0.0, smaller(1.0, way), 1.0);
 }
 
+/// Whether a component of alpha has fallen where it turns: since a positive beginning, as published, or below
+/// a beginning at zero, which would belong to neither side otherwise and tell a motion from its mirror.
+inline bool ends_a_fall(double before, double alpha)
+{
+    return (before > 0.0) | ((before == 0.0) & (alpha < 0.0));
+}
+
 /// Loading that begins anew: alpha_in and what else is remembered of the reversal.
 inline void remember_reversal(const Point& at, const Direction& u, Pm4SandState& memory)
 {
@@ -51,10 +58,11 @@ inline void remember_reversal(const Point& at, const Direction& u, Pm4SandState&
     set(memory.turn_x, at.alpha_x), set(memory.turn_y, at.alpha_y);
     const double before_x = memory.start_x, before_y = memory.start_y;
     set(memory.previous_x, before_x), set(memory.previous_y, before_y);
-    set(memory.least_x, select(before_x > 0.0, smaller(memory.least_x, at.alpha_x), memory.least_x));
-    set(memory.least_y, select(before_y > 0.0, smaller(memory.least_y, at.alpha_y), memory.least_y));
-    set(memory.most_x, select(before_x > 0.0, memory.most_x, larger(memory.most_x, at.alpha_x)));
-    set(memory.most_y, select(before_y > 0.0, memory.most_y, larger(memory.most_y, at.alpha_y)));
+    const bool fell_x = ends_a_fall(before_x, at.alpha_x), fell_y = ends_a_fall(before_y, at.alpha_y);
+    set(memory.least_x, select(fell_x, smaller(memory.least_x, at.alpha_x), memory.least_x));
+    set(memory.least_y, select(fell_y, smaller(memory.least_y, at.alpha_y), memory.least_y));
+    set(memory.most_x, select(fell_x, memory.most_x, larger(memory.most_x, at.alpha_x)));
+    set(memory.most_y, select(fell_y, memory.most_y, larger(memory.most_y, at.alpha_y)));
     const bool stays = at.alpha_y * before_y > 0.0; // the shear does not change its sign
     const double apparent_x = select(u.x > 0.0, positive(memory.least_x), smaller(0.0, memory.most_x));
     const double apparent_y = select(u.y > 0.0, positive(memory.least_y), smaller(0.0, memory.most_y));

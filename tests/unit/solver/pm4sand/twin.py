@@ -220,7 +220,7 @@ def reversal(pt, n):
     low, high = [pt.a_min[0], pt.a_min[2]], [pt.a_max[0], pt.a_max[2]]
     new = []
     for k, (a, o, nk) in enumerate(((x, old[0], n[0]), (y, old[2], n[2]))):
-        if o > 0.0:
+        if o > 0.0 or (o == 0.0 and a < 0.0):  # zero is on neither side: by where it turns
             low[k] = min(low[k], a)
         else:
             high[k] = max(high[k], a)
