@@ -40,7 +40,8 @@ std::string last_word(const std::string& path)
 
 ExitCode calibrate_sand(const CalibrateChoice& choice)
 {
-    const std::vector<StrengthObservation> points = read_observations(choice.data, conditions_of_first_test(choice.file, choice.overrides));
+    const std::vector<StrengthObservation> points =
+        read_observations(choice.data, conditions_of_first_test(choice.file, choice.overrides));
     const SandCalibration fit = calibrate_sand(choice.file, choice.overrides, choice.keys, points);
     print_points(points, fit);
     const auto percent = [](double error) { return 100.0 * (std::exp(error) - 1.0); };

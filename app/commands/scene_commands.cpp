@@ -191,9 +191,10 @@ void add_calibrate(CLI::App& program, Commands& commands)
     parser->add_option("TEST", choice->file, "File of element tests, whose first test names the sand")
         ->required();
     parser
-        ->add_option("DATA", choice->data,
-                     "CSV file with columns CSR and N, and if you like alpha, k0, sigma_v (Pa) and criterion, "
-                     "which are those of the test where they are left out")
+        ->add_option(
+            "DATA", choice->data,
+            "CSV file with columns CSR and N, and if you like alpha, k0, sigma_v (Pa) and criterion, "
+            "which are those of the test where they are left out")
         ->required();
     parser
         ->add_option("--fit", choice->keys,

@@ -5,8 +5,8 @@
 namespace quicksand {
 
 /// While it lives, the first SIGINT, SIGTERM or SIGHUP is remembered, and the first two are answered on
-/// standard error; a second SIGINT or SIGTERM ends the program at once. One within the life of another changes
-/// nothing.
+/// standard error; a second SIGINT or SIGTERM ends the program at once. One within the life of another
+/// changes nothing.
 class StopSignal {
 public:
     StopSignal();

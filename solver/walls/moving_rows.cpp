@@ -1,8 +1,9 @@
 #include "solver/walls/moving_rows.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <map>
+#include <unordered_map>
 
 namespace quicksand {
 
@@ -10,25 +11,127 @@ namespace {
 
 using Velocities = std::vector<NodeVelocities>; // by the places of the rows' nodes
 
-/// The wall's motion at every node: that of the nearest place in contact.
+/// The chain's motion at every node: that of its nearest place in contact, zero where it stands.
 Velocities motion_of(const BackgroundGrid& grid, std::size_t chain, const ChainsOfRows& chains,
                      const VelocityRows& rows)
 {
+    Velocities motion(rows.nodes().size(), NodeVelocities::Zero());
+    if (!chains.moves[chain]) return motion;
     std::vector<const WallContact*> contacts;
     for (const WallContact& contact : chains.contacts)
         if (contact.chain == chain) contacts.push_back(&contact);
-    Velocities motion;
-    for (const std::size_t node : rows.nodes()) {
-        const Vector2 place = grid.node_position(node);
+    if (contacts.empty()) return motion;
+    for (std::size_t k = 0; k < motion.size(); ++k) {
+        const Vector2 place = grid.node_position(rows.nodes()[k]);
         const auto nearest =
             std::min_element(contacts.begin(), contacts.end(), [&](const auto* a, const auto* b) {
                 return (grid.node_position(a->node) - place).squaredNorm() <
                        (grid.node_position(b->node) - place).squaredNorm();
             });
         const Vector2& velocity = (*nearest)->velocity;
-        motion.emplace_back(velocity.x(), velocity.y(), velocity.x(), velocity.y());
+        motion[k] << velocity.x(), velocity.y(), velocity.x(), velocity.y();
     }
     return motion;
+}
+
+/// What rows ask of one node, d . u = value with weight w; directions that differ by a small angle are one.
+class NodeDemand {
+public:
+    void add(const NodeVelocities& c, const NodeVelocities& motion)
+    {
+        constexpr double small_angle = 0.2; // sine [-]
+        const double size = c.norm(), value = c.dot(motion);
+        if (!(size > 0.0)) return;
+        for (Direction& known : directions_) {
+            const double along = known.sum.dot(c) / known.sum.norm();
+            if (size * size - along * along > small_angle * small_angle * size * size) continue;
+            const double sign = along < 0.0 ? -1.0 : 1.0;
+            known.sum += sign * c;
+            known.value += sign * value;
+            return;
+        }
+        directions_.push_back({c, value});
+    }
+    /// Least squares of all, with the least velocities.
+    NodeVelocities velocities() const
+    {
+        constexpr double rounding = 1e-9;
+        Eigen::Matrix4d weights = Eigen::Matrix4d::Zero();
+        NodeVelocities values = NodeVelocities::Zero(), u = NodeVelocities::Zero();
+        for (const Direction& known : directions_) {
+            weights += known.sum * known.sum.transpose() / known.sum.norm();
+            values += known.sum * (known.value / known.sum.norm());
+        }
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix4d> eigen(weights);
+        for (int k = 0; k < 4; ++k) {
+            const double size = eigen.eigenvalues()[k];
+            if (!(size > rounding * eigen.eigenvalues()[3])) continue;
+            const NodeVelocities direction = eigen.eigenvectors().col(k);
+            u += direction * (direction.dot(values) / size);
+        }
+        return u;
+    }
+
+private:
+    struct Direction {
+        NodeVelocities sum; // of w d
+        double value;       // of w d . V
+    };
+    std::vector<Direction> directions_;
+};
+
+/// A node in the place of a follower along a direction of NodeVelocities.
+struct Followed {
+    int direction;
+    std::size_t node;
+    double weight;
+};
+
+/// By follower, of the rows from `first` on.
+std::unordered_map<std::size_t, std::vector<Followed>> followed_nodes(std::size_t first,
+                                                                      const VelocityRows& rows)
+{
+    std::unordered_map<std::size_t, std::vector<Followed>> of_follower;
+    std::size_t last_row = first, follower = 0;
+    int direction = 0;
+    bool begun = false;
+    rows.for_each_coefficient([&](std::size_t row, std::size_t node, const NodeVelocities& c) {
+        if (row < first) return;
+        if (!begun || row != last_row) { // its own part comes first
+            begun = true, last_row = row, follower = node;
+            direction = 3;
+            while (direction > 0 && c[direction] == 0.0) --direction;
+        } else {
+            of_follower[follower].push_back({direction, node, -c[direction]});
+        }
+    });
+    return of_follower;
+}
+
+/// What the chains' rows ask of the nodes that follow none.
+std::vector<NodeDemand> demands_on_nodes(const ChainsOfRows& chains, const std::vector<Velocities>& of_chain,
+                                         const VelocityRows& rows)
+{
+    const auto of_follower = followed_nodes(chains.of_row.size(), rows);
+    std::unordered_map<std::size_t, std::size_t> place;
+    for (std::size_t k = 0; k < rows.nodes().size(); ++k) place[rows.nodes()[k]] = k;
+    std::vector<NodeDemand> demands(rows.nodes().size());
+    rows.for_each_coefficient([&](std::size_t row, std::size_t node, const NodeVelocities& c) {
+        if (row >= chains.of_row.size()) return;
+        const Velocities& motion = of_chain[chains.of_row[row]];
+        NodeVelocities own = c;
+        if (const auto found = of_follower.find(node); found != of_follower.end()) {
+            std::map<std::size_t, NodeVelocities> parts; // in the order of the nodes
+            for (const Followed& other : found->second) {
+                auto& part = parts.try_emplace(other.node, NodeVelocities::Zero()).first->second;
+                part[other.direction] += other.weight * c[other.direction];
+                own[other.direction] = 0.0;
+            }
+            for (const auto& [other, part] : parts) demands[place[other]].add(part, motion[place[other]]);
+        }
+        demands[place[node]].add(own, motion[place[node]]);
+    });
+    return demands;
 }
 
 /// Nodes that are held along an axis do not move along it.
@@ -39,54 +142,23 @@ void hold_nodes(const std::vector<NodeInverse>& inverses, Velocities& motion)
             if (inverses[k](d, d) == 0.0) motion[k][d] = 0.0;
 }
 
-double largest(const Velocities& motion)
-{
-    double most = 0.0;
-    for (const NodeVelocities& velocity : motion) most = std::max(most, velocity.cwiseAbs().maxCoeff());
-    return most;
-}
-
-/// Whether the motion misses one of the chosen rows.
-bool misses(const std::vector<bool>& chosen, const VelocityRows& rows, const Velocities& motion)
-{
-    constexpr double rounding = 1e-9; // of the motion
-    const double least = rounding * largest(motion);
-    for (std::size_t r = 0; r < chosen.size(); ++r)
-        if (chosen[r] && std::abs(rows.product(r, motion) - rows.value(r)) > least) return true;
-    return false;
-}
-
-/// The motion that meets the chosen rows, with the least change.
-void meet(const std::vector<bool>& chosen, const std::vector<NodeInverse>& inverses, const VelocityRows& rows,
-          Velocities& motion)
-{
-    VelocityRows held = rows.part(chosen);
-    held.factorise(inverses);
-    held.hold(motion);
-}
-
 } // namespace
 
 void let_values_agree(const BackgroundGrid& grid, const ChainsOfRows& chains,
                       const std::vector<NodeInverse>& inverses, VelocityRows& rows)
 {
-    std::vector<bool> held(chains.of_row.size()); // rows whose values stand
-    for (std::size_t r = 0; r < held.size(); ++r) held[r] = !chains.moves[chains.of_row[r]];
-    for (std::size_t chain = 0; chain < chains.moves.size(); ++chain) {
-        const auto is_of_chain = [chain](std::size_t c) { return c == chain; };
-        if (!chains.moves[chain] || std::none_of(chains.of_row.begin(), chains.of_row.end(), is_of_chain))
-            continue;
-        Velocities free = motion_of(grid, chain, chains, rows), left = free;
-        rows.extrapolate(free);
-        hold_nodes(inverses, left);
-        rows.extrapolate(left);
-        if (misses(held, rows, left)) meet(held, inverses, rows, left);
-        for (std::size_t r = 0; r < chains.of_row.size(); ++r) {
-            if (chains.of_row[r] != chain) continue;
-            rows.set_value(r, rows.value(r) + rows.product(r, left) - rows.product(r, free));
-            held[r] = true;
-        }
-    }
+    std::vector<Velocities> of_chain;
+    for (std::size_t chain = 0; chain < chains.moves.size(); ++chain)
+        of_chain.push_back(motion_of(grid, chain, chains, rows));
+    Velocities motion;
+    for (const NodeDemand& demand : demands_on_nodes(chains, of_chain, rows))
+        motion.push_back(demand.velocities());
+    hold_nodes(inverses, motion);
+    rows.extrapolate(motion);
+    for (Velocities& free : of_chain) rows.extrapolate(free);
+    for (std::size_t r = 0; r < chains.of_row.size(); ++r)
+        rows.set_value(r,
+                       rows.value(r) + rows.product(r, motion) - rows.product(r, of_chain[chains.of_row[r]]));
 }
 
 } // namespace quicksand

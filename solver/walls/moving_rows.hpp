@@ -2,9 +2,11 @@
 //
 // Where a wall that moves meets one that stands, or that moves in another way, their rows share nodes. Off
 // the grid lines they then ask for velocities that no motion of the nodes has, and what meets them as well as
-// it can is fast without bound. Walls that stand are therefore held first. Each one that moves is given the
-// part of its motion that the walls before it leave to the nodes: u = V, made to meet their rows, and the
-// values of its own rows are those of u.
+// it can is fast without bound, or moves nodes to and fro from one to the next, of which rows hold the mean
+// alone. So each node is given the motion of the walls that it touches, in proportion to its parts in their
+// rows where they ask for different velocities along one direction: the wall's motion passes over to the next
+// one's within a cell, and moves as much soil as the walls do. The values of the rows are those of this
+// motion.
 #pragma once
 
 #include "solver/particles/background_grid.hpp"
@@ -22,7 +24,7 @@ struct ChainsOfRows {
     const std::vector<WallContact>& contacts; // with the chains' velocities
 };
 
-/// Change the values of the moving chains' rows so that some motion meets all rows. `inverses` are those of
+/// Change the values of the rows so that some motion meets all of them. `inverses` are those of
 /// the rows' nodes.
 void let_values_agree(const BackgroundGrid& grid, const ChainsOfRows& chains,
                       const std::vector<NodeInverse>& inverses, VelocityRows& rows);

@@ -232,21 +232,6 @@ void VelocityRows::extrapolate(std::vector<NodeVelocities>& velocities) const
     });
 }
 
-VelocityRows VelocityRows::part(const std::vector<bool>& chosen) const
-{
-    VelocityRows rows;
-    rows.nodes_ = nodes_;
-    rows.place_of_node_ = place_of_node_;
-    for (std::size_t r = 0; r < size(); ++r) {
-        if (r == first_follower_) rows.begin_followers();
-        if (r < first_follower_ && !chosen[r]) continue;
-        rows.begin_row(values_[r]);
-        for_each_entry_of(r, [&](std::size_t k) { rows.entries_.push_back(entries_[k]); });
-    }
-    if (first_follower_ == size()) rows.begin_followers();
-    return rows;
-}
-
 Scalars VelocityRows::products(const std::vector<NodeVelocities>& velocities) const
 {
     Scalars result(size(), 0.0);

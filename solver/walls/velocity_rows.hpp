@@ -100,8 +100,6 @@ public:
     double product(std::size_t row, const std::vector<NodeVelocities>& velocities) const;
     /// Give followers the velocities that their rows ask for.
     void extrapolate(std::vector<NodeVelocities>& velocities) const;
-    /// The chosen rows and those of all followers, on the same nodes in the same order; not factorised.
-    VelocityRows part(const std::vector<bool>& chosen) const;
 
     /// Impulses on the nodes: - C^T multipliers [N s].
     std::vector<NodeVelocities> impulses(const Scalars& multipliers) const;
