@@ -3,6 +3,7 @@
 #include "app/run/number_format.hpp"
 #include "app/stages/run_origin.hpp"
 #include "io/results/results_folder.hpp"
+#include "io/sweeps/fragility_results.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/base/threads.hpp"
 
@@ -65,6 +66,7 @@ SweepPlan plan_sweep(const SweepChoice& choice)
     SweepPlan plan;
     plan.sweep = read_sweep_file(find_sweep_file(choice.file));
     plan.runs = check_runs(plan.sweep);
+    require_intensities(plan.sweep, plan.runs);
     plan.folder = fs::absolute(choice.directory.empty() ? default_folder(plan.sweep.file) : choice.directory)
                       .lexically_normal();
     if (!choice.from.empty())

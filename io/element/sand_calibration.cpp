@@ -1,6 +1,8 @@
 #include "io/element/sand_calibration.hpp"
 
+#include "geometry/drawing/nearest_name.hpp"
 #include "io/element/element_file.hpp"
+#include "io/element/element_keys.hpp"
 #include "io/files/csv_file.hpp"
 #include "io/keys/scene_units.hpp"
 #include "solver/base/failure.hpp"
@@ -128,6 +130,18 @@ double error_of(unsigned, const double* logarithms, double*, void* fit)
     }
 }
 
+void refuse_unknown(const std::string& path)
+{
+    const std::string name = path.substr(path.rfind('.') + 1);
+    std::vector<std::string> names;
+    for (const SceneKey* key : keys_of_table(element_key_table(), "materials.*"))
+        names.emplace_back(key->pattern.substr(key->pattern.rfind('.') + 1));
+    if (std::find(names.begin(), names.end(), name) != names.end()) return;
+    const std::string nearest = nearest_name(name, names);
+    throw InputError("calibrate: " + path + " is no key of a sand" +
+                     (nearest.empty() ? "" : "\nhint: did you mean " + nearest + "?"));
+}
+
 FittedKey fitted_key(const ElementReading& reading, const std::string& path)
 {
     for (const ResolvedKey& key : reading.keys) {
@@ -135,6 +149,7 @@ FittedKey fitted_key(const ElementReading& reading, const std::string& path)
         if (key.path == path && quantity && quantity->number > 0.0)
             return {path, quantity->number, quantity->number};
     }
+    refuse_unknown(path);
     throw InputError("calibrate: " + path + " has no positive number to begin with" +
                      "\nhint: give it one in the file or with --set, or name another key after --fit");
 }
@@ -168,6 +183,9 @@ std::vector<StrengthObservation> read_observations(const std::filesystem::path& 
         const CsvRow cells = csv_cells(line);
         if (names.empty()) {
             names = cells;
+            for (const char* needed : {"CSR", "N"})
+                if (std::find(names.begin(), names.end(), needed) == names.end())
+                    refuse(file, std::string("it has no column ") + needed);
         } else {
             points.push_back(observation_of(file, names, cells, usual));
         }

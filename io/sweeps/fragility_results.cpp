@@ -45,6 +45,17 @@ std::string shown_intensity(const FragilityResults& results, double intensity)
 
 } // namespace
 
+void require_intensities(const Sweep& sweep, const std::vector<CheckedRun>& runs)
+{
+    if (!sweep.fragility) return;
+    const std::size_t varied = intensity_of(sweep);
+    for (const CheckedRun& run : runs)
+        if (!(run.values[varied].number > 0.0))
+            throw InputError(sweep.file.string() + ": " + sweep.fragility->intensity +
+                             " is no intensity of a fragility curve in run " +
+                             std::to_string(run.run.number) + "\nexpected: numbers above 0");
+}
+
 FragilityResults assess_fragility(const Sweep& sweep, const std::vector<SweepOutcome>& outcomes)
 {
     FragilityResults results;
@@ -54,10 +65,6 @@ FragilityResults assess_fragility(const Sweep& sweep, const std::vector<SweepOut
     std::vector<FragilityPoint> points;
     for (const SweepOutcome& outcome : outcomes) {
         const double intensity = outcome.checked.values[results.varied].number;
-        if (!(intensity > 0.0))
-            throw InputError(sweep.file.string() + ": " + sweep.fragility->intensity +
-                             " is no intensity of a fragility curve in run " +
-                             std::to_string(outcome.checked.run.number) + "\nexpected: numbers above 0");
         const double value = std::abs(value_of(outcome, sweep.fragility->quantity));
         if (outcome.state != "finished" || std::isnan(value)) {
             ++results.left_out;

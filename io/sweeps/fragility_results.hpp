@@ -26,7 +26,10 @@ struct FragilityResults {
     FragilityFit fit;
 };
 
-/// Count the finished runs. Throws InputError where an intensity is not above 0 or no run has the quantity.
+/// Throws InputError where an intensity of the sweep's fragility curve is not above 0; before any run.
+void require_intensities(const Sweep& sweep, const std::vector<CheckedRun>& runs);
+
+/// Count the finished runs. Throws InputError where no run has the quantity.
 FragilityResults assess_fragility(const Sweep& sweep, const std::vector<SweepOutcome>& outcomes);
 
 /// "median 0.213 g, beta 0.41", or why there is no curve.

@@ -62,7 +62,8 @@ TEST(SandCalibration, PointsThatAreNoneAreRefused)
     EXPECT_NE(refusal_of(folder, "CSR,N\n").find("it holds no points\nallowed: one line of column names"),
               std::string::npos);
     EXPECT_NE(refusal_of(folder, "CSR,N\n0.2,ten\n").find("'ten' is no number"), std::string::npos);
-    EXPECT_NE(refusal_of(folder, "CSR,cycles\n0.2,10\n").find("CSR, N, k0 and sigma_v must be positive"),
+    EXPECT_NE(refusal_of(folder, "CSR,n\n0.2,10\n").find("it has no column N"), std::string::npos);
+    EXPECT_NE(refusal_of(folder, "CSR,N\n0.2,0\n").find("CSR, N, k0 and sigma_v must be positive"),
               std::string::npos);
     EXPECT_NE(refusal_of(folder, "CSR,N,criterion\n0.2,10,ru\n").find("criterion ru is none of ru_95"),
               std::string::npos);
@@ -113,6 +114,13 @@ TEST(SandCalibration, AKeyWithoutANumberIsRefused)
     };
     EXPECT_THROW(fit("law"), InputError);
     EXPECT_THROW(fit("confining_exponent"), InputError) << "it is zero in the published law";
+    try {
+        fit("secondary_grwth");
+        FAIL();
+    } catch (const InputError& error) {
+        EXPECT_STREQ(error.what(), "calibrate: materials.sand.secondary_grwth is no key of a sand\n"
+                                   "hint: did you mean secondary_growth?");
+    }
 }
 
 } // namespace

@@ -71,7 +71,8 @@ TEST(Fragility, NamesTheQuantitiesThereAre)
 
 TEST(Fragility, NeedsIntensitiesAboveZero)
 {
-    EXPECT_THROW(assess_fragility(shaken_sweep(), {outcome_at(0.0, 0.1)}), InputError);
+    EXPECT_THROW(require_intensities(shaken_sweep(), {outcome_at(0.0, 0.1).checked}), InputError);
+    EXPECT_NO_THROW(require_intensities(shaken_sweep(), {outcome_at(0.1, 0.1).checked}));
 }
 
 } // namespace quicksand
