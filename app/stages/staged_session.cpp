@@ -21,11 +21,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Its own results where it is resumed, and else those before it.
-std::optional<fs::path> results_gone_on_from(const RunChoice& chosen, const std::optional<fs::path>& before)
+/// Have particles parted as in its own results where it is resumed, and else as in those before it.
+void part_as_before(const RunChoice& chosen, const std::optional<fs::path>& before, SceneReading& reading)
 {
-    const bool takes_up_its_own = chosen.resume && fs::exists(ResultsFolder{chosen.directory}.manifest());
-    return takes_up_its_own ? std::optional(chosen.directory) : before;
+    if (chosen.resume && fs::exists(ResultsFolder{chosen.directory}.manifest())) {
+        part_as_in(chosen.directory, reading);
+    } else if (before) {
+        part_as_in(*before, reading);
+    }
 }
 
 /// The stages on their way: what each has come to, and where the next one goes on from.
@@ -97,7 +100,7 @@ private:
         }
         Journal of_stage; // keeps the log of the stage
         SceneReading reading = stages_[next_];
-        if (const auto earlier = results_gone_on_from(chosen, before_)) part_as_in(*earlier, reading);
+        part_as_before(chosen, before_, reading);
         SceneSetup setup = set_up_reading(choice_.scene, std::move(reading), of_stage);
         if (stage().kind == StageKind::stability) return find_safety(folder, std::move(setup), of_stage);
         std::optional<Origin> origin;
@@ -182,7 +185,7 @@ SessionOutcome run_whole(const RunChoice& choice, SceneReading reading, Journal&
     }
     std::optional<fs::path> before;
     if (!choice.from.empty()) before = folder_of_end(choice.from);
-    if (const auto earlier = results_gone_on_from(chosen, before)) part_as_in(*earlier, reading);
+    part_as_before(chosen, before, reading);
     SceneSetup setup = set_up_reading(choice.scene, std::move(reading), journal);
     std::optional<Origin> origin;
     if (before && !chosen.resume) origin = origin_from(*before, setup.keys, setup.assembled);

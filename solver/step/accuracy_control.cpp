@@ -104,10 +104,7 @@ double strain_step(const Particles& particles)
 {
     const Gradients& L = particles.affine_velocity_solid;
     double fastest = 0.0; // squared
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const double shear = L.xy[p] + L.yx[p];
-        fastest = std::max(fastest, L.xx[p] * L.xx[p] + L.yy[p] * L.yy[p] + 0.5 * shear * shear);
-    }
+    for (std::size_t p = 0; p < particles.size(); ++p) fastest = std::max(fastest, rate_squared(L, p));
     return strain_change / std::sqrt(fastest);
 }
 

@@ -58,10 +58,7 @@ double shear_speed_squared(const Problem& problem, const Material& material, dou
 {
     const double shear_fraction = std::visit(
         [](const auto& law) { return shear_modulus(law) / constrained_modulus(law); }, material.law);
-    const std::optional<Water>& water = water_of(problem, material);
-    const double density =
-        (1.0 - porosity) * material.grain_density + (water ? porosity * water->density : 0.0);
-    return shear_fraction * modulus / density;
+    return shear_fraction * modulus / mixture_density(problem, material, porosity);
 }
 
 /// A volume and its integral of G / density.
@@ -136,6 +133,12 @@ void include(const MaterialExtremes& other, MaterialExtremes& extremes)
 }
 
 } // namespace
+
+double mixture_density(const Problem& problem, const Material& material, double porosity)
+{
+    const std::optional<Water>& water = water_of(problem, material);
+    return (1.0 - porosity) * material.grain_density + (water ? porosity * water->density : 0.0);
+}
 
 CellExtremes find_extremes(const Problem& problem, const Particles& particles)
 {

@@ -26,6 +26,9 @@ struct CellExtremes {
     std::vector<MaterialExtremes> materials; // as Problem::materials
 };
 
+/// Mass of soil and of the water in it over their volume [kg/m3].
+double mixture_density(const Problem& problem, const Material& material, double porosity);
+
 /// A cell is taken as a run of successive particles in memory with the same cell and material; where
 /// particles are not in order, a part of a cell counts as a cell that is not full. Does not depend on the
 /// threads.

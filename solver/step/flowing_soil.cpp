@@ -2,6 +2,7 @@
 
 #include "solver/inertia/inertia_solve.hpp"
 #include "solver/problem/material_runs.hpp"
+#include "solver/step/cell_extremes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,13 +14,6 @@ namespace {
 
 constexpr double elastic_change = 0.05; // e: of the soil's stress in a step, were its strain elastic [-]
 constexpr double added_inertia = 0.02;  // r: of the soil's, by its stiffness [-]
-
-/// Square of the rate of strain, D : D [1/s2].
-double rate_squared(const Gradients& L, std::size_t p)
-{
-    const double shear = L.xy[p] + L.yx[p];
-    return L.xx[p] * L.xx[p] + L.yy[p] * L.yy[p] + 0.5 * shear * shear;
-}
 
 /// The stress of a particle that its soil bears, or has borne before its water took it over [Pa].
 template <class Law>
@@ -41,21 +35,13 @@ struct MotionEnergies {
     double strain = 0.0;  // of the elastic strain of a second [J/(m s2)]
 };
 
-/// Mass of the soil and of the water in it per initial volume [kg/m3].
-double initial_density(const Problem& problem, const Material& material)
-{
-    const double solid = (1.0 - material.porosity) * material.grain_density;
-    const auto water = water_of(problem, material);
-    return water ? solid + material.porosity * water->density : solid;
-}
-
 MotionEnergies energies_of_motion(const Problem& problem, const Particles& particles)
 {
     MotionEnergies sum;
     const Vectors& v = particles.velocity_solid;
     const Gradients& L = particles.affine_velocity_solid;
     const auto add = [&](const Material& material, const auto& law, std::size_t first, std::size_t last) {
-        const double density = initial_density(problem, material);
+        const double density = mixture_density(problem, material, material.porosity);
         const double lambda_of_G = constrained_modulus(law) / shear_modulus(law) - 2.0;
         for (std::size_t p = first; p < last; ++p) {
             const double volume = particles.volume[p], expansion = L.xx[p] + L.yy[p];

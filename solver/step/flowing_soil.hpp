@@ -19,6 +19,13 @@
 
 namespace quicksand {
 
+/// Square of a particle's rate of strain, D : D [1/s2].
+inline double rate_squared(const Gradients& L, std::size_t p)
+{
+    const double shear = L.xy[p] + L.yx[p];
+    return L.xx[p] * L.xx[p] + L.yy[p] * L.yy[p] + 0.5 * shear * shear;
+}
+
 /// Longest step of the soil with its present rates of strain; infinite at rest [s].
 double step_of_flow(const Problem& problem, const Particles& particles);
 

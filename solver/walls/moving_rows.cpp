@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <map>
-#include <unordered_map>
 
 namespace quicksand {
 
@@ -34,7 +33,7 @@ Velocities motion_of(const BackgroundGrid& grid, std::size_t chain, const Chains
     return motion;
 }
 
-/// What rows ask of one node, d . u = value with weight w; directions that differ by a small angle are one.
+/// What rows ask of one node, d . u = d . V with weight w; directions that differ by a small angle are one.
 class NodeDemand {
 public:
     void add(const NodeVelocities& c, const NodeVelocities& motion)
@@ -42,6 +41,8 @@ public:
         constexpr double small_angle = 0.2; // sine [-]
         const double size = c.norm(), value = c.dot(motion);
         if (!(size > 0.0)) return;
+        agrees_ = agrees_ && (directions_.empty() || motion == motion_);
+        motion_ = motion;
         for (Direction& known : directions_) {
             const double along = known.sum.dot(c) / known.sum.norm();
             if (size * size - along * along > small_angle * small_angle * size * size) continue;
@@ -52,8 +53,16 @@ public:
         }
         directions_.push_back({c, value});
     }
-    /// Least squares of all, with the least velocities.
-    NodeVelocities velocities() const
+    /// V where all ask for one, else least squares.
+    NodeVelocities velocities() const { return agrees_ ? motion_ : least_squares(); }
+
+private:
+    struct Direction {
+        NodeVelocities sum; // of w d
+        double value;       // of w d . V
+    };
+
+    NodeVelocities least_squares() const
     {
         constexpr double rounding = 1e-9;
         Eigen::Matrix4d weights = Eigen::Matrix4d::Zero();
@@ -72,64 +81,40 @@ public:
         return u;
     }
 
-private:
-    struct Direction {
-        NodeVelocities sum; // of w d
-        double value;       // of w d . V
-    };
+    bool agrees_ = true;
+    NodeVelocities motion_ = NodeVelocities::Zero(); // of the last one
     std::vector<Direction> directions_;
 };
 
-/// A node in the place of a follower along a direction of NodeVelocities.
+/// A node, by its place, that another one follows along a direction of NodeVelocities.
 struct Followed {
     int direction;
-    std::size_t node;
+    std::size_t place;
     double weight;
 };
-
-/// By follower, of the rows from `first` on.
-std::unordered_map<std::size_t, std::vector<Followed>> followed_nodes(std::size_t first,
-                                                                      const VelocityRows& rows)
-{
-    std::unordered_map<std::size_t, std::vector<Followed>> of_follower;
-    std::size_t last_row = first, follower = 0;
-    int direction = 0;
-    bool begun = false;
-    rows.for_each_coefficient([&](std::size_t row, std::size_t node, const NodeVelocities& c) {
-        if (row < first) return;
-        if (!begun || row != last_row) { // its own part comes first
-            begun = true, last_row = row, follower = node;
-            direction = 3;
-            while (direction > 0 && c[direction] == 0.0) --direction;
-        } else {
-            of_follower[follower].push_back({direction, node, -c[direction]});
-        }
-    });
-    return of_follower;
-}
 
 /// What the chains' rows ask of the nodes that follow none.
 std::vector<NodeDemand> demands_on_nodes(const ChainsOfRows& chains, const std::vector<Velocities>& of_chain,
                                          const VelocityRows& rows)
 {
-    const auto of_follower = followed_nodes(chains.of_row.size(), rows);
-    std::unordered_map<std::size_t, std::size_t> place;
-    for (std::size_t k = 0; k < rows.nodes().size(); ++k) place[rows.nodes()[k]] = k;
+    std::vector<std::vector<Followed>> followed(rows.nodes().size());
+    rows.for_each_followed([&](std::size_t follower, int direction, std::size_t node, double weight) {
+        followed[rows.place(follower)].push_back({direction, rows.place(node), weight});
+    });
     std::vector<NodeDemand> demands(rows.nodes().size());
     rows.for_each_coefficient([&](std::size_t row, std::size_t node, const NodeVelocities& c) {
         if (row >= chains.of_row.size()) return;
         const Velocities& motion = of_chain[chains.of_row[row]];
+        const std::size_t place = rows.place(node);
         NodeVelocities own = c;
-        if (const auto found = of_follower.find(node); found != of_follower.end()) {
-            std::map<std::size_t, NodeVelocities> parts; // in the order of the nodes
-            for (const Followed& other : found->second) {
-                auto& part = parts.try_emplace(other.node, NodeVelocities::Zero()).first->second;
-                part[other.direction] += other.weight * c[other.direction];
-                own[other.direction] = 0.0;
-            }
-            for (const auto& [other, part] : parts) demands[place[other]].add(part, motion[place[other]]);
+        std::map<std::size_t, NodeVelocities> parts; // by place
+        for (const Followed& other : followed[place]) {
+            NodeVelocities& part = parts.try_emplace(other.place, NodeVelocities::Zero()).first->second;
+            part[other.direction] += other.weight * c[other.direction];
+            own[other.direction] = 0.0;
         }
-        demands[place[node]].add(own, motion[place[node]]);
+        for (const auto& [other, part] : parts) demands[other].add(part, motion[other]);
+        demands[place].add(own, motion[place]);
     });
     return demands;
 }

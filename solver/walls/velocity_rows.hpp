@@ -53,13 +53,12 @@ public:
     /// From here on rows let their first node follow the others.
     void begin_followers() { first_follower_ = size(); }
 
-    /// Call visit(follower, axis, node, weight) for every node that the grains of a follower follow along an
-    /// axis, those of one follower and axis after each other.
+    /// Call visit(follower, direction, node, weight) for every node that a follower follows along a direction
+    /// of NodeVelocities, those of one follower and direction after each other.
     template <class Visit>
     void for_each_followed(Visit&& visit) const
     {
         for_each_follower([&](std::size_t row, std::size_t follower, int direction) {
-            if (direction >= 2) return; // of the water
             for (std::size_t k = first_[row] + 1; k < end_of(row); ++k)
                 visit(nodes_[follower], direction, nodes_[entries_[k].place],
                       -entries_[k].coefficients[direction]);
@@ -78,6 +77,8 @@ public:
     bool empty() const { return values_.empty(); }
     std::size_t size() const { return values_.size(); }
     const std::vector<std::size_t>& nodes() const { return nodes_; }
+    /// Where one of them stands among nodes().
+    std::size_t place(std::size_t node) const { return static_cast<std::size_t>(place_of_node_[node]); }
 
     /// Set P up and factorise it; `inverses` are those of nodes(), in their order. Rows that act on nothing
     /// are left out.

@@ -55,6 +55,7 @@ void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSol
     }
     if (!solve.blocks_are_due) return;
     rows.for_each_followed([&](std::size_t follower, int axis, std::size_t node, double weight) {
+        if (axis >= 2) return; // of the water
         std::vector<FollowingNode>& following = solve.following;
         if (following.empty() || following.back().node != follower || following.back().axis != axis)
             following.push_back({follower, axis, {}});
