@@ -33,7 +33,7 @@ const std::string fill_scene = R"(scene_version = 1
 [geometry]
 file = "fill.geo"
 [grid]
-cell_size = 0.125
+cell_size = 0.25
 [water]
 level = 2.0
 [materials.sand]
@@ -64,6 +64,8 @@ at = [1.0, 2.5]
 tolerance = 1e-8
 [output]
 checkpoint_interval = 0.001
+frame_interval = 0.001
+probe_interval = 0.0005
 [[stages]]
 name = "ground"
 kind = "settle"
