@@ -86,7 +86,10 @@ std::string describe_initial_flow(const AssembledCase& assembled)
 
 std::string summarise_initial_flow(const AssembledCase& assembled)
 {
-    if (!assembled.initial_flow) return "";
+    if (!assembled.scene.starts_seeping) return "";
+    if (!assembled.initial_flow)
+        return fmt::format("The water does not flow at the start: none stands above the level, {} m",
+                           short_number(assembled.problem.water->level));
     const InitialFlow& flow = *assembled.initial_flow;
     std::string line = flow.flowed ? fmt::format("The water has flowed for {}: the soil {} {} m3 per m",
                                                  duration_text(flow.flowed->duration),

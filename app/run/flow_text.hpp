@@ -11,7 +11,8 @@ namespace quicksand {
 /// where the scene asks for still water.
 std::string describe_initial_flow(const AssembledCase& assembled);
 
-/// For the journal of a run, one line: the discharge and where water leaves; "" where the water is still.
+/// For the journal of a run, one line: the discharge and where water leaves, or that none flows; "" where the
+/// scene asks for still water.
 std::string summarise_initial_flow(const AssembledCase& assembled);
 
 } // namespace quicksand

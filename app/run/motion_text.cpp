@@ -23,23 +23,42 @@ std::string describe_rest(const MotionMeasures& measures)
                        short_number(measures.residual_displacement, 2));
 }
 
-/// What the base is left with at the end; nothing of a wave without end.
-std::string describe_end(const SineMotion& sine)
+/// What a wave that ends leaves the base with.
+MotionMeasures measure_end(const SineMotion& sine)
 {
-    if (!std::isfinite(sine.cycles)) return "";
     constexpr double samples_per_cycle = 400.0, most_samples = 1e6;
     SampledMotion record;
     record.interval = 1.0 / (samples_per_cycle * sine.frequency);
     const double samples = std::min(most_samples, samples_per_cycle * sine.cycles);
     for (double k = 0.0; k <= samples; k += 1.0)
         record.accelerations.push_back(base_acceleration(sine, k * record.interval));
-    const MotionMeasures measures = measure(record);
-    std::string text = describe_rest(measures);
+    return measure(record);
+}
+
+std::string object_to_end(const SineMotion& sine, const MotionMeasures& measures)
+{
     const double amplitude = sine.amplitude / (2.0 * std::numbers::pi * sine.frequency); // a/omega [m/s]
-    if (std::abs(measures.residual_displacement) * sine.frequency > small_drift * amplitude)
-        text +=
-            "  The base has drifted: motion.ramp_cycles and motion.ramp_down_cycles bring it back to rest\n";
-    return text;
+    if (std::abs(measures.residual_displacement) * sine.frequency <= small_drift * amplitude) return "";
+    return "The base has drifted: motion.ramp_cycles and motion.ramp_down_cycles bring it back to rest";
+}
+
+std::string object_to_end(const MotionMeasures& measures, const std::string& remedy)
+{
+    if (std::abs(measures.residual_velocity) <= small_residual * measures.peak_velocity) return "";
+    return "That velocity should be zero: the record's baseline is off; see " + remedy;
+}
+
+/// Indented, on a line of its own; "" of nothing.
+std::string line_of(const std::string& text)
+{
+    return text.empty() ? "" : "  " + text + '\n';
+}
+
+std::string describe_end(const SineMotion& sine)
+{
+    if (!std::isfinite(sine.cycles)) return "";
+    const MotionMeasures measures = measure_end(sine);
+    return describe_rest(measures) + line_of(object_to_end(sine, measures));
 }
 
 } // namespace
@@ -65,10 +84,23 @@ std::string describe_motion_measures(const SampledMotion& motion, const std::str
                     short_number(measures.peak_displacement), short_number(measures.arias_intensity),
                     short_number(duration(motion), 4), short_number(motion.interval),
                     short_number(0.5 / motion.interval), short_number(measures.significant_duration));
-    text += describe_rest(measures);
-    if (std::abs(measures.residual_velocity) > small_residual * measures.peak_velocity)
-        text += "  That velocity should be zero: the record's baseline is off; see " + remedy + "\n";
-    return text;
+    return text + describe_rest(measures) + line_of(object_to_end(measures, remedy));
+}
+
+std::string warn_of_drift(const BaseMotion& motion)
+{
+    std::string left, objection;
+    if (const auto* record = std::get_if<SampledMotion>(&motion)) {
+        const MotionMeasures measures = measure(*record);
+        left = fmt::format("a velocity of {} m/s", short_number(measures.residual_velocity, 2));
+        objection = object_to_end(measures, "motion.baseline");
+    }
+    if (const auto* sine = std::get_if<SineMotion>(&motion); sine != nullptr && std::isfinite(sine->cycles)) {
+        const MotionMeasures measures = measure_end(*sine);
+        left = fmt::format("a displacement of {} m", short_number(measures.residual_displacement, 2));
+        objection = object_to_end(*sine, measures);
+    }
+    return objection.empty() ? "" : "Warning: the motion leaves the base with " + left + ". " + objection;
 }
 
 std::string describe_spectrum(const std::vector<OscillatorPeaks>& spectrum, double damping)

@@ -15,6 +15,10 @@ std::string describe_motion_measures(const SampledMotion& motion, const std::str
 /// Peaks, frequency and cycles of a wave, and what is left at its end, with the remedy where that is a drift.
 std::string describe_sine(const SineMotion& sine);
 
+/// For the journal of a run: what a motion leaves its base with where that should be nothing, and the remedy;
+/// "" where all is well.
+std::string warn_of_drift(const BaseMotion& motion);
+
 /// The largest pseudo-acceleration and its period, in one line. `damping` in per cent.
 std::string describe_spectrum(const std::vector<OscillatorPeaks>& spectrum, double damping);
 

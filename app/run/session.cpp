@@ -1,6 +1,7 @@
 #include "app/run/session.hpp"
 
 #include "app/run/flow_text.hpp"
+#include "app/run/motion_text.hpp"
 #include "app/run/number_format.hpp"
 #include "app/run/plan.hpp"
 #include "app/run/progress_line.hpp"
@@ -218,6 +219,9 @@ void introduce(Session& session)
     for (const std::string& change : session.changes)
         session.journal.say("  changed since the run began: " + change);
     if (!session.flow.empty()) session.journal.say(session.flow);
+    const bool shakes = !scene.stage || scene.stage->kind == StageKind::shake;
+    if (const std::string drift = shakes ? warn_of_drift(scene.base_motion) : ""; !drift.empty())
+        session.journal.say(drift);
     if (run.column()) session.journal.say(describe_column(*run.column()));
 }
 

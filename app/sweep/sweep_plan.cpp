@@ -66,6 +66,7 @@ SweepPlan plan_sweep(const SweepChoice& choice)
     SweepPlan plan;
     plan.sweep = read_sweep_file(find_sweep_file(choice.file));
     plan.runs = check_runs(plan.sweep);
+    require_quantity(plan.sweep, plan.runs);
     require_intensities(plan.sweep, plan.runs);
     plan.folder = fs::absolute(choice.directory.empty() ? default_folder(plan.sweep.file) : choice.directory)
                       .lexically_normal();

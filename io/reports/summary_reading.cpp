@@ -14,10 +14,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Not drawn, but worth a line: an engineer asks for them first.
 bool is_extreme(const ComparedValue& value)
 {
-    return value.column == "max_displacement_m" || value.column == "max_velocity_m_s";
+    return std::find(summarized_extremes.begin(), summarized_extremes.end(), value.column) !=
+           summarized_extremes.end();
 }
 
 bool has_histories(const ResultsFolder& folder)

@@ -1,13 +1,19 @@
 // What a run came to, in a few numbers: for its manifest and for tables of many runs.
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace quicksand {
 
 /// What tables of histories call that of the whole body, history.csv, beside those of the probes.
 inline constexpr const char* history_name = "history";
+
+/// Columns of history.csv that no picture draws and engineers ask for first.
+inline constexpr std::array<std::string_view, 2> summarized_extremes = {"max_displacement_m",
+                                                                        "max_velocity_m_s"};
 
 /// A column of history.csv or of a probe.
 struct SummaryValue {

@@ -4,6 +4,7 @@
 #include "io/files/atomic_file.hpp"
 #include "io/files/csv_file.hpp"
 #include "io/keys/diagnostics.hpp"
+#include "io/pictures/picture_probes.hpp"
 #include "io/sweeps/sweep_figures.hpp"
 #include "solver/base/conventions.hpp"
 #include "solver/base/failure.hpp"
@@ -18,14 +19,36 @@ namespace quicksand {
 
 namespace {
 
-[[noreturn]] void refuse_quantity(const Sweep& sweep, const std::vector<SweepOutcome>& outcomes)
+[[noreturn]] void refuse_quantity(const Sweep& sweep, const std::vector<std::string>& known)
 {
-    const std::vector<std::string> known = quantities_of(outcomes);
     const std::string nearest = nearest_name(sweep.fragility->quantity, known);
-    throw InputError(sweep.file.string() + ": no finished run has fragility.quantity = \"" +
+    throw InputError(sweep.file.string() + ": no run has fragility.quantity = \"" +
                      sweep.fragility->quantity + "\"" +
                      (known.empty() ? "" : "\nexpected: " + one_of(known)) +
                      (nearest.empty() ? "" : "\nhint: did you mean \"" + nearest + "\"?"));
+}
+
+void add_columns(const std::vector<PanelPlan>& plans, const std::string& table,
+                 std::vector<std::string>& names)
+{
+    for (const PanelPlan& plan : plans)
+        for (const PanelColumn& column : plan.columns) names.push_back(table + column.column);
+}
+
+/// Columns of sweep.csv that a run may have, without _peak and _final.
+std::vector<std::string> quantities_to_come(const std::vector<CheckedRun>& runs)
+{
+    std::vector<std::string> names(summarized_extremes.begin(), summarized_extremes.end());
+    add_columns(history_plan(), "", names);
+    for (const CheckedRun& run : runs) {
+        for (const std::string& probe : run.probes) {
+            const bool known = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+                return name.starts_with(probe + '.');
+            });
+            if (!known) add_columns(probe_plan(), probe + '.', names);
+        }
+    }
+    return names;
 }
 
 std::size_t intensity_of(const Sweep& sweep)
@@ -44,6 +67,21 @@ std::string shown_intensity(const FragilityResults& results, double intensity)
 }
 
 } // namespace
+
+void require_quantity(const Sweep& sweep, const std::vector<CheckedRun>& runs)
+{
+    if (!sweep.fragility) return;
+    const std::vector<std::string> known = quantities_to_come(runs);
+    const auto is_known = [&](const std::string& name) {
+        return std::find(known.begin(), known.end(), name) != known.end();
+    };
+    const std::string& quantity = sweep.fragility->quantity;
+    bool found = is_known(quantity);
+    for (const std::string ending : {"_peak", "_final"})
+        if (quantity.ends_with(ending))
+            found = found || is_known(quantity.substr(0, quantity.size() - ending.size()));
+    if (!found) refuse_quantity(sweep, known);
+}
 
 void require_intensities(const Sweep& sweep, const std::vector<CheckedRun>& runs)
 {
@@ -77,7 +115,7 @@ FragilityResults assess_fragility(const Sweep& sweep, const std::vector<SweepOut
         ++level.runs;
         level.exceeding += exceeds ? 1 : 0;
     }
-    if (points.empty()) refuse_quantity(sweep, outcomes);
+    if (points.empty()) refuse_quantity(sweep, quantities_of(outcomes));
     for (const auto& [intensity, level] : levels) results.levels.push_back(level);
     results.fit = fit_fragility(points);
     return results;

@@ -26,6 +26,9 @@ struct FragilityResults {
     FragilityFit fit;
 };
 
+/// Throws InputError where no run will have the quantity of the sweep's fragility curve; before any run.
+void require_quantity(const Sweep& sweep, const std::vector<CheckedRun>& runs);
+
 /// Throws InputError where an intensity of the sweep's fragility curve is not above 0; before any run.
 void require_intensities(const Sweep& sweep, const std::vector<CheckedRun>& runs);
 

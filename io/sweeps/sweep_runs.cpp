@@ -62,6 +62,8 @@ CheckedRun check_run(const Sweep& sweep, SweepRun run)
     if (reading.scene.stage) checked.results += "/" + reading.scene.stage->name;
     for (const VariedKey& key : sweep.varied) checked.values.push_back(value_of(key.key, reading.keys));
     checked.hash = scene_hash(reading.scene.text, run.overrides);
+    for (const SceneProbe& probe : reading.scene.probes)
+        if (!probe.to) checked.probes.push_back(probe.name);
     checked.inputs = input_files(reading.scene, reading.keys);
     checked.run = std::move(run);
     return checked;

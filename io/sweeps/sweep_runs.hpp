@@ -31,7 +31,8 @@ struct CheckedRun {
     std::vector<RunValue> values; // of the varied keys
     std::string results; // its folder; of a scene with stages, in it that of the one that is collected
     std::string hash;    // scene_hash() of the run, or of that stage
-    std::vector<InputFile> inputs; // files that the scene names
+    std::vector<InputFile> inputs;   // files that the scene names
+    std::vector<std::string> probes; // of which there will be histories
 };
 
 /// Read the scene of every run. Throws InputError with the errors of all at once, each message with its runs.

@@ -3,6 +3,7 @@
 #include "geometry/drawing/nearest_name.hpp"
 #include "io/keys/scene_value_reader.hpp"
 #include "io/keys/scene_words.hpp"
+#include "io/laws/soil_laws.hpp"
 
 #include <algorithm>
 
@@ -48,6 +49,32 @@ void check_range(const SceneValues& values, const NamedTable& table, const Scene
     if (range.empty() || (range.size() == 2 && range[0] < range[1])) return;
     findings.add(error_at(values.place(table.path + ".range"), "figure", "this is no range of colours",
                           "[low, high] in the SI unit of the field"));
+}
+
+/// Those that the results of some scene have; vectors also as a whole, by their amount.
+std::vector<std::string> names_of_fields()
+{
+    std::vector<std::string> names{"velocity", "velocity_x", "velocity_y", "material", "region"};
+    for (const Quantity* quantity : quantities_of(on_particles)) {
+        if (quantity->form == QuantityForm::vector) names.emplace_back(quantity->name);
+        for (std::size_t c = 0; c < component_count(quantity->form); ++c)
+            names.push_back(component_name(*quantity, c));
+    }
+    for (const SoilLaw& law : soil_laws())
+        for (const MemoryNumber& number : memory_of(law.form))
+            if (number.shown) names.emplace_back(number.name);
+    return names;
+}
+
+void check_field(const SceneValues& values, const NamedTable& table, const SceneFigure& figure,
+                 Diagnostics& findings)
+{
+    const std::vector<std::string> known = names_of_fields();
+    if (figure.field.empty() || std::find(known.begin(), known.end(), figure.field) != known.end()) return;
+    const std::string nearest = nearest_name(figure.field, known);
+    findings.add(error_at(values.place(table.path + ".field"), "figure",
+                          "no results have a field \"" + figure.field + "\"", one_of(known),
+                          nearest.empty() ? "" : "did you mean \"" + nearest + "\"?"));
 }
 
 void check_name(const NamedTable& table, Diagnostics& findings)
@@ -116,6 +143,7 @@ std::vector<SceneFigure> read_figures(const SceneValues& values, Diagnostics& fi
         figure.range = values.find<std::vector<double>>(key("range")).value_or(std::vector<double>());
         check_name(table, findings);
         if (figure.kind == FigureKind::field) {
+            check_field(values, table, figure, findings);
             check_range(values, table, figure, findings);
         } else {
             check_probes(values, table, figure, findings);

@@ -201,6 +201,10 @@ TEST(CheckMessages, TellTheSteadyFlowAtTheStart)
         << run;
     const std::string still = run_program("check " + scene + "/still --set boundaries.river.head=0").output;
     EXPECT_NE(still.find("  none: no water stands above the level, 0 m\n"), std::string::npos) << still;
+    const std::string rest = run_program("run " + scene + "/rest --set boundaries.river.head=0").output;
+    EXPECT_NE(rest.find("The water does not flow at the start: none stands above the level, 0 m\n"),
+              std::string::npos)
+        << rest;
 }
 
 TEST(CheckMessages, TellTheFlowInTime)
