@@ -14,15 +14,18 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace quicksand {
 
 namespace {
 
-[[noreturn]] void refuse_quantity(const Sweep& sweep, const std::vector<std::string>& known)
+/// `whose` has none: "no finished run has".
+[[noreturn]] void refuse_quantity(const Sweep& sweep, const std::string& whose,
+                                  const std::vector<std::string>& known)
 {
     const std::string nearest = nearest_name(sweep.fragility->quantity, known);
-    throw InputError(sweep.file.string() + ": no run has fragility.quantity = \"" +
+    throw InputError(sweep.file.string() + ": " + whose + " fragility.quantity = \"" +
                      sweep.fragility->quantity + "\"" +
                      (known.empty() ? "" : "\nexpected: " + one_of(known)) +
                      (nearest.empty() ? "" : "\nhint: did you mean \"" + nearest + "\"?"));
@@ -40,14 +43,9 @@ std::vector<std::string> quantities_to_come(const std::vector<CheckedRun>& runs)
 {
     std::vector<std::string> names(summarized_extremes.begin(), summarized_extremes.end());
     add_columns(history_plan(), "", names);
-    for (const CheckedRun& run : runs) {
-        for (const std::string& probe : run.probes) {
-            const bool known = std::any_of(names.begin(), names.end(), [&](const std::string& name) {
-                return name.starts_with(probe + '.');
-            });
-            if (!known) add_columns(probe_plan(), probe + '.', names);
-        }
-    }
+    std::set<std::string> probes;
+    for (const CheckedRun& run : runs) probes.insert(run.probes.begin(), run.probes.end());
+    for (const std::string& probe : probes) add_columns(probe_plan(), probe + '.', names);
     return names;
 }
 
@@ -72,15 +70,11 @@ void require_quantity(const Sweep& sweep, const std::vector<CheckedRun>& runs)
 {
     if (!sweep.fragility) return;
     const std::vector<std::string> known = quantities_to_come(runs);
-    const auto is_known = [&](const std::string& name) {
-        return std::find(known.begin(), known.end(), name) != known.end();
-    };
     const std::string& quantity = sweep.fragility->quantity;
-    bool found = is_known(quantity);
-    for (const std::string ending : {"_peak", "_final"})
-        if (quantity.ends_with(ending))
-            found = found || is_known(quantity.substr(0, quantity.size() - ending.size()));
-    if (!found) refuse_quantity(sweep, known);
+    const bool found = std::any_of(known.begin(), known.end(), [&](const std::string& name) {
+        return quantity == name || quantity == name + "_peak" || quantity == name + "_final";
+    });
+    if (!found) refuse_quantity(sweep, "no run will have", known);
 }
 
 void require_intensities(const Sweep& sweep, const std::vector<CheckedRun>& runs)
@@ -115,7 +109,7 @@ FragilityResults assess_fragility(const Sweep& sweep, const std::vector<SweepOut
         ++level.runs;
         level.exceeding += exceeds ? 1 : 0;
     }
-    if (points.empty()) refuse_quantity(sweep, quantities_of(outcomes));
+    if (points.empty()) refuse_quantity(sweep, "no finished run has", quantities_of(outcomes));
     for (const auto& [intensity, level] : levels) results.levels.push_back(level);
     results.fit = fit_fragility(points);
     return results;

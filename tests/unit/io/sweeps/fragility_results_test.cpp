@@ -64,7 +64,7 @@ TEST(Fragility, NamesTheQuantitiesThereAre)
         FAIL();
     } catch (const InputError& error) {
         EXPECT_STREQ(error.what(),
-                     "sweep.toml: no run has fragility.quantity = \"crest_setlement_m\"\n"
+                     "sweep.toml: no finished run has fragility.quantity = \"crest_setlement_m\"\n"
                      "expected: crest_settlement_m\nhint: did you mean \"crest_settlement_m\"?");
     }
 }
@@ -72,10 +72,10 @@ TEST(Fragility, NamesTheQuantitiesThereAre)
 TEST(Fragility, NamesTheQuantitiesThatWillBeBeforeAnyRun)
 {
     CheckedRun run = outcome_at(1.0, 0.1).checked;
-    run.probes = {"crest"};
+    run.probes = {"crest.toe", "crest"};
     Sweep sweep = shaken_sweep();
     for (const char* known : {"crest_settlement_m", "crest_settlement_m_final", "max_velocity_m_s",
-                              "crest.ux_m", "crest.ru_peak"}) {
+                              "crest.ux_m", "crest.ru_peak", "crest.toe.ux_m"}) {
         sweep.fragility->quantity = known;
         EXPECT_NO_THROW(require_quantity(sweep, {run})) << known;
     }
@@ -85,8 +85,8 @@ TEST(Fragility, NamesTheQuantitiesThatWillBeBeforeAnyRun)
         FAIL();
     } catch (const InputError& error) {
         const std::string message = error.what();
-        EXPECT_TRUE(
-            message.starts_with("sweep.toml: no run has fragility.quantity = \"cres.ux_m\"\nexpected: "))
+        EXPECT_TRUE(message.starts_with(
+            "sweep.toml: no run will have fragility.quantity = \"cres.ux_m\"\nexpected: "))
             << message;
         EXPECT_TRUE(message.ends_with("\nhint: did you mean \"crest.ux_m\"?")) << message;
     }
