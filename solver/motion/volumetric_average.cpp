@@ -1,7 +1,5 @@
 #include "solver/motion/volumetric_average.hpp"
 
-#include "solver/motion/particle_motion.hpp"
-
 #include <algorithm>
 
 namespace quicksand {
@@ -69,17 +67,6 @@ void average_volume_change(const CellLists& lists, VolumetricAverage& average, P
     average.own_xx = particles.velocity_gradient_solid.xx;
     average.own_yy = particles.velocity_gradient_solid.yy;
     for_each_tile(lists, [&](const Tile& tile) { average_tile(average, lists, tile, particles); });
-}
-
-void update_stress_of_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles,
-                            VolumetricAverage& average)
-{
-    average_volume_change(lists, average, particles);
-    update_effective_stress(problem, dt, particles);
-    if (average.asked_for.empty()) return;
-    Gradients& L = particles.velocity_gradient_solid;
-    L.xx.swap(average.own_xx);
-    L.yy.swap(average.own_yy);
 }
 
 } // namespace quicksand

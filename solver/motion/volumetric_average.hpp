@@ -31,8 +31,4 @@ VolumetricAverage make_volumetric_average(const Problem& problem);
 /// their own rates are kept in the average. Nothing where no material asks for it.
 void average_volume_change(const CellLists& lists, VolumetricAverage& average, Particles& particles);
 
-/// update_effective_stress with the cells' rates of volume change for such materials.
-void update_stress_of_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles,
-                            VolumetricAverage& average);
-
 } // namespace quicksand

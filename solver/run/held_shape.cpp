@@ -3,6 +3,7 @@
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/outer_forces.hpp"
 #include "solver/boundaries/surface_loads.hpp"
+#include "solver/motion/cell_stress.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/run/unbalanced_forces.hpp"

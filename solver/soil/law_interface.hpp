@@ -77,6 +77,18 @@ bool flows_at_constant_volume(const Law&)
     return false;
 }
 
+/// Whether particles that are in one cell settle as one, and what that changes of them after the stress of a
+/// step of dt: `points` are those of one material in one cell.
+template <class Law>
+bool settles_by_cells(const Law&)
+{
+    return false;
+}
+template <class Law>
+void even_out_cell(const Law&, double, std::span<const std::int32_t>, Particles&)
+{
+}
+
 /// What the law remembers while the soil is shaken.
 template <class Law>
 LawMemory memory_of(const Law&)

@@ -5,6 +5,7 @@
 #include "solver/boundaries/surface_loads.hpp"
 #include "solver/inertia/coupled_motion.hpp"
 #include "solver/measure/balances.hpp"
+#include "solver/motion/cell_stress.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/null_space_damping.hpp"
 #include "solver/motion/particle_motion.hpp"

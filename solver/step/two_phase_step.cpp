@@ -7,6 +7,7 @@
 #include "solver/boundaries/solid_seals.hpp"
 #include "solver/inertia/coupled_motion.hpp"
 #include "solver/measure/balances.hpp"
+#include "solver/motion/cell_stress.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/particle_motion.hpp"
 #include "solver/motion/particle_order.hpp"

@@ -47,10 +47,15 @@ void begin_history(const UbcSandState& start, std::size_t p, const UbcSandHistor
     history.largest_shear[p] = history.liquefied_shear[p] = history.compaction[p] = 0.0;
 }
 
+double whole_compaction(const UbcSand& law, std::size_t p, const UbcSandHistory& history)
+{
+    return law.reconsolidation * std::min(history.liquefied_shear[p], most_shear);
+}
+
 double compaction_of(const UbcSand& law, double strain, double s, std::size_t p,
                      const UbcSandHistory& history)
 {
-    const double whole = law.reconsolidation * std::min(history.liquefied_shear[p], most_shear);
+    const double whole = whole_compaction(law, p, history);
     const double pending = whole - history.compaction[p];
     if (!(strain > 0.0 && pending > 0.0)) return 0.0;
     // in y = root s both ways are straight: elastic d eps = (2 y/K') dy, on the line d eps = (... + c) dy

@@ -34,6 +34,9 @@ bool keeps_history(const UbcSand& law);
 /// Begin with the state of the start of shaking.
 void begin_history(const UbcSandState& start, std::size_t p, const UbcSandHistory& history);
 
+/// The compaction [-] of the whole reconsolidation line of a point.
+double whole_compaction(const UbcSand& law, std::size_t p, const UbcSandHistory& history);
+
 /// The compaction [-] that a volumetric strain [-] brings at a mean stress s [Pa], all positive in
 /// compression.
 double compaction_of(const UbcSand& law, double strain, double s, std::size_t p,

@@ -1,6 +1,7 @@
 #include "solver/ubcsand/ubcsand_particles.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/ubcsand/cell_reconsolidation.hpp"
 #include "solver/ubcsand/ubcsand_history.hpp"
 
 #include <algorithm>
@@ -248,6 +249,12 @@ void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t
     ENSURE(particles.memory.size() >= memory_of(law).size());
     if (keeps_history(law)) return update_with_history(law, dt, first, last, particles);
     update_points(law, dt, first, last, arrays_of(law, particles));
+}
+
+void even_out_cell(const UbcSand& law, double dt, std::span<const std::int32_t> points, Particles& particles)
+{
+    ENSURE(particles.memory.size() >= memory_of(law).size());
+    even_reconsolidation(law, dt, points, history_of(particles), particles);
 }
 
 std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles)

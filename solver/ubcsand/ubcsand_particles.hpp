@@ -7,7 +7,9 @@
 #include "solver/ubcsand/ubcsand.hpp"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace quicksand {
@@ -30,6 +32,13 @@ ParticleModuli expected_moduli(const UbcSand& law, double dt, std::size_t first,
 /// Add the stress of the strain L dt to the particles [first, last) and advance their memory, rotated stress
 /// and memory given. Pre: start_memory.
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles);
+
+/// Liquefied sand of a cell settles as one, see cell_reconsolidation.hpp.
+inline bool settles_by_cells(const UbcSand& law)
+{
+    return law.reconsolidation > 0.0;
+}
+void even_out_cell(const UbcSand& law, double dt, std::span<const std::int32_t> points, Particles& particles);
 
 /// What a particle remembers of its cycles; meaning and signs as in UbcSandState.
 LawMemory memory_of(const UbcSand& law);

@@ -1,7 +1,7 @@
 // The cell's rate of volume change in place of the particle's, where a material asks for it.
 #include "solver/measure/balances.hpp"
+#include "solver/motion/cell_stress.hpp"
 #include "solver/motion/particle_order.hpp"
-#include "solver/motion/volumetric_average.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

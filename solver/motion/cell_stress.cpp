@@ -1,0 +1,62 @@
+#include "solver/motion/cell_stress.hpp"
+
+#include "solver/motion/particle_motion.hpp"
+
+#include <cstdint>
+#include <variant>
+#include <vector>
+
+namespace quicksand {
+
+namespace {
+
+/// Call even(points) for the particles of a material in each cell of a tile.
+template <class Even>
+void for_each_cell_of(std::size_t material, const CellLists& lists, const Tile& tile,
+                      const Particles& particles, Even&& even)
+{
+    std::vector<std::int32_t> points;
+    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
+        const auto slot = static_cast<std::size_t>(c);
+        points.clear();
+        for (std::int32_t k = lists.cell_start[slot]; k < lists.cell_start[slot + 1]; ++k) {
+            const std::int32_t p = lists.order[static_cast<std::size_t>(k)];
+            if (particles.material[static_cast<std::size_t>(p)] == static_cast<std::int32_t>(material))
+                points.push_back(p);
+        }
+        if (points.size() > 1) even(points);
+    }
+}
+
+void even_out_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles)
+{
+    for (std::size_t m = 0; m < problem.materials.size(); ++m) {
+        std::visit(
+            [&](const auto& law) {
+                if (!settles_by_cells(law)) return;
+                for_each_tile(lists, [&](const Tile& tile) {
+                    for_each_cell_of(m, lists, tile, particles, [&](const std::vector<std::int32_t>& points) {
+                        even_out_cell(law, dt, points, particles);
+                    });
+                });
+            },
+            problem.materials[m].law);
+    }
+}
+
+} // namespace
+
+void update_stress_of_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles,
+                            VolumetricAverage& average)
+{
+    average_volume_change(lists, average, particles);
+    update_effective_stress(problem, dt, particles);
+    if (!average.asked_for.empty()) {
+        Gradients& L = particles.velocity_gradient_solid;
+        L.xx.swap(average.own_xx);
+        L.yy.swap(average.own_yy);
+    }
+    even_out_cells(problem, dt, lists, particles);
+}
+
+} // namespace quicksand
