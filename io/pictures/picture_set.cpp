@@ -27,7 +27,8 @@ namespace fs = std::filesystem;
 /// Frame to draw and frame to compare with.
 struct FramePair {
     ParticleFrame present;
-    std::vector<DomainCorners> initial; // of the same particles in the same order [m]
+    std::vector<DomainCorners>
+        initial; // where displacements are zero, of the same particles in the same order [m]
 };
 
 /// The domains of the first frame in the order of the present one, which sorting may have changed.
@@ -68,10 +69,7 @@ FramePair read_frames(const fs::path& results, const PictureRequest& request)
                                         wanted, chosen->time));
     }
     FramePair frames{read_particle_frame(index.parent_path() / chosen->file), {}};
-    frames.initial =
-        chosen == entries.begin()
-            ? frames.present.domains
-            : match_initial(read_particle_frame(index.parent_path() / entries.front().file), frames.present);
+    frames.initial = match_initial(read_frame_of_origin(results), frames.present);
     return frames;
 }
 

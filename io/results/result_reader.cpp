@@ -6,6 +6,7 @@
 #include "io/files/csv_file.hpp"
 #include "io/keys/diagnostics.hpp"
 #include "io/results/results_folder.hpp"
+#include "io/results/stage_table.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/measure/quantities.hpp"
 
@@ -214,6 +215,24 @@ HistoryTable extract(const std::filesystem::path& index, std::vector<FrameArray>
     return table;
 }
 
+ParticleFrame read_first_frame(const std::filesystem::path& results)
+{
+    const std::filesystem::path index = ResultsFolder{results}.particle_series();
+    const std::vector<FrameEntry> entries = read_series_index(index);
+    if (entries.empty()) throw InputError(index.string() + ": there is no frame in it yet");
+    return read_particle_frame(index.parent_path() / entries.front().file);
+}
+
+bool is_displaced(const ParticleFrame& frame)
+{
+    const auto moves = [&](const char* name) {
+        const auto found = frame.scalars.find(name);
+        return found != frame.scalars.end() &&
+               std::any_of(found->second.begin(), found->second.end(), [](double u) { return u != 0.0; });
+    };
+    return moves("displacement_x") || moves("displacement_y");
+}
+
 } // namespace
 
 void refuse_field(const std::string& name, const std::vector<std::string>& known)
@@ -242,6 +261,16 @@ ParticleFrame read_particle_frame(const std::filesystem::path& file)
         if (text.name == "region_names") particles.region_names = text.lines;
     }
     return particles;
+}
+
+ParticleFrame read_frame_of_origin(const std::filesystem::path& results)
+{
+    const std::vector<std::filesystem::path> stages = stages_up_to(results);
+    ParticleFrame first = read_first_frame(stages.back());
+    for (auto stage = std::next(stages.rbegin()); stage != stages.rend() && is_displaced(first); ++stage)
+        if (std::filesystem::exists(ResultsFolder{*stage}.particle_series()))
+            first = read_first_frame(*stage);
+    return first;
 }
 
 HistoryTable extract_history(const std::filesystem::path& results, const ExtractRequest& request)

@@ -25,6 +25,11 @@ struct ParticleFrame {
 /// Read a frame file of fields.pvd. Throws FileError.
 ParticleFrame read_particle_frame(const std::filesystem::path& file);
 
+/// The frame from which the displacements of the results count: their first one, or where a stage goes on
+/// with displacements, the first one of the latest stage before it that began without. Throws FileError, and
+/// InputError where there is no frame yet.
+ParticleFrame read_frame_of_origin(const std::filesystem::path& results);
+
 /// Say that results have no field of that name, and which they have. Throws InputError.
 [[noreturn]] void refuse_field(const std::string& name, const std::vector<std::string>& known);
 

@@ -25,6 +25,10 @@ std::vector<StageRow> read_stage_table(const std::filesystem::path& results);
 /// Write the table, and the frames of all its stages as one series. Throws FileError.
 void write_stage_table(const std::filesystem::path& results, const std::vector<StageRow>& stages);
 
+/// The folders of the stages of a run up to that of a stage, which comes last; `results` alone where they are
+/// no stage. Throws as read_stage_table().
+std::vector<std::filesystem::path> stages_up_to(const std::filesystem::path& results);
+
 /// The folder of a stage whose end another run can go on from: the results themselves, or in a run with
 /// stages that of the last one which is a run in time or a settling.
 std::filesystem::path with_end(const std::filesystem::path& results);

@@ -1,6 +1,7 @@
 #include "io/frames/grid_frame.hpp"
 #include "io/frames/particle_frame.hpp"
 #include "io/results/result_reader.hpp"
+#include "io/results/stage_table.hpp"
 #include "solver/base/failure.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
 
@@ -128,6 +129,31 @@ TEST(ResultReader, ParticleFrameHasOneNumberADomain)
     EXPECT_EQ(frame.units.at("stress_xy"), "Pa");
     EXPECT_EQ(frame.material_names, std::vector<std::string>{"sand"});
     EXPECT_EQ(frame.region_names, std::vector<std::string>{"ground"});
+}
+
+/// Stages of three frames each: displacements go on from `shaking` to `after`, and begin anew in `next`.
+TEST(ResultReader, DisplacementsOfAStageCountFromTheStageThatBeganWithoutThem)
+{
+    const TemporaryFolder folder;
+    write_results(folder);
+    const ParticleFrame drawn = read_frame_of_origin(folder.path());
+    EXPECT_EQ(drawn.time, 0.0);
+    for (const char* stage : {"shaking", "after", "next"}) {
+        std::filesystem::create_directories(folder / stage);
+        std::filesystem::copy(folder / "fields", folder / stage / "fields");
+        std::filesystem::copy(folder / "fields.pvd", folder / stage);
+    }
+    const auto frames = read_series_index(folder / "fields.pvd");
+    std::filesystem::copy_file(folder.path() / frames[1].file, folder / "after" / frames[0].file,
+                               std::filesystem::copy_options::overwrite_existing);
+    write_stage_table(folder.path(), {{"shaking", "shake", "finished", 0.0, 0.2},
+                                      {"after", "consolidate", "finished", 0.2, 0.2},
+                                      {"next", "settle", "finished", 0.4, 0.0}});
+    EXPECT_EQ(read_frame_of_origin(folder / "after").domains, drawn.domains);
+    EXPECT_EQ(read_frame_of_origin(folder.path() / "after" / "").domains, drawn.domains);
+    EXPECT_EQ(read_frame_of_origin(folder / "next").domains, drawn.domains);
+    std::filesystem::remove(folder / "stages.csv");
+    EXPECT_NE(read_frame_of_origin(folder / "after").domains, drawn.domains) << "its own first frame";
 }
 
 TEST(ResultReader, TheTableBecomesACsvFile)

@@ -118,7 +118,7 @@ TEST(CellReconsolidation, IsThatOfTheMirroredCell)
         EXPECT_EQ(mirrored.particles.stress.xy[p], -cell.particles.stress.xy[p]);
 }
 
-/// As it is: half the strain and twice the time, in any number of steps.
+/// In a hundred steps as in one.
 TEST(CellReconsolidation, DependsOnTheStrainAloneNotOnTheSteps)
 {
     Cell fine, coarse;
