@@ -383,9 +383,10 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
         const PressureSolve& pressure = work.pressure;
-        advance_solved_pressure(problem, dt, work.lists_with_pressure(),
-                                {pressure.expected, pressure.increment, pressure.change}, particles,
-                                work.cell_means);
+        advance_solved_pressure(
+            problem, dt, work.lists_with_pressure(),
+            {pressure.expected, pressure.increment, pressure.change, following_part(dt, state.last_step)},
+            particles, work.cell_means);
     });
     move_and_deform(problem, dt, state, work);
 }

@@ -292,13 +292,21 @@ void apply_increments(const Problem& problem, double dt, const CellLists& lists,
     });
 }
 
+double following_part(double dt, double last_step)
+{
+    constexpr double least_part = 0.5; // of the last step, with which rates follow wholly
+    const double part = last_step > 0.0 ? std::min(1.0, dt / (least_part * last_step)) : 1.0;
+    return part * part;
+}
+
 void follow_solved_pressure(double dt, const CellLists& lists, const Tile& tile, const SolvedPressure& solved,
                             Particles& particles, CellMeans& means)
 {
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
         const double increment = solved.increment[slot];
-        const double rate = (increment + solved.expected[slot] / acting_weight) / dt; // r + b (dp/dt - r)
-        const double change = (increment + solved.expected[slot]) / acting_weight;    // dp without deficit
+        const double rate = // r + following_part b (dp/dt - r)
+            (solved.following_part * increment + solved.expected[slot] / acting_weight) / dt;
+        const double change = (increment + solved.expected[slot]) / acting_weight; // dp without deficit
         const double new_part = lists.is_root(slot) ? new_part_of_long_slopes : new_part_of_slopes;
         means.sloping_pressure[slot] = means.pore_pressure[slot] - (1.0 - new_part) * (change - increment);
         for (std::size_t k = first; k < last; ++k)

@@ -48,10 +48,16 @@ struct CellMeans {
 /// What a semi-implicit step has solved for, by slot of the cell lists: the mean p of a cell acted on the
 /// nodes with p + increment.
 struct SolvedPressure {
-    const Scalars& expected;  // b dt r [Pa]
-    const Scalars& increment; // b (dp - dt r) [Pa]
-    const Scalars& change;    // dp, of pressure and deficit together with a limit of tension [Pa]
+    const Scalars& expected;     // b dt r [Pa]
+    const Scalars& increment;    // b (dp - dt r) [Pa]
+    const Scalars& change;       // dp, of pressure and deficit together with a limit of tension [Pa]
+    double following_part = 1.0; // of b, with which r follows dp/dt [-]
 };
+
+/// The part of b with which the rates of the pressures follow a step, see THEORY.md [-]. Over a short step
+/// after a long one dp/dt is mostly the noise of the long one's dp: the next long step would act with dt r of
+/// it, many times as large.
+double following_part(double dt, double last_step);
 
 /// dt det L: what the volume of a particle grows by in a step beyond tr L, over dt and the volume; det(I + dt
 /// L) = 1 + dt (tr L + dt det L). In a turn of the rate w it is dt w^2, against tr L = - dt w^2 [1/s].
