@@ -72,6 +72,25 @@ std::string describe_result(const SafetyFactor& safety)
                        safety.factor, safety.stands, safety.fails);
 }
 
+/// Where and how much of the soil moves in the failure that was found; a failure of a few cells hangs on the
+/// grid, and may hide that of the slope.
+std::string describe_failure(const Problem& problem, const Particles& failure)
+{
+    constexpr double few_cells = 8.0;
+    const MovingSoil moving = moving_soil(failure);
+    const double cells = moving.area / (problem.grid.cell_size * problem.grid.cell_size);
+    std::string text =
+        fmt::format("What moves: {} m2 of soil between ({}, {}) and ({}, {}) m", short_number(moving.area, 3),
+                    short_number(moving.low.x(), 3), short_number(moving.low.y(), 3),
+                    short_number(moving.high.x(), 3), short_number(moving.high.y(), 3));
+    if (cells < few_cells)
+        text += fmt::format("\n  warning: that is only {} cells, and a failure of so few hangs on the grid\n"
+                            "  hint: finer cells; where it is a corner of a slope, a thin region with a "
+                            "little more cohesion there shows what the rest bears",
+                            short_number(cells, 2));
+    return text;
+}
+
 } // namespace
 
 void require_strength(const AssembledCase& assembled)
@@ -151,6 +170,7 @@ SafetyFactor search_stability(const AssembledCase& assembled, const StrengthRedu
     write_curve(safety, curve);
     journal.say(describe_result(safety));
     if (safety.failure.size() > 0) {
+        journal.say(describe_failure(assembled.problem, safety.failure));
         write_failure(assembled.problem, safety, folder);
         journal.say("How it fails (displacement, shear_strain): " + folder.particle_series().string() +
                     "; displacement against factor: " + curve.string());

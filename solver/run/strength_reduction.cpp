@@ -120,6 +120,25 @@ bool has_strength(const Problem& problem)
                        [](const Material& material) { return has_strength(material.law); });
 }
 
+MovingSoil moving_soil(const Particles& failure)
+{
+    constexpr double much = 0.25; // of the largest displacement
+    const auto displacement = [&](std::size_t p) {
+        return (failure.position[p] - failure.reference_position[p]).norm();
+    };
+    double largest = 0.0;
+    for (std::size_t p = 0; p < failure.size(); ++p) largest = std::max(largest, displacement(p));
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    MovingSoil moving{0.0, Vector2::Constant(infinite), Vector2::Constant(-infinite)};
+    for (std::size_t p = 0; p < failure.size(); ++p) {
+        if (displacement(p) < much * largest) continue;
+        moving.area += failure.volume[p];
+        moving.low = moving.low.cwiseMin(failure.reference_position[p]);
+        moving.high = moving.high.cwiseMax(failure.reference_position[p]);
+    }
+    return moving;
+}
+
 Problem with_reduced_strength(const Problem& problem, double factor)
 {
     Problem weaker = problem_at_strength(problem);

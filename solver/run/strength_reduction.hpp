@@ -45,6 +45,15 @@ struct SafetyFactor {
     Particles failure; // displaced as in the last trial that failed, none when no trial failed
 };
 
+/// The soil of a failure that moves by a quarter or more of the largest displacement.
+struct MovingSoil {
+    double area = 0.0; // [m2]
+    Vector2 low, high; // the box around its places before [m]
+};
+
+/// Of the particles displaced as in a failure, one at least.
+MovingSoil moving_soil(const Particles& failure);
+
 /// The problem with its strengths divided; laws without strength stay as they are.
 Problem with_reduced_strength(const Problem& problem, double factor);
 

@@ -19,10 +19,23 @@ TEST(Stability, FindsAFactorAndShowsHowTheSlopeFails)
     const Outcome outcome = run_program(command);
     EXPECT_EQ(outcome.code, 0) << outcome.output;
     EXPECT_NE(outcome.output.find("The factor of safety is 1."), std::string::npos) << outcome.output;
+    EXPECT_NE(outcome.output.find("What moves: "), std::string::npos) << outcome.output;
+    EXPECT_EQ(outcome.output.find("warning"), std::string::npos) << outcome.output;
     EXPECT_EQ(header_of(folder / "out/stability.csv"), "factor,displacement_m,out_of_balance,stands,steps");
     EXPECT_TRUE(std::filesystem::exists(folder / "out/fields.pvd"));
     EXPECT_NE(read_file(folder / "out/stability.txt").find("fails"), std::string::npos);
     EXPECT_EQ(run_program(command).code, 0) << "a former search is replaced";
+}
+
+TEST(Stability, TellsAFailureOfAFewCells)
+{
+    const WorkFolder folder;
+    const Outcome outcome =
+        run_program("stability " + example("verification/griffiths_lane") +
+                    " --set grid.cell_size=5 --tolerance 0.1 -o " + folder.string() + "/out");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find("cells, and a failure of so few hangs on the grid"), std::string::npos)
+        << outcome.output;
 }
 
 // Rows of the base at the toe nearly repeat each other there: a force that was none never came to rest.

@@ -176,6 +176,22 @@ TEST(StrengthReduction, ABodyOutOfBalanceComesToRestFirst)
     EXPECT_NEAR(safety.factor / critical_circle(slope).factor_of_safety, 1.0, 0.06);
 }
 
+TEST(StrengthReduction, SoilThatMovesByAQuarterOfTheLargestDisplacementIsTheFailure)
+{
+    Particles failure;
+    failure.identifier = {0, 1, 2, 3};
+    failure.volume = {0.1, 0.2, 0.4, 0.8};
+    failure.reference_position = {{1.0, 2.0, 3.0, 4.0}, {5.0, 7.0, 6.0, 8.0}};
+    failure.position = failure.reference_position;
+    failure.position.x[1] += 0.04;
+    failure.position.y[2] -= 0.012;
+    failure.position.x[3] -= 0.009;
+    const MovingSoil moving = moving_soil(failure);
+    EXPECT_NEAR(moving.area, 0.6, 1e-12);
+    EXPECT_EQ(moving.low, Vector2(2.0, 6.0));
+    EXPECT_EQ(moving.high, Vector2(3.0, 7.0));
+}
+
 TEST(StrengthReduction, SoilThatCannotFailIsSafe)
 {
     HomogeneousSlope slope;
