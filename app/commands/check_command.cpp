@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -43,6 +44,17 @@ void say_stage(const SceneReading& stage, std::size_t number, std::size_t count,
                             stage.scene.stage->name, word_of_kind(stage.scene.stage->kind)));
 }
 
+/// Whether sand may begin the stage liquefied: no one knows before the run how its pressures limit the steps.
+bool drains_sand(const AssembledCase& assembled)
+{
+    const auto& stage = assembled.scene.stage;
+    const std::vector<Material>& materials = assembled.problem.materials;
+    return stage && stage->kind == StageKind::consolidate &&
+           std::any_of(materials.begin(), materials.end(), [](const Material& material) {
+               return material.saturated && !memory_of(material.law).empty();
+           });
+}
+
 /// Of a stage that is a run in time, and starts from a state called `start`.
 void say_run(const SceneSetup& setup, const std::string& start, const ResultsFolder& folder, Journal& journal)
 {
@@ -52,6 +64,10 @@ void say_run(const SceneSetup& setup, const std::string& start, const ResultsFol
     journal.say(describe_time_step(assembled, step));
     const StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
     journal.say(describe_cost(forecast_run(assembled, run, step.dt, folder.directory)));
+    if (drains_sand(assembled))
+        journal.say(
+            "  after liquefaction more steps: the pressures that the shaking leaves are not known yet; 5 "
+            "and 60 times as many were seen");
     journal.say(describe_left_out(assembled.scene, run, start));
 }
 

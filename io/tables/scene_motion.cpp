@@ -15,11 +15,13 @@ namespace {
 
 void check_shaking(const SceneValues& values, const BaseMotion& motion, Diagnostics& findings)
 {
+    if (findings.has_errors()) return; // the end of the run may be what is wrong
+    const bool is_given = values.has("run.end_time");
     const double end_time = values.number("run.end_time"), shaking = duration(motion);
     if (end_time > 0.0 && std::isfinite(shaking) && shaking > end_time * (1.0 + 1e-9)) {
-        findings.add(warning_at(values.place("run.end_time"), "run.end_time", "motion",
-                                "the run ends at " + number_text(end_time) + " s, the shaking at " +
-                                    time_text(shaking)));
+        findings.add(warning_at(
+            is_given ? values.place("run.end_time") : values.tables.at("motion"), "run.end_time", "motion",
+            "the run ends at " + number_text(end_time) + " s, the shaking at " + time_text(shaking)));
     }
 }
 

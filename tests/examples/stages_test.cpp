@@ -137,6 +137,7 @@ TEST_F(Stages, AreCheckedTogether)
     EXPECT_EQ(check.code, 0) << check.output;
     EXPECT_NE(check.output.find("Stage 3 of 3: after (consolidate)"), std::string::npos) << check.output;
     EXPECT_NE(check.output.find("analysis.scheme: "), std::string::npos) << check.output;
+    EXPECT_NE(check.output.find("  after liquefaction more steps"), std::string::npos) << check.output;
 }
 
 TEST_F(Stages, LiquefiedSandCanHaveAResidualStrength)

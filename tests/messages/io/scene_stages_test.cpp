@@ -54,8 +54,10 @@ expected: kind: Settle under gravity, drained, with still water or in the steady
 
 TEST(SceneStageMessages, ADurationThatIsNoneIsToldOnce)
 {
-    EXPECT_EQ(column_message("[[stages]]\nkind = \"shake\"\nduration = \"60 weeks\"\n"),
-              R"_(scene.toml:57:12: error[unit]: stages.shake.duration has the unit 'weeks'
+    for (const char* motion : {"", "[stages.motion]\ncycles = 1e6\n"}) // nor as a run that ends too early
+        EXPECT_EQ(
+            column_message(std::string("[[stages]]\nkind = \"shake\"\nduration = \"60 weeks\"\n") + motion),
+            R"_(scene.toml:57:12: error[unit]: stages.shake.duration has the unit 'weeks'
    57 | duration = "60 weeks"
       |            ^~~~~~~~~~
 expected: one of s, ms, us, min, h, day, d
