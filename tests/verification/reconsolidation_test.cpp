@@ -22,6 +22,7 @@ struct Place {
     int per_cell;
     double cell;  // [m]
     double shift; // of the grid downwards [m]
+    double most;  // of the vertical stress from the weight above, rms [-]
 };
 
 std::ostream& operator<<(std::ostream& out, const Place& place)
@@ -92,13 +93,15 @@ TEST_P(ReconsolidationAt, BringsEveryRowBackToTheWeightAboveIt)
     RecordProperty("error", std::to_string(error));
     RecordProperty("settlement", std::to_string(settled));
     EXPECT_GT(static_cast<double>(once), 0.8 * static_cast<double>(particles.size()));
-    EXPECT_LT(error, 0.1);
+    EXPECT_LT(error, GetParam().most);
     EXPECT_NEAR(settled, 0.107, 0.015);
 }
 
+// On cells of 0.25 m the shaking leaves columns of cells with lines that differ by more.
 INSTANTIATE_TEST_SUITE_P(Places, ReconsolidationAt,
-                         testing::Values(Place{2, 0.5, 0.0}, Place{3, 0.5, 0.0}, Place{4, 0.5, 0.0},
-                                         Place{3, 0.5, 0.13}, Place{3, 0.25, 0.0}));
+                         testing::Values(Place{2, 0.5, 0.0, 0.04}, Place{3, 0.5, 0.0, 0.04},
+                                         Place{4, 0.5, 0.0, 0.04}, Place{3, 0.5, 0.13, 0.04},
+                                         Place{3, 0.25, 0.0, 0.1}));
 
 } // namespace
 } // namespace quicksand
