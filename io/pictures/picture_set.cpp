@@ -55,9 +55,7 @@ void notify(const PictureRequest& request, const std::string& remark)
 
 FramePair read_frames(const fs::path& results, const PictureRequest& request)
 {
-    const fs::path index = ResultsFolder{results}.particle_series();
-    const std::vector<FrameEntry> entries = read_series_index(index);
-    if (entries.empty()) throw InputError(index.string() + ": there is no frame in it yet");
+    const std::vector<FrameEntry> entries = particle_frames(results);
     auto chosen = std::prev(entries.end());
     if (request.time) {
         const double wanted = *request.time;
@@ -68,7 +66,7 @@ FramePair read_frames(const fs::path& results, const PictureRequest& request)
             notify(request, fmt::format("there is no frame at t = {:g} s; drawn is the nearest, t = {:g} s",
                                         wanted, chosen->time));
     }
-    FramePair frames{read_particle_frame(index.parent_path() / chosen->file), {}};
+    FramePair frames{read_particle_frame(chosen->file), {}};
     frames.initial = match_initial(read_frame_of_origin(results), frames.present);
     return frames;
 }

@@ -5,7 +5,6 @@
 #include "io/pictures/picture_field.hpp"
 #include "io/pictures/picture_set.hpp"
 #include "io/results/result_reader.hpp"
-#include "io/results/results_folder.hpp"
 #include "solver/base/failure.hpp"
 
 #include <fmt/format.h>
@@ -21,17 +20,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-ParticleFrame read_nearest(const fs::path& results, const std::optional<double>& time, bool first)
+/// The frame nearest to the time, or the last.
+ParticleFrame read_nearest(const fs::path& results, const std::optional<double>& time)
 {
-    const fs::path index = ResultsFolder{results}.particle_series();
-    const std::vector<FrameEntry> entries = read_series_index(index);
-    if (entries.empty()) throw InputError(index.string() + ": there is no frame in it yet");
-    auto chosen = first ? entries.begin() : std::prev(entries.end());
-    if (!first && time)
+    const std::vector<FrameEntry> entries = particle_frames(results);
+    auto chosen = std::prev(entries.end());
+    if (time)
         chosen = std::min_element(entries.begin(), entries.end(), [&](const auto& a, const auto& b) {
             return std::abs(a.time - *time) < std::abs(b.time - *time);
         });
-    return read_particle_frame(index.parent_path() / chosen->file);
+    return read_particle_frame(chosen->file);
 }
 
 /// Places in the frame by the particles' lasting numbers.
@@ -90,10 +88,9 @@ std::vector<double> difference_of(const DrawnField& first, const ParticleFrame& 
 std::vector<Drawing> difference_drawings(const FrameDifference& difference, const fs::path& folder,
                                          std::string& why)
 {
-    const ParticleFrame first = read_nearest(difference.first, difference.time, false);
-    const ParticleFrame second = read_nearest(difference.second, difference.time, false);
-    if (!same_particles(read_nearest(difference.first, {}, true),
-                        read_nearest(difference.second, {}, true))) {
+    const ParticleFrame first = read_nearest(difference.first, difference.time);
+    const ParticleFrame second = read_nearest(difference.second, difference.time);
+    if (!same_particles(read_first_frame(difference.first), read_first_frame(difference.second))) {
         why = "their particles do not start at the same places";
         return {};
     }

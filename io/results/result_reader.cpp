@@ -215,14 +215,6 @@ HistoryTable extract(const std::filesystem::path& index, std::vector<FrameArray>
     return table;
 }
 
-ParticleFrame read_first_frame(const std::filesystem::path& results)
-{
-    const std::filesystem::path index = ResultsFolder{results}.particle_series();
-    const std::vector<FrameEntry> entries = read_series_index(index);
-    if (entries.empty()) throw InputError(index.string() + ": there is no frame in it yet");
-    return read_particle_frame(index.parent_path() / entries.front().file);
-}
-
 bool is_displaced(const ParticleFrame& frame)
 {
     const auto moves = [&](const char* name) {
@@ -261,6 +253,20 @@ ParticleFrame read_particle_frame(const std::filesystem::path& file)
         if (text.name == "region_names") particles.region_names = text.lines;
     }
     return particles;
+}
+
+std::vector<FrameEntry> particle_frames(const std::filesystem::path& results)
+{
+    const std::filesystem::path index = ResultsFolder{results}.particle_series();
+    std::vector<FrameEntry> frames = read_series_index(index);
+    if (frames.empty()) throw InputError(index.string() + ": there is no frame in it yet");
+    for (FrameEntry& frame : frames) frame.file = index.parent_path() / frame.file;
+    return frames;
+}
+
+ParticleFrame read_first_frame(const std::filesystem::path& results)
+{
+    return read_particle_frame(particle_frames(results).front().file);
 }
 
 ParticleFrame read_frame_of_origin(const std::filesystem::path& results)

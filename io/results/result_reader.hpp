@@ -25,6 +25,13 @@ struct ParticleFrame {
 /// Read a frame file of fields.pvd. Throws FileError.
 ParticleFrame read_particle_frame(const std::filesystem::path& file);
 
+/// The frames of fields.pvd with their whole paths, one at least. Throws InputError where there is none,
+/// FileError.
+std::vector<FrameEntry> particle_frames(const std::filesystem::path& results);
+
+/// The first of them.
+ParticleFrame read_first_frame(const std::filesystem::path& results);
+
 /// The frame from which the displacements of the results count: their first one, or where a stage goes on
 /// with displacements, the first one of the latest stage before it that began without. Throws FileError, and
 /// InputError where there is no frame yet.

@@ -75,8 +75,7 @@ std::vector<StageRow> read_stage_table(const fs::path& results)
 
 std::vector<fs::path> stages_up_to(const fs::path& results)
 {
-    fs::path folder = fs::absolute(results).lexically_normal();
-    if (!folder.has_filename()) folder = folder.parent_path(); // a path that ends with a slash
+    const fs::path folder = fs::weakly_canonical(results);
     std::vector<fs::path> folders;
     for (const StageRow& stage : read_stage_table(folder.parent_path())) {
         folders.push_back(folder.parent_path() / stage.name);
