@@ -1,6 +1,7 @@
 #include "solver/boundaries/grid_momentum.hpp"
 
 #include "solver/base/threads.hpp"
+#include "solver/boundaries/node_response.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,11 +35,21 @@ PhaseVelocities solve_direction(const Balance& balance, bool solid_fixed, bool f
                       balance.impulse_fluid);
 }
 
-Balance balance_along(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
-                      const Vector2& direction)
+Balance balance_along(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt, int axis)
 {
-    return {node.mass_solid, node.mass_fluid, dt * node.drag, impulses.solid.dot(direction),
-            impulses.fluid.dot(direction)};
+    return {node.mass_solid, node.mass_fluid, dt * drag_along(node, axis), impulses.solid[axis],
+            impulses.fluid[axis]};
+}
+
+/// Take the part that is known before the step from the drag of one direction; returns its force on the
+/// grains [N/m].
+double split_drag(double dt, double strong, const TwoPhaseSums& node, double momentum_solid,
+                  double momentum_fluid, double& drag)
+{
+    const double rate = dt * drag * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
+    const double known = std::min(0.5, strong / rate) * drag;
+    drag -= known;
+    return known * (momentum_fluid / node.mass_fluid - momentum_solid / node.mass_solid);
 }
 
 void set_flux_and_change(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
@@ -60,10 +71,10 @@ void set_change(const SinglePhaseSums& node, SinglePhaseMotion& motion)
 TwoPhaseMotion solve_aligned(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
                              std::uint8_t held)
 {
-    const PhaseVelocities x = solve_direction(balance_along(node, impulses, dt, Vector2::UnitX()),
-                                              held & solid_x_fixed, held & fluid_x_fixed, held & seal_x);
-    const PhaseVelocities y = solve_direction(balance_along(node, impulses, dt, Vector2::UnitY()),
-                                              held & solid_y_fixed, held & fluid_y_fixed, held & seal_y);
+    const PhaseVelocities x = solve_direction(balance_along(node, impulses, dt, 0), held & solid_x_fixed,
+                                              held & fluid_x_fixed, held & seal_x);
+    const PhaseVelocities y = solve_direction(balance_along(node, impulses, dt, 1), held & solid_y_fixed,
+                                              held & fluid_y_fixed, held & seal_y);
     return {.solid_x = x.solid, .solid_y = y.solid, .fluid_x = x.fluid, .fluid_y = y.fluid};
 }
 
@@ -197,13 +208,10 @@ void centre_drag(double dt, double strong, std::vector<TwoPhaseSums>& sums)
     for_each_index(sums.size(), [&](std::size_t i) {
         TwoPhaseSums& node = sums[i];
         if (!node.active() || !(node.drag > 0.0)) return;
-        const double rate = dt * node.drag * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
-        const double known = std::min(0.5, strong / rate) * node.drag;
-        node.drag -= known;
         node.drag_force_x =
-            known * (node.momentum_fluid_x / node.mass_fluid - node.momentum_solid_x / node.mass_solid);
+            split_drag(dt, strong, node, node.momentum_solid_x, node.momentum_fluid_x, node.drag_x);
         node.drag_force_y =
-            known * (node.momentum_fluid_y / node.mass_fluid - node.momentum_solid_y / node.mass_solid);
+            split_drag(dt, strong, node, node.momentum_solid_y, node.momentum_fluid_y, node.drag_y);
     });
 }
 

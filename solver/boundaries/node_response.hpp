@@ -19,6 +19,12 @@ inline constexpr std::uint8_t solid_fixed[2] = {solid_x_fixed, solid_y_fixed};
 inline constexpr std::uint8_t fluid_fixed[2] = {fluid_x_fixed, fluid_y_fixed};
 inline constexpr std::uint8_t seal[2] = {seal_x, seal_y};
 
+/// Drag of a node in one direction [N s/m2].
+inline double drag_along(const TwoPhaseSums& node, int axis)
+{
+    return axis == 0 ? node.drag_x : node.drag_y;
+}
+
 inline NodeResponse response(const SinglePhaseSums& node, double, std::uint8_t held, int axis)
 {
     if (!node.active() || (held & solid_fixed[axis])) return {};
@@ -28,7 +34,7 @@ inline NodeResponse response(const SinglePhaseSums& node, double, std::uint8_t h
 inline NodeResponse response(const TwoPhaseSums& node, double dt, std::uint8_t held, int axis)
 {
     if (!node.active()) return {};
-    const double m_s = node.mass_solid, m_w = node.mass_fluid, dt_drag = dt * node.drag;
+    const double m_s = node.mass_solid, m_w = node.mass_fluid, dt_drag = dt * drag_along(node, axis);
     const bool fluid_held = (held & fluid_fixed[axis]) != 0 || m_w == 0.0;
     const bool sealed = fluid_held || (held & seal[axis]);
     if (held & solid_fixed[axis]) return {0.0, 0.0, sealed ? 0.0 : 1.0 / (m_w + dt_drag)};

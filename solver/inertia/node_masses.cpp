@@ -1,6 +1,7 @@
 #include "solver/inertia/node_masses.hpp"
 
 #include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/node_response.hpp"
 
 namespace quicksand {
 
@@ -26,8 +27,8 @@ std::vector<SinglePhaseMotion> velocities_before(const Problem& problem, const N
 NodeInverse mass_matrix(const TwoPhaseSums& node, double dt)
 {
     NodeInverse mass = NodeInverse::Zero();
-    const double drag = node.mass_fluid > 0.0 ? dt * node.drag : 0.0;
     for (int axis = 0; axis < 2; ++axis) {
+        const double drag = node.mass_fluid > 0.0 ? dt * drag_along(node, axis) : 0.0;
         mass(axis, axis) = node.mass_solid + drag;
         mass(axis, axis + 2) = mass(axis + 2, axis) = -drag;
         mass(axis + 2, axis + 2) = node.mass_fluid + drag;

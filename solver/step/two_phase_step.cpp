@@ -251,6 +251,7 @@ TwoPhaseWorkspace make_two_phase_workspace(const Problem& problem)
     work.sums.resize(problem.grid.node_count());
     work.motion.resize(problem.grid.node_count());
     work.cell_means = make_cell_means(problem);
+    work.layered_drag = make_layered_drag(problem);
     work.pressure_increment.resize(problem.grid.cell_count());
     if (problem.water->rises_above_level || has_outer_forces(problem))
         work.outer.resize(problem.grid.node_count());
@@ -284,6 +285,7 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     gather_tied_sums(work.conditions, work.outer);
+    set_drag(problem, particles, work.lists, work.stencils, work.conditions, work.sums, work.layered_drag);
     if (!work.drawn_conditions.empty())
         seal_by_solids(problem, particles, work.lists, work.sums, work.drawn_conditions, work.conditions);
 }

@@ -4,6 +4,7 @@
 
 #include "solver/boundaries/nodes.hpp"
 #include "solver/inertia/coupled_solve.hpp"
+#include "solver/motion/layered_drag.hpp"
 #include "solver/step/step_workspace.hpp"
 #include "solver/water/pore_pressure.hpp"
 #include "solver/water/pressure_solve.hpp"
@@ -21,6 +22,7 @@ struct TwoPhaseWorkspace : StepWorkspace {
     Scalars flux_divergence;    // [1/s]
     Scalars pressure_increment; // of the cells [Pa]
     CellMeans cell_means;       // of the pore pressure
+    LayeredDrag layered_drag;   // of soils of unlike conductivity
 };
 
 /// What the semi-implicit step needs besides.

@@ -18,8 +18,9 @@ void set_alternating_drag(double dt, double strong, std::vector<TwoPhaseSums>& s
     for_each_index(sums.size(), [&](std::size_t i) {
         TwoPhaseSums& node = sums[i];
         if (!node.active() || !(node.drag > 0.0)) return;
-        const double rate = dt * node.drag * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
-        node.drag *= 1.0 - 2.0 * std::min(0.5, strong / rate);
+        const double mobility = dt * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
+        for (double* drag : {&node.drag_x, &node.drag_y})
+            *drag *= 1.0 - 2.0 * std::min(0.5, strong / (mobility * *drag));
     });
 }
 

@@ -40,10 +40,14 @@ double relative_velocity_left(double rate, double steady, double strong = explic
     const double m_s = 3.0, m_w = 0.7, dt = 0.1, reduced = m_s * m_w / (m_s + m_w),
                  drag = rate * reduced / dt;
     std::vector<TwoPhaseSums> sums(1);
-    sums[0] = {m_s, m_w, 1.0, drag, 0.0, 0.0, m_w, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    sums[0].mass_solid = m_s;
+    sums[0].mass_fluid = m_w;
+    sums[0].volume = 1.0;
+    sums[0].momentum_fluid_x = m_w;
+    sums[0].drag = sums[0].drag_x = sums[0].drag_y = drag;
     centre_drag(dt, strong, sums);
     const double known = dt * sums[0].drag_force_x, push = dt * drag * steady;
-    const PhaseVelocities v = solve_drag(m_s, m_w, dt * sums[0].drag, known - push, m_w - known + push);
+    const PhaseVelocities v = solve_drag(m_s, m_w, dt * sums[0].drag_x, known - push, m_w - known + push);
     EXPECT_NEAR(m_s * v.solid + m_w * v.fluid, m_w, 1e-14 * (1.0 + std::abs(push))) << "momentum";
     return v.fluid - v.solid;
 }
@@ -75,7 +79,14 @@ TEST(CentreDrag, KeepsASteadySeepage)
 TwoPhaseMotion solve_one(const Problem& problem, std::uint8_t conditions)
 {
     std::vector<TwoPhaseSums> sums(1);
-    sums[0] = {1500.0, 430.0, 1.0, 2e6, 30.0, -15.0, 4.0, 8.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+    sums[0].mass_solid = 1500.0;
+    sums[0].mass_fluid = 430.0;
+    sums[0].volume = 1.0;
+    sums[0].momentum_solid_x = 30.0;
+    sums[0].momentum_solid_y = -15.0;
+    sums[0].momentum_fluid_x = 4.0;
+    sums[0].momentum_fluid_y = 8.0;
+    sums[0].drag = sums[0].drag_x = sums[0].drag_y = 2e6;
     std::vector<TwoPhaseMotion> motion(1);
     NodeConditions node_conditions;
     node_conditions.of_node = {conditions};
