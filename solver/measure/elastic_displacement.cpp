@@ -35,13 +35,18 @@ double shear_modulus_of(const Material& material)
 
 } // namespace
 
-double elastic_displacement(const Problem& problem, const Particles& particles)
+double softest_shear_modulus(const Problem& problem)
 {
     double softest = std::numeric_limits<double>::infinity();
     for (const Material& material : problem.materials)
         softest = std::min(softest, shear_modulus_of(material));
+    return softest;
+}
+
+double elastic_displacement(const Problem& problem, const Particles& particles)
+{
     const double height = drawn_height(particles);
-    return unit_weight(problem, particles) * height * height / softest;
+    return unit_weight(problem, particles) * height * height / softest_shear_modulus(problem);
 }
 
 double elastic_displacement_of_layers(const Problem& problem, const Particles& particles)

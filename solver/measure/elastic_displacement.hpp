@@ -9,6 +9,9 @@ namespace quicksand {
 /// From the lowest to the highest particle as drawn [m].
 double drawn_height(const Particles& particles);
 
+/// G of the softest material [Pa].
+double softest_shear_modulus(const Problem& problem);
+
 /// gamma H^2 / G of the softest material, gamma that of the grains alone: the size of elastic displacements
 /// [m].
 double elastic_displacement(const Problem& problem, const Particles& particles);

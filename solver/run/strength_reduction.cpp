@@ -29,14 +29,44 @@ double shear_crossing_time(const Problem& problem)
     return problem.grid.cell_size * (problem.grid.cells_x + problem.grid.cells_y) / slowest;
 }
 
+/// What presses on the nodes from outside.
+struct OuterLoads {
+    double weight = 0.0;   // of the body [N/m]
+    double whole = 0.0;    // sum of the loads' sizes [N/m]
+    double pressure = 0.0; // of the largest one on the width of a cell [Pa]
+
+    /// Weight over weight and loads; 1 without weight, where forces are counted by others [-].
+    double share_of_weight() const { return weight > 0.0 ? weight / (weight + whole) : 1.0; }
+};
+
+OuterLoads outer_loads(const Problem& problem, const HeldShape& shape)
+{
+    OuterLoads loads;
+    for (const SinglePhaseSums& node : shape.rest) {
+        const double load = std::hypot(node.stress_force_x, node.stress_force_y);
+        loads.weight += node.weight * problem.gravity;
+        loads.whole += load;
+        loads.pressure = std::max(loads.pressure, load / problem.grid.cell_size);
+    }
+    return loads;
+}
+
+/// (gamma H + p) H / G with the pressure p of the loads: the size of elastic displacements [m].
+double elastic_displacement_under(const OuterLoads& loads, const Problem& problem, const Particles& particles)
+{
+    return elastic_displacement(problem, particles) +
+           loads.pressure * drawn_height(particles) / softest_shear_modulus(problem);
+}
+
 /// The trials of one body.
 class StrengthReduction {
 public:
     StrengthReduction(const Problem& problem, const StrengthReductionControls& controls, State& state)
         : problem_(problem), controls_(controls), state_(state),
           shape_(hold_shape(with_reduced_strength(problem, 1.0), state)),
+          loads_(outer_loads(problem, shape_)),
           largest_displacement_(controls.largest_displacement *
-                                elastic_displacement(problem, state.particles)),
+                                elastic_displacement_under(loads_, problem, state.particles)),
           crossing_time_(shear_crossing_time(problem))
     {
     }
@@ -74,7 +104,8 @@ private:
             for (std::int64_t step = 0; step < steps_between_judgements; ++step, ++trial.steps)
                 advance_held_shape(weaker, dt, controls_.damping, acceleration, trial_particles, trial_shape);
             trial.displacement = largest_displacement(problem_, trial_shape);
-            trial.out_of_balance = out_of_balance(problem_, acceleration, trial_shape);
+            trial.out_of_balance =
+                loads_.share_of_weight() * out_of_balance(problem_, acceleration, trial_shape);
             if (!std::isfinite(trial.out_of_balance)) fail(trial, dt);
             trial.stands = trial.out_of_balance <= controls_.settled;
         }
@@ -106,6 +137,7 @@ private:
     const StrengthReductionControls& controls_;
     State& state_;
     HeldShape shape_;
+    OuterLoads loads_;
     double largest_displacement_; // [m]
     double crossing_time_;        // of a shear wave along the grid's width and height [s]
     bool has_stood_ = false;

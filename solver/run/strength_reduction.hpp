@@ -19,10 +19,11 @@
 namespace quicksand {
 
 struct StrengthReductionControls {
-    double tolerance = 0.005;          // width of the last bracket over the factor [-]
-    double settled = 1e-5;             // out-of-balance force over weight at which the slope stands [-]
-    double damping = 0.7;              // local damping factor [-]
-    double largest_displacement = 1.0; // over gamma H^2 / G, at which the slope has failed [-]
+    double tolerance = 0.005; // width of the last bracket over the factor [-]
+    double settled = 1e-5;    // out-of-balance force over weight and loads at which the slope stands [-]
+    double damping = 0.7;     // local damping factor [-]
+    double largest_displacement = 1.0; // over (gamma H + p) H / G, p the largest pressure of the loads, at
+                                       // which the slope has failed [-]
     double crossings = 30.0; // a body that has not settled when a shear wave has crossed the grid's width and
                              // height so many times does not stand [-]
     double seismic_coefficient = 0.0; // k_h, horizontal force towards +x over weight [-]
@@ -34,7 +35,7 @@ struct StrengthTrial {
     double factor = 0.0; // F [-]
     bool stands = false;
     double displacement = 0.0;   // largest, since the first trial in which the body stood [m]
-    double out_of_balance = 0.0; // out-of-balance force over weight at the end [-]
+    double out_of_balance = 0.0; // out-of-balance force over weight and loads at the end [-]
     std::int64_t steps = 0;
 };
 
