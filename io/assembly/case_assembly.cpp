@@ -153,6 +153,8 @@ void check_case(const Section& drawn, AssembledCase& assembled)
     check_phreatic_line(scene, findings);
     if (auto choice = choose_grid(scene, drawn, findings)) {
         const BackgroundGrid& grid = problem.grid = choice->grid;
+        if (problem.strain == StrainForm::small)
+            problem.grid.line_tolerance = BackgroundGrid::line_tolerance_of_still_shapes;
         assembled.grid_reasons = std::move(choice->reasons);
         for (std::string& what : check_section(drawn, grid)) {
             findings.add(error_at(scene.geometry_place, "section", std::move(what)));

@@ -31,7 +31,7 @@ void evaluate_cpdi(const BackgroundGrid& grid, const ParallelogramDomain& domain
     const Vector2 g2 = inverse_volume * Vector2(r1.y() + r2.y(), -r1.x() - r2.x());
     const CornerWeights corners[4] = {
         {x - r1 - r2, 0.25, g1}, {x + r1 - r2, 0.25, g2}, {x + r1 + r2, 0.25, -g1}, {x - r1 + r2, 0.25, -g2}};
-    sum_corner_weights(grid, corners, stencil);
+    sum_corner_weights(grid, corners, stencil, grid.line_tolerance);
 }
 
 void sum_corner_weights(const BackgroundGrid& grid, std::span<const CornerWeights> corners,

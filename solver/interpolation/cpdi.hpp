@@ -49,6 +49,6 @@ struct CornerWeights {
 /// phi = sum_c value_c N_i(x_c), grad phi = sum_c gradient_c N_i(x_c) on the stencil of all nodes concerned.
 /// A corner nearer to a grid line than `tolerance` [cells] lies on it.
 void sum_corner_weights(const BackgroundGrid& grid, std::span<const CornerWeights> corners,
-                        NodeStencil& stencil, double tolerance = 0.0);
+                        NodeStencil& stencil, double tolerance);
 
 } // namespace quicksand

@@ -92,7 +92,7 @@ bool Cpdi2::evaluate(const BackgroundGrid& grid, const Particles& particles, std
                                       {x[1], (6.0 * V - a + b) * scale, g2},
                                       {x[2], (6.0 * V + a + b) * scale, -g1},
                                       {x[3], (6.0 * V + a - b) * scale, -g2}};
-    sum_corner_weights(grid, corners, stencil);
+    sum_corner_weights(grid, corners, stencil, grid.line_tolerance);
     return scale_of_domain < 1.0;
 }
 

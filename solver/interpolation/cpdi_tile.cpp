@@ -18,15 +18,19 @@ struct DomainRows {
     double g1_x, g1_y, g2_x, g2_y; // gradients of the corners 1 and 2 [1/m]
 };
 
-inline Lanes hats(const Lanes& distance)
+/// With corners nearer to a grid line than `tolerance` on it [cells].
+inline Lanes hats(const Lanes& distance, double tolerance)
 {
-    return positive_part(1.0 - absolute(distance));
+    const Lanes hat = positive_part(1.0 - absolute(distance)), one = all_lanes(1.0);
+    const Lanes raised = hat > all_lanes(1.0 - tolerance) ? one : hat;
+    return raised < all_lanes(tolerance) ? all_lanes(0.0) : raised;
 }
 
 /// Write row b of a stencil: phi and grad phi of four nodes.
-inline void write_row(const DomainRows& domain, int b, double* value, double* gradient_x, double* gradient_y)
+inline void write_row(const DomainRows& domain, int b, double tolerance, double* value, double* gradient_x,
+                      double* gradient_y)
 {
-    const Lanes along_y = hats(domain.corners_y - static_cast<double>(b));
+    const Lanes along_y = hats(domain.corners_y - static_cast<double>(b), tolerance);
     const Lanes N1 = along_y[0] * domain.along_x[0], N2 = along_y[1] * domain.along_x[1];
     const Lanes N3 = along_y[2] * domain.along_x[2], N4 = along_y[3] * domain.along_x[3];
     const Lanes across_1 = N1 - N3, across_2 = N2 - N4;
@@ -58,7 +62,7 @@ inline Extent extent(double coordinate, double rim, double inverse, double reach
 
 /// The parts of a domain with the half edges r_1 and r_2.
 inline DomainRows rows_of(double r1_x, double r1_y, double r2_x, double r2_y, double inverse,
-                          const Extent& along, const Extent& up)
+                          double tolerance, const Extent& along, const Extent& up)
 {
     const double sum_x = r1_x + r2_x, sum_y = r1_y + r2_y, apart_x = r1_x - r2_x, apart_y = r1_y - r2_y;
     const double scale = 0.25 / (r1_x * r2_y - r1_y * r2_x); // 1 / V
@@ -68,7 +72,7 @@ inline DomainRows rows_of(double r1_x, double r1_y, double r2_x, double r2_y, do
     domain.g2_x = scale * sum_y, domain.g2_y = scale * -sum_x;
     const Lanes corners_x = (along.centre - along.first) + inverse * corner_offsets(sum_x, apart_x);
     domain.corners_y = (up.centre - up.first) + inverse * corner_offsets(sum_y, apart_y);
-    for (int c = 0; c < 4; ++c) domain.along_x[c] = hats(corners_x[c] - nodes);
+    for (int c = 0; c < 4; ++c) domain.along_x[c] = hats(corners_x[c] - nodes, tolerance);
     return domain;
 }
 
@@ -102,7 +106,7 @@ std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& p
 {
     constexpr int widest = 4; // nodes that a row of lanes covers
     const double rim_x = grid.rim_origin().x(), rim_y = grid.rim_origin().y();
-    const double inverse = 1.0 / grid.cell_size;
+    const double inverse = 1.0 / grid.cell_size, tolerance = grid.line_tolerance;
     const std::size_t first = lists.first_entry(tile), last = lists.last_entry(tile);
     std::int64_t limited = 0;
     store.clear_for(last - first);
@@ -130,12 +134,13 @@ std::int64_t weigh_parallelograms(const BackgroundGrid& grid, const Particles& p
             arrays = arrays_of(store);
         }
 
-        const DomainRows domain = rows_of(r1_x, r1_y, r2_x, r2_y, inverse, along, up);
+        const DomainRows domain = rows_of(r1_x, r1_y, r2_x, r2_y, inverse, tolerance, along, up);
         stencils[k] = {along.first, up.first, static_cast<std::int32_t>(used),
                        static_cast<std::int16_t>(along.nodes), static_cast<std::int16_t>(up.nodes)};
         for (int b = 0; b < up.nodes; ++b) {
             const std::size_t at = used + static_cast<std::size_t>(b * along.nodes);
-            write_row(domain, b, arrays.value + at, arrays.gradient_x + at, arrays.gradient_y + at);
+            write_row(domain, b, tolerance, arrays.value + at, arrays.gradient_x + at,
+                      arrays.gradient_y + at);
         }
         used += count;
     }

@@ -81,7 +81,7 @@ std::vector<Vector2> reference_polygon(const CutDomains& cut_domains, const Part
 
 double line_tolerance(const BackgroundGrid& grid, const Vector2& place)
 {
-    return 1e-12 + 4e-16 * place.cwiseAbs().maxCoeff() / grid.cell_size;
+    return std::max(grid.line_tolerance, 1e-12 + 4e-16 * place.cwiseAbs().maxCoeff() / grid.cell_size);
 }
 
 bool limit_polygon(double cell_size, const Vector2& centre, std::vector<Vector2>& corners)

@@ -77,8 +77,8 @@ std::vector<Vector2> domain_polygon(const CutDomains& cut_domains, const Particl
 std::vector<Vector2> reference_polygon(const CutDomains& cut_domains, const Particles& particles,
                                        std::size_t p);
 
-/// How near to a grid line corners of cut domains around a place lie on it, so that rounding gives no node
-/// mass [cells].
+/// How near to a grid line corners of cut domains around a place lie on it: as near as the grid says, and as
+/// rounding, which must not give a node mass [cells].
 double line_tolerance(const BackgroundGrid& grid, const Vector2& place);
 
 /// Scale down a polygon that reaches farther than BackgroundGrid::domain_reach from its centre, about the

@@ -41,10 +41,16 @@ struct BackgroundGrid {
     /// scattered at the same time and the rim are wide enough for it.
     static constexpr double domain_reach = 2.5;
 
+    /// `line_tolerance` of shapes that do not move, in small strain and in strength reduction: a corner that
+    /// reaches over a line by less gives the nodes beyond it almost no soil. They would have to move by many
+    /// cells before that soil bears them, and find no rest where it yields [cells].
+    static constexpr double line_tolerance_of_still_shapes = 2e-3;
+
     Vector2 origin = Vector2::Zero(); // lower left corner of the scene's cells [m]
     double cell_size = 0.0;           // h [m]
     int cells_x = 0;                  // cells of the scene, without the rim [-]
     int cells_y = 0;
+    double line_tolerance = 0.0; // corners of domains nearer to a grid line lie on it [cells]
 
     int all_cells_x() const { return cells_x + 2 * ghost_cells; }
     int all_cells_y() const { return cells_y + 2 * ghost_cells; }

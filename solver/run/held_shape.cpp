@@ -76,8 +76,10 @@ void hold_walls_of(const Problem& problem, const State& state, HeldShape& shape)
 
 } // namespace
 
-HeldShape hold_shape(const Problem& problem, State& state)
+HeldShape hold_shape(const Problem& moving, State& state)
 {
+    Problem problem = moving;
+    problem.grid.line_tolerance = BackgroundGrid::line_tolerance_of_still_shapes;
     HeldShape shape;
     shape.lists = make_cell_lists(problem.grid);
     shape.conditions = node_conditions(problem, Stage::relaxation);

@@ -1,0 +1,73 @@
+// Faces that lie next to a line of the grid: what reaches over it by less than a part of a cell has no say.
+#include "solver/run/strength_reduction.hpp"
+#include "tests/fixtures/drawn_section.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace quicksand {
+namespace {
+
+using namespace fixtures;
+
+constexpr double spacing = 0.5; // of the lines [m]
+
+std::string still_scene(const std::string& soil)
+{
+    return "[analysis]\nstrain = \"small\"\n[sampling]\nparticles_per_cell = [2, 2]\n" + base_and_sides +
+           "[initial]\nk0 = 1.0\n[materials.soil]\nmodel = \"mohr_coulomb\"\nporosity = 0.4\ngrain_density = "
+           "3000\nshear_modulus = \"10 MPa\"\n" +
+           soil + "[regions.soil]\nmaterial = \"soil\"\n[relaxation]\n";
+}
+
+/// The largest displacement of level dry sand without cohesion while it settles, its surface this high above
+/// a line at the left and the right side [m].
+double settlement_of_sand(double left, double right)
+{
+    const Section section = polygon_section(
+        {{{0.0, 0.0}, "base"}, {{5.0, 0.0}, "right"}, {{5.0, 2.0 + right}, ""}, {{0.0, 2.0 + left}, "left"}});
+    AssembledCase assembled = assemble(
+        scene_with(spacing, {-1.0, -1.0}, 14, 9, still_scene("poisson_ratio = 0.3\nfriction_angle = 33\n")),
+        section);
+    return relax(assembled.problem, *assembled.scene.relaxation, assembled.state).max_displacement;
+}
+
+TEST(NearLines, LevelSandRestsHoweverNearItsSurfaceIsToALine)
+{
+    for (const double height : {0.0, 1e-9, 1e-6, 1e-5, 1e-4, 9e-4, 1.1e-3, 1e-2})
+        EXPECT_LT(settlement_of_sand(height, height), 1e-3) << height;
+    for (const double tilt : {1e-5, 1e-4, 1e-3, 1e-2}) {
+        EXPECT_LT(settlement_of_sand(0.0, tilt), 1e-3) << tilt;
+        EXPECT_LT(settlement_of_sand(tilt, 0.0), 1e-3) << tilt;
+    }
+}
+
+/// The factor of safety of a cut in clay, 2.5 m high, whose face leans back by `run` [m].
+double factor_of_cut(double run, const Vector2& shift = Vector2::Zero())
+{
+    std::vector<NamedCorner> corners = {{{-5.0, -1.5}, "base"}, {{3.0, -1.5}, "right"},
+                                        {{3.0, 0.0}, ""},       {{run, 0.0}, ""},
+                                        {{0.0, 2.5}, ""},       {{-5.0, 2.5}, "left"}};
+    for (NamedCorner& corner : corners) corner.place += shift;
+    AssembledCase assembled =
+        assemble(scene_with(spacing, {-7.0, -2.5}, 23, 13,
+                            still_scene("poisson_ratio = 0.49\nfriction_angle = 0\ncohesion = 15000\n")),
+                 polygon_section(corners));
+    relax(assembled.problem, *assembled.scene.relaxation, assembled.state);
+    return safety_factor(assembled.problem, {}, assembled.state).factor;
+}
+
+TEST(NearLines, ACutHasTheFactorOfOneOnTheLine)
+{
+    const double aligned = factor_of_cut(0.0);
+    for (const double run : {1e-6, 1e-5, 1e-4, 3e-4, 9e-4, 1.1e-3, 2e-3, 1e-2})
+        EXPECT_NEAR(factor_of_cut(run), aligned, 0.01) << run;
+    for (const double shift : {1e-5, 1e-4, 1.1e-3}) {
+        EXPECT_NEAR(factor_of_cut(0.0, {shift, 0.0}), aligned, 0.01) << shift;
+        EXPECT_NEAR(factor_of_cut(0.0, {0.0, shift}), aligned, 0.01) << shift;
+    }
+}
+
+} // namespace
+} // namespace quicksand
