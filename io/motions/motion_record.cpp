@@ -4,6 +4,7 @@
 #include "io/keys/scene_units.hpp"
 #include "io/motions/peer_record.hpp"
 #include "io/motions/record_limits.hpp"
+#include "io/motions/record_unit.hpp"
 #include "io/motions/time_table.hpp"
 
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ constexpr double spacing_tolerance = 0.01;
 std::string check_spacing(const TimeTable& table)
 {
     const std::vector<TimeRow>& rows = table.rows;
-    if (std::string what = check_times(table); !what.empty()) return what;
+    if (std::string what = check_order(table); !what.empty()) return what;
     const double interval = (rows.back().time - rows.front().time) / static_cast<double>(rows.size() - 1);
     const auto step = [&](std::size_t k) { return rows[k].time - rows[k - 1].time; };
     const auto text = [&](std::size_t k) {
@@ -46,24 +47,25 @@ double unit_of(const std::string& word)
     return word == "g" ? standard_gravity : 1.0;
 }
 
-/// Two columns: time [s], and acceleration in `unit` [m/s2].
-std::optional<SampledMotion> parse_columns(const std::filesystem::path& file, const std::string& text,
-                                           double unit, const SourcePlace& place, Diagnostics& findings)
+/// A unit that the user states must be the record's own. `name` is that of the record's.
+bool agrees(const StatedUnit& unit, double of_record, const std::string& name,
+            const std::filesystem::path& file, Diagnostics& findings)
 {
-    TimeTable table;
-    std::string what = parse_time_table(text, table);
-    if (what.empty()) what = check_spacing(table);
-    if (!what.empty()) {
-        findings.add(
-            error_at(place, "motion", "'" + file.string() + "': " + what,
-                     "a record in PEER's AT2 form, or rows `time_s, acceleration` at equal intervals "
-                     "from time 0 with at most one header line"));
-        return std::nullopt;
-    }
+    if (unit.word.empty() || unit_of(unit.word) == of_record) return true;
+    findings.add(error_at(unit.place, "motion", "the header of '" + file.string() + "' says " + name, "",
+                          "leave " + unit.key + " out"));
+    return false;
+}
+
+/// The motion of a table; what is beyond that of an earthquake is added to `findings`.
+std::optional<SampledMotion> motion_of(const TimeTable& table, const RecordUnit& unit,
+                                       const std::filesystem::path& file, const std::string& text,
+                                       Diagnostics& findings)
+{
     SampledMotion motion;
     motion.interval =
         (table.rows.back().time - table.rows.front().time) / static_cast<double>(table.rows.size() - 1);
-    for (const TimeRow& row : table.rows) motion.accelerations.push_back(unit * row.value);
+    for (const TimeRow& row : table.rows) motion.accelerations.push_back(unit.value * row.value);
     const auto refuse = [&](std::size_t row, const std::string& what_is_wrong, const std::string& expected) {
         findings.keep_text(file, text);
         findings.add(error_at(SourcePlace{file, table.lines[row], 1, 1}, "record", what_is_wrong, expected));
@@ -76,25 +78,49 @@ std::optional<SampledMotion> parse_columns(const std::filesystem::path& file, co
     for (std::size_t k = 0; k < table.rows.size(); ++k) {
         if (!(std::abs(motion.accelerations[k]) <= largest_acceleration))
             return refuse(k,
-                          "no earthquake has an acceleration of " + number_text(table.rows[k].value) +
-                              (unit == 1.0 ? " m/s2" : " g"),
+                          "no earthquake has an acceleration of " + number_text(table.rows[k].value) + ' ' +
+                              unit.name,
                           allowed_accelerations);
     }
     return motion;
 }
 
-/// In PEER's form; a unit that the user states must be the record's own.
+/// Two columns: time [s], and acceleration in the unit of the header or of the user.
+std::optional<MotionRecord> read_columns(const std::filesystem::path& file, const std::string& text,
+                                         const SourcePlace& place, const StatedUnit& unit,
+                                         Diagnostics& findings)
+{
+    TimeTable table;
+    std::string what = parse_time_table(text, table);
+    if (what.empty()) what = check_spacing(table);
+    if (!what.empty()) {
+        findings.add(
+            error_at(place, "motion", "'" + file.string() + "': " + what,
+                     "a record in PEER's AT2 form, or rows `time_s, acceleration` at equal intervals "
+                     "with at most one header line"));
+        return std::nullopt;
+    }
+    const auto stated = unit_of_column(table.header);
+    if (!stated && unit.word.empty()) {
+        findings.add(error_at(place, "missing-key",
+                              "'" + file.string() + "' does not state the unit of its accelerations",
+                              unit.forms));
+        return std::nullopt;
+    }
+    if (stated && !agrees(unit, stated->value, stated->name, file, findings)) return std::nullopt;
+    const RecordUnit of_values = stated ? *stated : RecordUnit{unit.word, unit_of(unit.word)};
+    auto motion = motion_of(table, of_values, file, text, findings);
+    if (!motion) return std::nullopt;
+    return MotionRecord{std::move(*motion), stated ? "the header says " + stated->name
+                                                   : unit.key + " says what the numbers stand for"};
+}
+
+/// In PEER's form.
 std::optional<MotionRecord> read_stated(const std::filesystem::path& file, const std::string& text,
                                         const StatedUnit& unit, Diagnostics& findings)
 {
     auto record = parse_peer_record(file, text, findings);
-    if (!record) return std::nullopt;
-    if (!unit.word.empty() && unit_of(unit.word) != record->unit) {
-        findings.add(error_at(unit.place, "motion",
-                              "the header of '" + file.string() + "' says " + record->unit_name, "",
-                              "leave " + unit.key + " out"));
-        return std::nullopt;
-    }
+    if (!record || !agrees(unit, record->unit, record->unit_name, file, findings)) return std::nullopt;
     return MotionRecord{{record->interval, std::move(record->accelerations)},
                         "the header says UNITS OF " + record->unit_name +
                             ": are the values in another unit, as cm/s2?"};
@@ -108,15 +134,7 @@ std::optional<MotionRecord> read_motion_record(const std::filesystem::path& file
     const auto text = read_text_file(file, place, findings);
     if (!text) return std::nullopt;
     if (is_peer_record(file, *text)) return read_stated(file, *text, unit, findings);
-    if (unit.word.empty()) {
-        findings.add(error_at(place, "missing-key",
-                              "'" + file.string() + "' does not state the unit of its accelerations",
-                              unit.forms));
-        return std::nullopt;
-    }
-    auto motion = parse_columns(file, *text, unit_of(unit.word), place, findings);
-    if (!motion) return std::nullopt;
-    return MotionRecord{std::move(*motion), unit.key + " says what the numbers stand for"};
+    return read_columns(file, *text, place, unit, findings);
 }
 
 std::vector<RecordDoubt> doubt_record(const SampledMotion& motion, const std::string& unit_hint, double field)

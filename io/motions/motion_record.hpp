@@ -1,5 +1,6 @@
 // A record of an earthquake from its file: in PEER's AT2 form, which states its unit, or as two columns, time
-// and acceleration, whose unit the user states.
+// and acceleration, whose unit their header or the user states. The motion begins with the first value,
+// whatever its time.
 #pragma once
 
 #include "io/keys/diagnostics.hpp"

@@ -2,10 +2,9 @@
 
 #include "io/keys/scene_units.hpp"
 #include "io/motions/record_limits.hpp"
-#include "solver/base/conventions.hpp"
+#include "io/motions/record_unit.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <charconv>
 #include <cmath>
@@ -19,16 +18,6 @@ namespace {
 constexpr std::size_t longest_header = 12;       // lines in which the count may stand [-]
 constexpr std::int64_t most_values = 10'000'000; // of a record [-]
 constexpr std::string_view blanks = " \t\r";
-
-constexpr std::array<std::pair<std::string_view, double>, 9> unit_words = {{{"G", standard_gravity},
-                                                                            {"(G)", standard_gravity},
-                                                                            {"CM/S/S", 0.01},
-                                                                            {"CM/S2", 0.01},
-                                                                            {"CM/SEC/SEC", 0.01},
-                                                                            {"CM/SEC2", 0.01},
-                                                                            {"GAL", 0.01},
-                                                                            {"M/S/S", 1.0},
-                                                                            {"M/S2", 1.0}}};
 
 std::string upper_case(std::string_view text)
 {
@@ -162,10 +151,7 @@ bool PeerReader::read_unit()
         Word word = next_word(lines_[line], found + phrase.size());
         while (word.text.ends_with('.') || word.text.ends_with(';')) word.text.remove_suffix(1);
         record_.unit_name = std::string(word.text);
-        const std::string name = upper_case(word.text);
-        for (const auto& [known, value] : unit_words) {
-            if (name == known) record_.unit = value;
-        }
+        if (const auto unit = record_unit(word.text)) record_.unit = unit->value;
         if (record_.unit == 0.0)
             return refuse(line, word, "the unit '" + record_.unit_name + "' is not known",
                           "UNITS OF G, of CM/S/S or of M/S/S");

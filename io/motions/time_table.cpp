@@ -55,10 +55,21 @@ std::string parse_time_table(std::string_view text, TimeTable& table)
         } else if (!header_allowed) {
             return "line " + std::to_string(number) +
                    " is not two numbers: " + std::string(line.substr(0, 60));
+        } else {
+            table.header = std::string(line);
         }
         header_allowed = false;
     }
     return table.rows.size() < 2 ? "it holds fewer than two rows of two numbers" : "";
+}
+
+std::string check_order(const TimeTable& table)
+{
+    for (std::size_t k = 1; k < table.rows.size(); ++k) {
+        if (!(table.rows[k].time > table.rows[k - 1].time))
+            return "its time does not increase at line " + std::to_string(table.lines[k]);
+    }
+    return "";
 }
 
 std::string check_times(const TimeTable& table)
@@ -69,11 +80,7 @@ std::string check_times(const TimeTable& table)
     const double interval = (rows.back().time - rows.front().time) / static_cast<double>(rows.size() - 1);
     if (std::abs(rows.front().time) > tolerance * std::abs(interval))
         return "its time starts at " + number_text(rows.front().time) + " s, not at 0";
-    for (std::size_t k = 1; k < rows.size(); ++k) {
-        if (!(rows[k].time > rows[k - 1].time))
-            return "its time does not increase at line " + std::to_string(table.lines[k]);
-    }
-    return "";
+    return check_order(table);
 }
 
 } // namespace quicksand

@@ -18,13 +18,17 @@ struct TimeRow {
 struct TimeTable {
     std::vector<TimeRow> rows;
     std::vector<int> lines; // of the file, where each row stands
+    std::string header;     // the line above them, empty: none
 };
 
 /// Rows of two numbers separated by a comma, a semicolon or blanks; one header line, empty lines and lines
 /// with # are left out. Returns what is wrong with the text, "" when it holds two rows or more.
 std::string parse_time_table(std::string_view text, TimeTable& table);
 
-/// What is wrong with the times where they do not start at 0 or do not increase, "" when they do.
+/// What is wrong with the times where they do not increase, "" when they do.
+std::string check_order(const TimeTable& table);
+
+/// The same where they do not start at 0 either.
 std::string check_times(const TimeTable& table);
 
 } // namespace quicksand

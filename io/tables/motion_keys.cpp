@@ -30,10 +30,11 @@ std::vector<SceneKey> motion_keys()
          .doc = "Last of the cycles, over which the amplitude falls to zero; without them the base keeps moving at a/omega."},
         {.pattern = "motion.file", .type = path, .required = true, .when = file_only,
          .doc = "A record in PEER's AT2 form, or two columns, time in s and acceleration, at equal intervals. "
+                "The motion begins with the first value. "
                 "Values beyond 1000 g and intervals beyond 10 s are refused."},
-        {.pattern = "motion.unit", .type = word, .default_note = "required of two columns, else that of the record",
+        {.pattern = "motion.unit", .type = word, .default_note = "that of the record; required of two columns whose header states none",
          .words = {"m/s2", "g"}, .when = file_only,
-         .doc = "Unit of the record's accelerations; a record that states another one is refused."},
+         .doc = "Unit of the record's accelerations; a record that states another one, in a header as `acceleration [g]` or `acc_cm_s2`, is refused."},
         {.pattern = "motion.baseline", .type = word, .default_value = "none", .words = {"none", "linear"},
          .when = file_only,
          .doc = "Take off the straight line that fits the accelerations best, or leave the record as it is."},

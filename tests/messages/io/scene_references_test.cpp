@@ -168,7 +168,7 @@ R"_(
 scene.toml:46:8: error[motion]: 'uneven.csv': its time steps are between 0.01 s (line 3) and 0.02 s (line 4)
    46 | file = "uneven.csv"
       |        ^~~~~~~~~~~~
-expected: a record in PEER's AT2 form, or rows `time_s, acceleration` at equal intervals from time 0 with at most one header line
+expected: a record in PEER's AT2 form, or rows `time_s, acceleration` at equal intervals with at most one header line
 )_"}), fixtures::name_of);
 // clang-format on
 

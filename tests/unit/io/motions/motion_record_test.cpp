@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <string>
+#include <vector>
 
 namespace quicksand {
 
@@ -29,8 +32,62 @@ TEST(MotionCsv, IsARecordAgain)
     ASSERT_TRUE(read) << findings.render("");
     EXPECT_EQ(read->motion.interval, written_record.interval);
     EXPECT_EQ(read->motion.accelerations, written_record.accelerations) << "to the last bit";
-    const auto in_g = read_motion_record(file, {file}, {"g", "--unit", "", {}}, findings);
-    EXPECT_DOUBLE_EQ(in_g->motion.accelerations[1], 1.25 * standard_gravity);
+    const auto unstated = read_motion_record(file, {file}, {"", "--unit", "", {}}, findings);
+    ASSERT_TRUE(unstated) << findings.render("");
+    EXPECT_EQ(unstated->motion.accelerations, written_record.accelerations);
+}
+
+namespace {
+
+/// What a record of two columns says with a unit that the user states, in m/s2; what is wrong, otherwise.
+struct Reading {
+    std::vector<double> accelerations;
+    std::string findings;
+};
+
+Reading read_columns_of(const std::string& text, const std::string& unit)
+{
+    const TemporaryFolder folder;
+    std::ofstream(folder / "record.csv") << text;
+    Diagnostics findings;
+    const auto record =
+        read_motion_record(folder / "record.csv", {"scene"}, {unit, "motion.unit", "", {"scene"}}, findings);
+    return {record ? record->motion.accelerations : std::vector<double>(), findings.render("")};
+}
+
+} // namespace
+
+TEST(MotionRecord, TakesTheUnitOfTheHeader)
+{
+    const std::string rows = "\n0,0\n0.01,2\n";
+    for (const std::string header : {"time (s),acceleration (m/s2)", "t;a [m/s^2]",
+                                     "time_s,acceleration_m_s2", "t, a [m/s\u00b2]", "Time M/S/S"})
+        EXPECT_EQ(read_columns_of(header + rows, "").accelerations, (std::vector{0.0, 2.0})) << header;
+    for (const std::string header : {"t,acc_cm_s2", "t,a (gal)", "t,acc_gal", "t,a (cm/s2)"})
+        EXPECT_EQ(read_columns_of(header + rows, "").accelerations, (std::vector{0.0, 0.02})) << header;
+    EXPECT_EQ(read_columns_of("Time [s];Acceleration [g]" + rows, "g").accelerations,
+              (std::vector{0.0, 2.0 * standard_gravity}));
+    for (const std::string header : {"t,a_g", "t,a", "time_s,acceleration"}) {
+        EXPECT_EQ(read_columns_of(header + rows, "m/s2").accelerations, (std::vector{0.0, 2.0})) << header;
+        EXPECT_NE(read_columns_of(header + rows, "").findings.find("does not state the unit"),
+                  std::string::npos)
+            << header;
+    }
+}
+
+TEST(MotionRecord, RefusesAUnitThatTheHeaderContradicts)
+{
+    const Reading reading = read_columns_of("Time [s];Acceleration [g]\n0;0\n0.01;1\n", "m/s2");
+    EXPECT_TRUE(reading.accelerations.empty());
+    EXPECT_NE(reading.findings.find("record.csv' says g"), std::string::npos) << reading.findings;
+    EXPECT_NE(reading.findings.find("hint: leave motion.unit out"), std::string::npos) << reading.findings;
+}
+
+TEST(MotionRecord, BeginsWithItsFirstValueWhateverTheTime)
+{
+    for (const std::string rows :
+         {"5,0\n5.01,1\n5.02,2\n", "0.01,0\n0.02,1\n0.03,2\n", "-2,0\n-1.99,1\n-1.98,2\n"})
+        EXPECT_EQ(read_columns_of(rows, "m/s2").accelerations, (std::vector{0.0, 1.0, 2.0})) << rows;
 }
 
 TEST(MotionCsv, HasHistoriesAndSpectrumWithTheirUnits)

@@ -1,0 +1,80 @@
+#include "io/motions/record_unit.hpp"
+
+#include "solver/base/conventions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+namespace quicksand {
+
+namespace {
+
+constexpr std::array<std::pair<std::string_view, double>, 9> unit_words = {{{"G", standard_gravity},
+                                                                            {"CM/S/S", 0.01},
+                                                                            {"CM/S2", 0.01},
+                                                                            {"CM/SEC/SEC", 0.01},
+                                                                            {"CM/SEC2", 0.01},
+                                                                            {"GAL", 0.01},
+                                                                            {"M/S/S", 1.0},
+                                                                            {"M/S2", 1.0},
+                                                                            {"M/SEC2", 1.0}}};
+
+/// In upper case, without powers' signs and blanks; "m_s2" as "M/S2".
+std::string plain(std::string_view words)
+{
+    std::string result;
+    for (std::size_t k = 0; k < words.size(); ++k) {
+        const char c = words[k];
+        if (c == '^' || c == ' ' || c == '\t') continue;
+        if (words.substr(k).starts_with("\u00b2")) {
+            result += '2';
+            ++k; // of two bytes
+        } else {
+            result += c == '_' ? '/' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        }
+    }
+    return result;
+}
+
+std::string_view without_brackets(std::string_view words)
+{
+    const bool round = words.starts_with('(') && words.ends_with(')'),
+               square = words.starts_with('[') && words.ends_with(']');
+    return round || square ? words.substr(1, words.size() - 2) : words;
+}
+
+/// What stands in the last brackets of a column's name; empty without brackets.
+std::string_view in_brackets(std::string_view name)
+{
+    const std::size_t end = name.find_last_of(")]");
+    if (end == std::string_view::npos) return {};
+    const std::size_t begin = name.find_last_of(name[end] == ')' ? '(' : '[', end);
+    return begin == std::string_view::npos ? std::string_view() : name.substr(begin + 1, end - begin - 1);
+}
+
+} // namespace
+
+std::optional<RecordUnit> record_unit(std::string_view words)
+{
+    const std::string name = plain(without_brackets(words));
+    for (const auto& [known, value] : unit_words)
+        if (name == known) return RecordUnit{std::string(words), value};
+    return std::nullopt;
+}
+
+std::optional<RecordUnit> unit_of_column(std::string_view header)
+{
+    const std::string_view name = header.substr(header.find_last_of(",;") + 1);
+    if (const auto unit = record_unit(in_brackets(name))) return unit;
+    // "acc_cm_s2": what follows an underscore or a blank, the longest first; a_g is the ground's acceleration
+    for (std::size_t k = 0; k < name.size(); ++k) {
+        if (name[k] != '_' && name[k] != ' ') continue;
+        const auto unit = record_unit(name.substr(k + 1));
+        if (unit && plain(unit->name) != "G") return unit;
+    }
+    return std::nullopt;
+}
+
+} // namespace quicksand

@@ -1,0 +1,22 @@
+// Units of accelerations as records name them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace quicksand {
+
+/// A unit in the words of a record.
+struct RecordUnit {
+    std::string name;   // as written
+    double value = 0.0; // [m/s2]
+};
+
+/// The unit of these words: G, CM/S/S, M/S2, GAL and forms of them, in upper or lower case.
+std::optional<RecordUnit> record_unit(std::string_view words);
+
+/// The unit that the last column of a header states: "Acceleration [g]", "a (cm/s2)", "acceleration_m_s2".
+std::optional<RecordUnit> unit_of_column(std::string_view header);
+
+} // namespace quicksand
