@@ -106,10 +106,24 @@ std::string describe_room(const Room& room)
     return "room to move: " + text;
 }
 
+/// Warn of a drawing that is far larger than any section of soil, as one in millimetres is.
+void doubt_size(const Scene& scene, const Section& section, Diagnostics& findings)
+{
+    constexpr double usual = 5000.0; // of width and height, at most [m]
+    const Vector2 size = section.upper - section.lower;
+    if (size.maxCoeff() <= usual) return;
+    findings.add(warning_at(
+        scene.geometry_place, "geometry.file", "plausibility",
+        fmt::format("the drawing is {:.6g} m wide and {:.6g} m high", size.x(), size.y()),
+        fmt::format("usually at most {:.0f} m", usual),
+        "coordinates are in metres; Dilate {{0, 0, 0}, 0.001} {Surface{:};} turns millimetres into them"));
+}
+
 } // namespace
 
 std::optional<GridChoice> choose_grid(const Scene& scene, const Section& section, Diagnostics& findings)
 {
+    doubt_size(scene, section, findings);
     GridChoice choice;
     double h = scene.cell_size;
     if (!(h > 0.0)) {

@@ -50,6 +50,20 @@ hint: did you mean "surface"?
 )");
 }
 
+TEST(Assembly, DoubtsADrawingThatIsNotInMetres)
+{
+    Section section = column_section();
+    section.upper = section.lower + Vector2(10000.0, 4000.0);
+    const std::string message = SceneFolder().assembly_message(column_scene, section);
+    EXPECT_EQ(message.substr(0, message.find("to accept it")),
+              R"(scene.toml:5:8: warning[plausibility]: the drawing is 10000 m wide and 4000 m high
+    5 | file = "column.geo"
+      |        ^~~~~~~~~~~~
+expected: usually at most 5000 m
+hint: coordinates are in metres; Dilate {{0, 0, 0}, 0.001} {Surface{:};} turns millimetres into them
+)");
+}
+
 TEST(Assembly, AsksForThePlaceOfAProbe)
 {
     const std::string text = replaced(column_scene, "at = [0.03, 0.3]\n", "");
