@@ -189,9 +189,16 @@ std::vector<Vector2> corners_of(const Polygon& polygon)
     return corners;
 }
 
-bool is_soil(const Section& section, const Vector2& point)
+/// Whether soil lies between two points, beside the middle of their connection too: at the rim of a section
+/// a thin layer may end there.
+bool is_soil_between(const Section& section, const Vector2& a, const Vector2& b)
 {
-    return RegionLocator(section).locate(point).has_value();
+    constexpr double beside = 0.1; // of the distance
+    const RegionLocator locator(section);
+    const Vector2 middle = 0.5 * (a + b), across(a.y() - b.y(), b.x() - a.x());
+    for (const double offset : {0.0, beside, -beside})
+        if (locator.locate(middle + offset * across).has_value()) return true;
+    return false;
 }
 
 /// A corner of `polygon` that misses `other` by less than `width` [m]; a sentence's middle part, or empty.
@@ -201,7 +208,7 @@ std::string near_miss(const Section& section, const Polygon& polygon, const Poly
     for (const Vector2& corner : corners_of(polygon)) {
         const Vector2 nearest = nearest_on_polygon(corner, other);
         const double distance = (nearest - corner).norm();
-        if (distance <= touching || distance >= width || is_soil(section, 0.5 * (corner + nearest))) continue;
+        if (distance <= touching || distance >= width || is_soil_between(section, corner, nearest)) continue;
         return fmt::format("{} misses {} by {:.3g} m", place(corner), place(nearest), distance);
     }
     return {};

@@ -125,6 +125,18 @@ TEST(SectionMessages, CountCurvesAndPointsOfOneName)
                                         "2 points are called \"toe\"; give each its own name."}));
 }
 
+TEST(SectionMessages, LeaveAThinSeamAlone)
+{
+    Section section = make_section({{"clay", {rectangle(0, 0, 2, 1)}},
+                                    {"seam", {rectangle(0, 1, 2, 1.01)}},
+                                    {"sand", {rectangle(0, 1.01, 2, 2)}}});
+    EXPECT_TRUE(check_section(section, covering).empty());
+    for (Region& region : section.regions) // leaning sides
+        for (Vector2& corner : region.polygons.front().outer) corner.x() += 0.3 * corner.y();
+    bound_section(section);
+    EXPECT_TRUE(check_section(section, make_grid(0, 0, 0.25, 12, 8)).empty());
+}
+
 TEST(SectionMessages, LeaveAFloorAloneThatGoesOnBeyondTheSoil)
 {
     Section section = two_layers(1, 1);
