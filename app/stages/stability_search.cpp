@@ -72,6 +72,13 @@ std::string describe_result(const SafetyFactor& safety)
                        safety.factor, safety.stands, safety.fails);
 }
 
+/// A coordinate as exact as a box of this size needs it, however far the drawing is from its origin [m].
+std::string coordinate_text(double coordinate, double size)
+{
+    const double ratio = std::abs(coordinate) / size;
+    return short_number(coordinate, 3 + (ratio > 1.0 ? static_cast<int>(std::ceil(std::log10(ratio))) : 0));
+}
+
 /// Where and how much of the soil moves in the failure that was found; a failure of a few cells hangs on the
 /// grid, and may hide that of the slope.
 std::string describe_failure(const Problem& problem, const Particles& failure)
@@ -79,10 +86,11 @@ std::string describe_failure(const Problem& problem, const Particles& failure)
     constexpr double few_cells = 8.0;
     const MovingSoil moving = moving_soil(failure);
     const double cells = moving.area / (problem.grid.cell_size * problem.grid.cell_size);
+    const double size = std::max((moving.high - moving.low).maxCoeff(), problem.grid.cell_size);
     std::string text =
         fmt::format("What moves: {} m2 of soil between ({}, {}) and ({}, {}) m", short_number(moving.area, 3),
-                    short_number(moving.low.x(), 3), short_number(moving.low.y(), 3),
-                    short_number(moving.high.x(), 3), short_number(moving.high.y(), 3));
+                    coordinate_text(moving.low.x(), size), coordinate_text(moving.low.y(), size),
+                    coordinate_text(moving.high.x(), size), coordinate_text(moving.high.y(), size));
     if (cells < few_cells)
         text += fmt::format("\n  warning: that is only {} cells, and a failure of so few hangs on the grid\n"
                             "  hint: finer cells; where it is a corner of a slope, a thin region with a "

@@ -17,8 +17,8 @@ namespace {
 /// The most likely first: where most of the weight is out of balance, nothing bears the soil.
 std::string causes_of_running_away(const UnbalancedForces& unbalanced)
 {
-    const std::string slope =
-        "the slope cannot stand under its weight (quicksand stability tells its factor of safety)";
+    const std::string slope = "the soil does not bear its weight, the loads and the pore pressures "
+                              "(quicksand stability tells its factor of safety)";
     const std::string wall = "a wall is missing among the boundaries";
     const bool falls = unbalanced.of_weight > 0.5;
     return (falls ? wall + "; " + slope : slope + "; " + wall) + "; the soil is far too soft for its weight";
@@ -108,7 +108,8 @@ void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced,
          << unbalanced.of_weight << " of the weight, the tolerance " << controls_.tolerance << "; "
          << describe(unbalanced) << "; the particle below has moved farthest";
     fail(state, farthest_particle(state.particles), what.str(),
-         "the slope cannot stand under its weight; a wall is missing among the boundaries; tolerance is too "
+         "the soil does not bear its weight, the loads and the pore pressures; a wall is missing among the "
+         "boundaries; tolerance is too "
          "small or max_steps too few (go on with --resume and a larger relaxation.tolerance or more "
          "relaxation.max_steps)",
          dt);

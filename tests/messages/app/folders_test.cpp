@@ -203,9 +203,9 @@ TEST(NumericalFailure, OfSoilThatCannotStandEndsSoonWithItsPlace)
                    "  the soil as it is: " + (folder / "results/settling.pvd").string() + " (ParaView)");
     EXPECT_TRUE(std::filesystem::exists(folder / "results/settling/frame_000000.vtu"));
     EXPECT_TRUE(std::filesystem::exists(folder / "results/settling.png"));
-    expect_mention(outcome,
-                   "likely causes: the slope cannot stand under its weight (quicksand stability tells "
-                   "its factor of safety)");
+    expect_mention(outcome, "likely causes: the soil does not bear its weight, the loads and the pore "
+                            "pressures (quicksand stability tells "
+                            "its factor of safety)");
 }
 
 TEST(NumericalFailure, TellsWhatIsStillGood)
