@@ -177,19 +177,19 @@ inline double drag_coefficient(const Material& material, const Water& water, dou
     return drag_weight(material, water, porosity) / hydraulic_conductivity(material, porosity);
 }
 
-/// rho_w g_k / k where the particle is: gradient of the pressure per flux [N s/m4].
-inline double flow_resistivity(const Material& material, const Water& water, const Particles& particles,
-                               std::size_t p)
-{
-    return water.density * material.conductivity_gravity / hydraulic_conductivity(material, particles, p);
-}
-
 /// The same where the particle is, by the state of its grains too [N s/m4].
 inline double drag_coefficient(const Material& material, const Water& water, const Particles& particles,
                                std::size_t p)
 {
     return drag_weight(material, water, particles.porosity[p]) /
            hydraulic_conductivity(material, particles, p);
+}
+
+/// rho_w g_k / k where the particle is: gradient of the pressure per flux [N s/m4].
+inline double flow_resistivity(const Material& material, const Water& water, const Particles& particles,
+                               std::size_t p)
+{
+    return water.density * material.conductivity_gravity / hydraulic_conductivity(material, particles, p);
 }
 
 /// Where the particles are in the equations: in small strain at their reference positions [m].
