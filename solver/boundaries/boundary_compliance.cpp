@@ -6,11 +6,10 @@ namespace quicksand {
 
 namespace {
 
-/// Velocities of grains and water per impulse of the pressure's force, which acts on them as 1-n and n.
-NodeResponse pressure_response(double n, const NodeResponse& response)
+/// Velocity of the grains per impulse of the pressure's force, which acts on grains and water as 1-n and n.
+Eigen::Matrix2d pressure_response(double n, const NodeResponses& responses)
 {
-    return {(1.0 - n) * response.solid + n * response.exchange, 0.0,
-            (1.0 - n) * response.exchange + n * response.fluid};
+    return (1.0 - n) * responses.solid + n * responses.exchange;
 }
 
 } // namespace
@@ -23,11 +22,9 @@ void include_dashpots(const Problem& problem, const NodeConditions& conditions, 
         const std::size_t i = dashpot.node;
         if (!sums[i].active()) continue;
         const double n = node_porosity(problem, sums[i]);
-        const std::uint8_t held = conditions.of_node[i];
-        const NodeResponse x = response(sums[i], dt, held, 0), y = response(sums[i], dt, held, 1);
-        Eigen::Matrix2d K = Eigen::Matrix2d::Zero();
-        K.diagonal() << pressure_response(n, x).solid, pressure_response(n, y).solid;
-        const Braking braking = braking_of(dashpot, dt, x, y);
+        const NodeResponses r = responses(sums[i], dt, conditions.of_node[i]);
+        const Eigen::Matrix2d K = pressure_response(n, r);
+        const Braking braking = braking_of(dashpot, dt, r);
         const Eigen::Matrix2d change = K * braking.half * braking.left * K;
         compliances.xx[i] -= change(0, 0);
         compliances.xy[i] -= 0.5 * (change(0, 1) + change(1, 0)); // equal but for rounding

@@ -41,15 +41,13 @@ Balance balance_along(const TwoPhaseSums& node, const NodeImpulses& impulses, do
             impulses.fluid[axis]};
 }
 
-/// Take the part that is known before the step from the drag of one direction; returns its force on the
-/// grains [N/m].
-double split_drag(double dt, double strong, const TwoPhaseSums& node, double momentum_solid,
-                  double momentum_fluid, double& drag)
+/// Take the part that is known before the step from the drag along one of its axes; returns that part.
+double take_known_drag(double dt, double strong, const TwoPhaseSums& node, double& drag)
 {
     const double rate = dt * drag * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
     const double known = std::min(0.5, strong / rate) * drag;
     drag -= known;
-    return known * (momentum_fluid / node.mass_fluid - momentum_solid / node.mass_solid);
+    return known;
 }
 
 void set_flux_and_change(const Problem& problem, const TwoPhaseSums& node, TwoPhaseMotion& motion)
@@ -68,14 +66,25 @@ void set_change(const SinglePhaseSums& node, SinglePhaseMotion& motion)
     motion.change_y = motion.y - node.momentum_y / node.mass;
 }
 
-TwoPhaseMotion solve_aligned(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
-                             std::uint8_t held)
+TwoPhaseMotion solve_along_axes(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
+                                std::uint8_t held)
 {
     const PhaseVelocities x = solve_direction(balance_along(node, impulses, dt, 0), held & solid_x_fixed,
                                               held & fluid_x_fixed, held & seal_x);
     const PhaseVelocities y = solve_direction(balance_along(node, impulses, dt, 1), held & solid_y_fixed,
                                               held & fluid_y_fixed, held & seal_y);
     return {.solid_x = x.solid, .solid_y = y.solid, .fluid_x = x.fluid, .fluid_y = y.fluid};
+}
+
+TwoPhaseMotion solve_node(const TwoPhaseSums& node, const NodeImpulses& impulses, double dt,
+                          std::uint8_t held)
+{
+    if (!is_slanted(node)) return solve_along_axes(node, impulses, dt, held);
+    const TwoPhaseMotion turned = solve_along_axes(
+        node, {along_layers(node, impulses.solid), along_layers(node, impulses.fluid)}, dt, held);
+    const Vector2 solid = along_grid(node, {turned.solid_x, turned.solid_y}),
+                  fluid = along_grid(node, {turned.fluid_x, turned.fluid_y});
+    return {.solid_x = solid.x(), .solid_y = solid.y(), .fluid_x = fluid.x(), .fluid_y = fluid.y()};
 }
 
 /// Impulses of a force of the pressure over a unit of time, on grains and water.
@@ -208,10 +217,14 @@ void centre_drag(double dt, double strong, std::vector<TwoPhaseSums>& sums)
     for_each_index(sums.size(), [&](std::size_t i) {
         TwoPhaseSums& node = sums[i];
         if (!node.active() || !(node.drag > 0.0)) return;
-        node.drag_force_x =
-            split_drag(dt, strong, node, node.momentum_solid_x, node.momentum_fluid_x, node.drag_x);
-        node.drag_force_y =
-            split_drag(dt, strong, node, node.momentum_solid_y, node.momentum_fluid_y, node.drag_y);
+        const double known_1 = take_known_drag(dt, strong, node, node.drag_1),
+                     known_2 = take_known_drag(dt, strong, node, node.drag_2);
+        const Vector2 relative(
+            node.momentum_fluid_x / node.mass_fluid - node.momentum_solid_x / node.mass_solid,
+            node.momentum_fluid_y / node.mass_fluid - node.momentum_solid_y / node.mass_solid);
+        const Vector2 force = tensor_along_grid(node, known_1, known_2) * relative;
+        node.drag_force_x = force.x();
+        node.drag_force_y = force.y();
     });
 }
 
@@ -237,7 +250,7 @@ void solve_two_phase_momentum(const Problem& problem, const NodeConditions& cond
             return;
         }
         const NodeImpulses impulses = two_phase_impulses(problem, dt, acceleration, sums[i]);
-        motion[i] = solve_aligned(sums[i], impulses, dt, conditions.of_node[i]);
+        motion[i] = solve_node(sums[i], impulses, dt, conditions.of_node[i]);
         set_flux_and_change(problem, sums[i], motion[i]);
     });
 }
@@ -249,12 +262,14 @@ void set_pressure_compliances(const Problem& problem, const NodeConditions& cond
     for_each_index(sums.size(), [&](std::size_t i) {
         compliances.xx[i] = compliances.xy[i] = compliances.yy[i] = 0.0;
         if (!sums[i].active()) return;
-        // x and y do not mix here, so that one force in both directions tells both
+        // along its axes the drag does not mix directions, so that one force in both of them tells both
         const double n = node_porosity(problem, sums[i]);
-        const Vector2 flux = flux_of(n, solve_aligned(sums[i], unit_pressure_impulses(n, Vector2(1.0, 1.0)),
-                                                      dt, conditions.of_node[i]));
-        compliances.xx[i] = flux.x();
-        compliances.yy[i] = flux.y();
+        const Vector2 flux = flux_of(
+            n, solve_along_axes(sums[i], unit_pressure_impulses(n, {1.0, 1.0}), dt, conditions.of_node[i]));
+        const Eigen::Matrix2d compliance = tensor_along_grid(sums[i], flux.x(), flux.y());
+        compliances.xx[i] = compliance(0, 0);
+        compliances.xy[i] = compliance(0, 1);
+        compliances.yy[i] = compliance(1, 1);
     });
 }
 

@@ -9,7 +9,8 @@
 
 namespace quicksand {
 
-/// Flux per force and time of the nodes; symmetric 2 x 2, off-diagonal only at dashpots and wall rows [m/kg].
+/// Flux per force and time of the nodes; symmetric 2 x 2, off-diagonal only at dashpots, wall rows and
+/// slanted layers [m/kg].
 struct NodeCompliances {
     std::vector<double> xx, xy, yy;
 };

@@ -3,13 +3,14 @@
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
+#include "solver/boundaries/layer_axes.hpp"
 #include "solver/boundaries/nodes.hpp"
 
 namespace quicksand {
 
-/// Velocity per impulse in one direction: of the grains by an impulse on the grains, of the water by one on
-/// the grains (or the other way round), of the water by one on the water [m/kg]. The drag is inside, as in
-/// the momentum balance; a held phase does not respond.
+/// Velocity per impulse along an axis of the drag: of the grains by an impulse on the grains, of the water by
+/// one on the grains (or the other way round), of the water by one on the water [m/kg]. The drag is inside,
+/// as in the momentum balance; a held phase does not respond.
 struct NodeResponse {
     double solid = 0.0, exchange = 0.0, fluid = 0.0;
 };
@@ -19,10 +20,10 @@ inline constexpr std::uint8_t solid_fixed[2] = {solid_x_fixed, solid_y_fixed};
 inline constexpr std::uint8_t fluid_fixed[2] = {fluid_x_fixed, fluid_y_fixed};
 inline constexpr std::uint8_t seal[2] = {seal_x, seal_y};
 
-/// Drag of a node in one direction [N s/m2].
+/// Drag of a node along one of its axes [N s/m2].
 inline double drag_along(const TwoPhaseSums& node, int axis)
 {
-    return axis == 0 ? node.drag_x : node.drag_y;
+    return axis == 0 ? node.drag_1 : node.drag_2;
 }
 
 inline NodeResponse response(const SinglePhaseSums& node, double, std::uint8_t held, int axis)
@@ -45,6 +46,19 @@ inline NodeResponse response(const TwoPhaseSums& node, double dt, std::uint8_t h
     }
     const double determinant = m_s * m_w + dt_drag * (m_s + m_w);
     return {(m_w + dt_drag) / determinant, dt_drag / determinant, (m_s + dt_drag) / determinant};
+}
+
+/// The same by the axes of the grid, symmetric.
+struct NodeResponses {
+    Eigen::Matrix2d solid, exchange, fluid;
+};
+
+template <class Sums>
+NodeResponses responses(const Sums& node, double dt, std::uint8_t held)
+{
+    const NodeResponse a = response(node, dt, held, 0), b = response(node, dt, held, 1);
+    return {tensor_along_grid(node, a.solid, b.solid), tensor_along_grid(node, a.exchange, b.exchange),
+            tensor_along_grid(node, a.fluid, b.fluid)};
 }
 
 /// Add velocities to a node's motion; the water's are not used for a body that moves as one phase.

@@ -4,8 +4,8 @@
 namespace quicksand {
 
 /// Sums scattered from the particles of a saturated body, three groups of four, each added to as one; and the
-/// drag that follows from them: its part on the velocities at the end of the step in each direction, and the
-/// force that is known before the step, see centre_drag.
+/// drag that follows from them: its part on the velocities at the end of the step along its own two axes
+/// (layer_axes.hpp), and the force that is known before the step, see centre_drag.
 struct alignas(32) TwoPhaseSums {
     double mass_solid;                         // m_s [kg/m]
     double mass_fluid;                         // m_w [kg/m]
@@ -15,7 +15,8 @@ struct alignas(32) TwoPhaseSums {
     double momentum_fluid_x, momentum_fluid_y; // [N s/m]
     double stress_force_x, stress_force_y;     // - sum V sigma' grad phi [N/m]
     double pressure_force_x, pressure_force_y; // sum V p grad phi, of the whole mixture [N/m]
-    double drag_x, drag_y;                     // see layered_drag.hpp; then their implicit parts [N s/m2]
+    double drag_1, drag_2;                     // see layered_drag.hpp; then their implicit parts [N s/m2]
+    double layer_x, layer_y;                   // axis of drag_1; that of drag_2 is turned to the left [-]
     double drag_force_x, drag_force_y;         // of the velocities before the step, on the grains [N/m]
     double inertia_force_x, inertia_force_y;   // on the grains, see inertia_solve.hpp [N/m]
 

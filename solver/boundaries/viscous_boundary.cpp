@@ -46,25 +46,23 @@ void brake(const NodeConditions& conditions, double dt, const std::vector<Dashpo
     for (const Dashpot& dashpot : dashpots) {
         const std::size_t i = dashpot.node;
         if (!sums[i].active()) continue;
-        const std::uint8_t held = conditions.of_node[i];
-        const NodeResponse x = response(sums[i], dt, held, 0), y = response(sums[i], dt, held, 1);
-        const Braking braking = braking_of(dashpot, dt, x, y);
+        const NodeResponses r = responses(sums[i], dt, conditions.of_node[i]);
+        const Braking braking = braking_of(dashpot, dt, r);
         const Vector2 before = velocity_before(motion[i]), unbraked = solid_velocity(motion[i]);
         const Vector2 braked = braking.left * (unbraked - braking.factor * before);
         const Vector2 impulse = -braking.half * (before + braked);
-        add_velocity(motion[i], {x.solid * impulse.x(), y.solid * impulse.y()},
-                     {x.exchange * impulse.x(), y.exchange * impulse.y()});
+        add_velocity(motion[i], r.solid * impulse, r.exchange * impulse);
     }
 }
 
 } // namespace
 
-Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponse& x, const NodeResponse& y)
+Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponses& responses)
 {
     Braking braking;
     braking.half << dashpot.xx, dashpot.xy, dashpot.xy, dashpot.yy;
     braking.half *= 0.5 * dt;
-    braking.factor = Vector2(x.solid, y.solid).asDiagonal() * braking.half;
+    braking.factor = responses.solid * braking.half;
     braking.left = (Eigen::Matrix2d::Identity() + braking.factor).inverse();
     return braking;
 }

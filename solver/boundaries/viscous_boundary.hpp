@@ -57,7 +57,7 @@ struct Braking {
     Eigen::Matrix2d factor; // r dt C / 2 [-]
     Eigen::Matrix2d left;   // (1 + factor)^-1: velocity left of one given by other forces [-]
 };
-Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponse& x, const NodeResponse& y);
+Braking braking_of(const Dashpot& dashpot, double dt, const NodeResponses& responses);
 
 /// Put the dashpots' impulses on the velocities, after the momentum balance.
 void brake_by_dashpots(const Problem& problem, const NodeConditions& conditions, double dt,

@@ -26,14 +26,9 @@ std::vector<SinglePhaseMotion> velocities_before(const Problem& problem, const N
 
 NodeInverse mass_matrix(const TwoPhaseSums& node, double dt)
 {
-    NodeInverse mass = NodeInverse::Zero();
-    for (int axis = 0; axis < 2; ++axis) {
-        const double drag = node.mass_fluid > 0.0 ? dt * drag_along(node, axis) : 0.0;
-        mass(axis, axis) = node.mass_solid + drag;
-        mass(axis, axis + 2) = mass(axis + 2, axis) = -drag;
-        mass(axis + 2, axis + 2) = node.mass_fluid + drag;
-    }
-    return mass;
+    const Eigen::Matrix2d drag = dt * drag_tensor(node), unit = Eigen::Matrix2d::Identity();
+    return (NodeInverse() << node.mass_solid * unit + drag, -drag, -drag, node.mass_fluid * unit + drag)
+        .finished();
 }
 
 Eigen::Matrix2d half_braking(const Dashpot& dashpot, double dt)

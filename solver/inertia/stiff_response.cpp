@@ -141,7 +141,16 @@ void StiffResponse::number_equations(const NodeConditions& conditions, const Nod
     for (const TiedNodes& tie : conditions.tied) unknowns_[tie.node] = unknowns_[tie.master];
 }
 
-/// Call visit(row, column, value) for the numbers that dashpots have in the matrix.
+/// Call visit(row, column, value) for the numbers that the masses have in the matrix.
+template <class Visit>
+void StiffResponse::for_each_of_masses(Visit&& visit) const
+{
+    for (const Unknown& u : list_) visit(u.equation, u.equation, share(u.node, u.axis).mass);
+    for (const MixedShare& of : mixed_)
+        visit(unknown(of.node, 1)->equation, unknown(of.node, 0)->equation, of.share.mass);
+}
+
+/// The same of the dashpots.
 template <class Visit>
 void StiffResponse::for_each_of_dashpots(double velocity_dt, const std::vector<Dashpot>& dashpots,
                                          Visit&& visit) const
@@ -192,16 +201,19 @@ void StiffResponse::for_each_of_rows(Visit&& visit) const
     };
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         const Part& part = parts_[k];
+        const AxisShare between = mixed(part.node);
         for (std::size_t axis = 0; axis < 2; ++axis) {
             const auto d = static_cast<int>(axis);
             const AxisShare& of = share(part.node, axis);
-            const double c_w = part.coefficients[d + 2];
+            const double c_w = part.coefficients[d + 2], across_w = part.coefficients[3 - d];
             if (const Unknown* u = unknown(part.node, axis); u != nullptr)
-                add(multipliers_[part.row], u->equation, part.coefficients[d] + of.carried * c_w);
-            if (c_w == 0.0 || of.mobility == 0.0) continue;
+                add(multipliers_[part.row], u->equation,
+                    part.coefficients[d] + of.carried * c_w + between.carried * across_w);
+            const double moved = of.mobility * c_w + between.mobility * across_w;
+            if (moved == 0.0) continue;
             for (std::size_t m = k; m < parts_.size() && parts_[m].node == part.node; ++m)
                 add(multipliers_[part.row], multipliers_[parts_[m].row],
-                    -c_w * of.mobility * parts_[m].coefficients[d + 2]);
+                    -moved * parts_[m].coefficients[d + 2]);
         }
     }
 }
@@ -219,11 +231,11 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
     const std::size_t equations = list_.size() + multipliers_.size();
     std::vector<std::size_t> first_columns = first_columns_;
     Scalars diagonal(equations, 0.0);
-    for (const Unknown& u : list_) diagonal[u.equation] = share(u.node, u.axis).mass;
     const auto sum_diagonal = [&](std::size_t row, std::size_t column, double value) {
         first_columns[row] = std::min(first_columns[row], column);
         if (row == column) diagonal[row] += std::abs(value);
     };
+    for_each_of_masses(sum_diagonal);
     for_each_of_dashpots(velocity_dt, dashpots, sum_diagonal);
     for (const std::size_t k : diagonal_entries_)
         diagonal[entries_[k].row] += std::abs(factor * stiffness.value(entries_[k].index));
@@ -259,7 +271,7 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
             const auto fill = [&](std::size_t row, std::size_t column, double value) {
                 matrix.add(row, column, scale_[row] * scale_[column] * value);
             };
-            for (const Unknown& u : list_) fill(u.equation, u.equation, share(u.node, u.axis).mass);
+            for_each_of_masses(fill);
             for_each_of_dashpots(velocity_dt, dashpots, fill);
             for (const StiffnessEntry& entry : entries_)
                 fill(entry.row, entry.column, factor * stiffness.value(entry.index));
@@ -292,7 +304,7 @@ void StiffResponse::answer_impulses(const NodeRows& grid, double velocity_dt,
         product[row] += entry * value_of(column);
         if (row != column) product[column] += entry * value_of(row);
     };
-    for (const Unknown& u : list_) multiply(u.equation, u.equation, share(u.node, u.axis).mass);
+    for_each_of_masses(multiply);
     for_each_of_dashpots(velocity_dt, dashpots, multiply);
     for_each_of_rows(multiply);
 
@@ -327,11 +339,19 @@ void StiffResponse::answer_pressure(const Scalars& force_x, const Scalars& force
         const Scalars& force = u.axis == 0 ? force_x : force_y;
         vector_[u.equation] = u.scale * u.gain * force[u.node];
     }
+    for (const MixedShare& of : mixed_) {
+        const Unknown &x = *unknown(of.node, 0), &y = *unknown(of.node, 1);
+        const double gain = porosities_[of.node] * of.share.carried;
+        vector_[x.equation] += x.scale * gain * force_y[of.node];
+        vector_[y.equation] += y.scale * gain * force_x[of.node];
+    }
     const auto for_each_moved = [&](auto&& visit) { // parts whose multipliers move the water of their node
         for (const Part& part : parts_)
             for (std::size_t axis = 0; axis < 2; ++axis) {
-                const double moved = porosities_[part.node] * share(part.node, axis).mobility *
-                                     part.coefficients[static_cast<int>(axis) + 2];
+                const auto d = static_cast<int>(axis);
+                const double moved =
+                    porosities_[part.node] * (share(part.node, axis).mobility * part.coefficients[d + 2] +
+                                              mixed(part.node).mobility * part.coefficients[3 - d]);
                 if (moved != 0.0) visit(part, axis, scale_[multipliers_[part.row]] * moved);
             }
     };
@@ -347,6 +367,12 @@ void StiffResponse::answer_pressure(const Scalars& force_x, const Scalars& force
     for (const Unknown& u : list_) {
         Scalars& flux = u.axis == 0 ? flux_x : flux_y;
         flux[u.node] += u.gain * u.scale * vector_[u.equation];
+    }
+    for (const MixedShare& of : mixed_) {
+        const Unknown &x = *unknown(of.node, 0), &y = *unknown(of.node, 1);
+        const double n = porosities_[of.node], gain = n * of.share.carried, own = n * n * of.share.mobility;
+        flux_x[of.node] += gain * y.scale * vector_[y.equation] + own * force_y[of.node];
+        flux_y[of.node] += gain * x.scale * vector_[x.equation] + own * force_x[of.node];
     }
     for_each_moved([&](const Part& part, std::size_t axis, double moved) {
         Scalars& flux = axis == 0 ? flux_x : flux_y;

@@ -27,7 +27,7 @@
 
 namespace quicksand {
 
-/// What a node has along an axis, the water eliminated.
+/// What a node has along an axis of its drag, the water eliminated.
 struct AxisShare {
     double mass = 0.0;     // M, 0: held [kg/m]
     double carried = 0.0;  // e [-]
@@ -41,6 +41,12 @@ inline AxisShare axis_share(const NodeResponse& response)
     return {1.0 / response.solid, carried, response.fluid - carried * response.exchange};
 }
 
+/// What a node whose drag has axes of its own has between x and y besides.
+struct MixedShare {
+    std::size_t node = 0;
+    AxisShare share;
+};
+
 class StiffResponse {
 public:
     /// Find the shares of the nodes with is_active(node) from sums with tied nodes gathered; `velocity_dt` is
@@ -50,12 +56,15 @@ public:
                     IsActive&& is_active)
     {
         shares_.resize(2 * sums.size());
+        mixed_.clear();
         for (std::size_t i = 0; i < sums.size(); ++i) {
             const bool carries_sums = is_active(i) && conditions.master[i] == i;
             for (int axis = 0; axis < 2; ++axis)
                 shares_[2 * i + static_cast<std::size_t>(axis)] =
                     carries_sums ? axis_share(response(sums[i], velocity_dt, conditions.of_node[i], axis))
                                  : AxisShare{};
+            if (carries_sums && is_slanted(sums[i]))
+                turn_shares(i, [&](double a, double b) { return tensor_along_grid(sums[i], a, b); });
         }
     }
 
@@ -113,12 +122,37 @@ private:
         bool operator==(const Pattern&) const = default;
     };
 
+    /// Turn the shares of a node along the axes of its drag to those of the grid.
+    template <class Tensor>
+    void turn_shares(std::size_t node, Tensor&& tensor)
+    {
+        AxisShare &x = shares_[2 * node], &y = shares_[2 * node + 1];
+        MixedShare& mixed = mixed_.emplace_back();
+        mixed.node = node;
+        for (const auto value : {&AxisShare::mass, &AxisShare::carried, &AxisShare::mobility}) {
+            const Eigen::Matrix2d turned = tensor(x.*value, y.*value);
+            x.*value = turned(0, 0);
+            y.*value = turned(1, 1);
+            mixed.share.*value = turned(1, 0);
+        }
+    }
+    /// That between x and y; zero where the drag has the axes of the grid.
+    AxisShare mixed(std::size_t node) const
+    {
+        const auto found =
+            std::lower_bound(mixed_.begin(), mixed_.end(), node,
+                             [](const MixedShare& share, std::size_t other) { return share.node < other; });
+        return found != mixed_.end() && found->node == node ? found->share : AxisShare{};
+    }
+
     void note_parts(const VelocityRows& rows);
     Pattern present_pattern(std::size_t rows, const NodeStiffness& stiffness) const;
     void list_stiffness(const NodeRows& grid, const NodeStiffness& stiffness);
     void number_equations(const NodeConditions& conditions, const NodeRows& grid);
     template <class Visit>
     void for_each_of_rows(Visit&& visit) const;
+    template <class Visit>
+    void for_each_of_masses(Visit&& visit) const;
     template <class Visit>
     void for_each_of_dashpots(double velocity_dt, const std::vector<Dashpot>& dashpots, Visit&& visit) const;
     const AxisShare& share(std::size_t node, std::size_t axis) const { return shares_[2 * node + axis]; }
@@ -129,6 +163,7 @@ private:
     }
 
     std::vector<AxisShare> shares_;                     // two of each node
+    std::vector<MixedShare> mixed_;                     // of some nodes, in their order
     std::vector<std::array<std::int32_t, 2>> unknowns_; // of each node, those of ties; -1: held, no soil
     std::vector<Unknown> list_;                         // in the order of the equations
     std::vector<Part> parts_;                           // node by node, each row once

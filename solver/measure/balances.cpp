@@ -4,6 +4,7 @@
 #include "solver/base/threads.hpp"
 #include "solver/boundaries/boundary_conditions.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/layer_axes.hpp"
 #include "solver/measure/monitors.hpp"
 #include "solver/water/pore_pressure.hpp"
 
@@ -81,8 +82,8 @@ void enter_node(const Problem& problem, double dt, double acceleration, WorkingV
     const Vector2 load(dt * outer.load_x, dt * outer.load_y);
     const Vector2 water(dt * outer.water_x, dt * outer.water_y);
     const Vector2 flux = (1.0 - porosity) * solid.working + porosity * fluid.working;
-    const Vector2 drag = dt * (Vector2(node.drag_x, node.drag_y).cwiseProduct(fluid.end - solid.end) +
-                               Vector2(node.drag_force_x, node.drag_force_y));
+    const Vector2 drag =
+        dt * (drag_tensor(node) * (fluid.end - solid.end) + Vector2(node.drag_force_x, node.drag_force_y));
     const Vector2 inertia = dt * Vector2(node.inertia_force_x, node.inertia_force_y);
 
     entries.kinetic += solid.kinetic() + fluid.kinetic();

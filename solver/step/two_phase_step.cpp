@@ -285,9 +285,9 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
     place_boundaries(problem, dt, state, work);
     gather_tied_sums(work.conditions, work.sums);
     gather_tied_sums(work.conditions, work.outer);
-    set_drag(problem, particles, work.lists, work.stencils, work.conditions, work.sums, work.layered_drag);
     if (!work.drawn_conditions.empty())
         seal_by_solids(problem, particles, work.lists, work.sums, work.drawn_conditions, work.conditions);
+    set_drag(problem, particles, work.lists, work.stencils, work.conditions, work.sums, work.layered_drag);
 }
 
 double set_fluxes(double dt, double velocity_dt, SemiImplicitWorkspace& work)

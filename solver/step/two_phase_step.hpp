@@ -3,8 +3,8 @@
 #pragma once
 
 #include "solver/boundaries/nodes.hpp"
+#include "solver/drag/layered_drag.hpp"
 #include "solver/inertia/coupled_solve.hpp"
-#include "solver/motion/layered_drag.hpp"
 #include "solver/step/step_workspace.hpp"
 #include "solver/water/pore_pressure.hpp"
 #include "solver/water/pressure_solve.hpp"

@@ -19,7 +19,7 @@ void set_alternating_drag(double dt, double strong, std::vector<TwoPhaseSums>& s
         TwoPhaseSums& node = sums[i];
         if (!node.active() || !(node.drag > 0.0)) return;
         const double mobility = dt * (1.0 / node.mass_solid + 1.0 / node.mass_fluid);
-        for (double* drag : {&node.drag_x, &node.drag_y})
+        for (double* drag : {&node.drag_1, &node.drag_2})
             *drag *= 1.0 - 2.0 * std::min(0.5, strong / (mobility * *drag));
     });
 }

@@ -188,14 +188,8 @@ void add_followers(const Problem& problem, const NodeConditions& conditions, con
 template <class Sums>
 NodeInverse inverse_of(const Sums& node, std::uint8_t held, double dt)
 {
-    NodeInverse inverse = NodeInverse::Zero();
-    for (int axis = 0; axis < 2; ++axis) {
-        const NodeResponse r = response(node, dt, held, axis);
-        inverse(axis, axis) = r.solid;
-        inverse(axis, axis + 2) = inverse(axis + 2, axis) = r.exchange;
-        inverse(axis + 2, axis + 2) = r.fluid;
-    }
-    return inverse;
+    const NodeResponses r = responses(node, dt, held);
+    return (NodeInverse() << r.solid, r.exchange, r.exchange, r.fluid).finished();
 }
 
 /// What a dashpot takes off a node's response: R - R E H (1 + E^T R E H)^-1 E^T R, E the grains, H = dt C

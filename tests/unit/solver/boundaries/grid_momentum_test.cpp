@@ -1,4 +1,5 @@
 #include "solver/boundaries/grid_momentum.hpp"
+#include "solver/boundaries/node_response.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -44,10 +45,10 @@ double relative_velocity_left(double rate, double steady, double strong = explic
     sums[0].mass_fluid = m_w;
     sums[0].volume = 1.0;
     sums[0].momentum_fluid_x = m_w;
-    sums[0].drag = sums[0].drag_x = sums[0].drag_y = drag;
+    sums[0].drag = sums[0].drag_1 = sums[0].drag_2 = drag;
     centre_drag(dt, strong, sums);
     const double known = dt * sums[0].drag_force_x, push = dt * drag * steady;
-    const PhaseVelocities v = solve_drag(m_s, m_w, dt * sums[0].drag_x, known - push, m_w - known + push);
+    const PhaseVelocities v = solve_drag(m_s, m_w, dt * sums[0].drag_1, known - push, m_w - known + push);
     EXPECT_NEAR(m_s * v.solid + m_w * v.fluid, m_w, 1e-14 * (1.0 + std::abs(push))) << "momentum";
     return v.fluid - v.solid;
 }
@@ -86,7 +87,7 @@ TwoPhaseMotion solve_one(const Problem& problem, std::uint8_t conditions)
     sums[0].momentum_solid_y = -15.0;
     sums[0].momentum_fluid_x = 4.0;
     sums[0].momentum_fluid_y = 8.0;
-    sums[0].drag = sums[0].drag_x = sums[0].drag_y = 2e6;
+    sums[0].drag = sums[0].drag_1 = sums[0].drag_2 = 2e6;
     std::vector<TwoPhaseMotion> motion(1);
     NodeConditions node_conditions;
     node_conditions.of_node = {conditions};
@@ -102,6 +103,79 @@ Problem weightless()
     problem.water = fixtures::water_to(1.0);
     problem.gravity = 0.0;
     return problem;
+}
+
+/// A node whose drag is 100 times as strong across layers that rise by 30 degrees as along them.
+TwoPhaseSums node_of_slanted_layers()
+{
+    TwoPhaseSums node{};
+    node.mass_solid = 1500.0;
+    node.mass_fluid = 430.0;
+    node.volume = 1.0;
+    node.drag = 2e6;
+    node.drag_1 = 1e5;
+    node.drag_2 = 1e7;
+    node.layer_x = 0.5 * std::sqrt(3.0);
+    node.layer_y = 0.5;
+    node.momentum_solid_x = 30.0;
+    node.momentum_solid_y = -15.0;
+    node.momentum_fluid_x = 4.0;
+    node.momentum_fluid_y = 8.0;
+    return node;
+}
+
+TEST(SlantedDrag, MovesANodeAsTheSameNodeInTheAxesOfItsLayers)
+{
+    const Problem problem = weightless();
+    NodeConditions conditions;
+    conditions.of_node = {0};
+    const auto solve = [&](TwoPhaseSums node) {
+        std::vector<TwoPhaseSums> sums{node};
+        centre_drag(1e-4, semi_implicit_strong_drag, sums);
+        std::vector<TwoPhaseMotion> motion(1);
+        solve_two_phase_momentum(problem, conditions, 1e-4, 0.0, sums, motion);
+        return motion[0];
+    };
+    const TwoPhaseSums node = node_of_slanted_layers();
+    TwoPhaseSums turned = node;
+    turned.layer_x = 1.0;
+    turned.layer_y = 0.0;
+    const Vector2 solid = along_layers(node, {node.momentum_solid_x, node.momentum_solid_y}),
+                  fluid = along_layers(node, {node.momentum_fluid_x, node.momentum_fluid_y});
+    turned.momentum_solid_x = solid.x(), turned.momentum_solid_y = solid.y();
+    turned.momentum_fluid_x = fluid.x(), turned.momentum_fluid_y = fluid.y();
+    const TwoPhaseMotion a = solve(node), b = solve(turned);
+    const Vector2 of_solid = along_grid(node, {b.solid_x, b.solid_y}),
+                  of_fluid = along_grid(node, {b.fluid_x, b.fluid_y});
+    EXPECT_NEAR(a.solid_x, of_solid.x(), 1e-15);
+    EXPECT_NEAR(a.solid_y, of_solid.y(), 1e-15);
+    EXPECT_NEAR(a.fluid_x, of_fluid.x(), 1e-15);
+    EXPECT_NEAR(a.fluid_y, of_fluid.y(), 1e-15);
+}
+
+TEST(SlantedDrag, HasResponsesAndCompliancesOfItsTensor)
+{
+    const double dt = 1e-4;
+    const Problem problem = weightless();
+    const TwoPhaseSums node = node_of_slanted_layers();
+    const Eigen::Matrix2d drag = dt * drag_tensor(node), unit = Eigen::Matrix2d::Identity();
+    Eigen::Matrix4d masses;
+    masses << node.mass_solid * unit + drag, -drag, -drag, node.mass_fluid * unit + drag;
+    const NodeResponses r = responses(node, dt, 0);
+    Eigen::Matrix4d inverse;
+    inverse << r.solid, r.exchange, r.exchange, r.fluid;
+    EXPECT_LT((inverse * masses - Eigen::Matrix4d::Identity()).norm(), 1e-11);
+
+    NodeConditions conditions;
+    conditions.of_node = {0};
+    NodeCompliances compliances;
+    set_pressure_compliances(problem, conditions, dt, {node}, compliances);
+    const double n = node_porosity(problem, node);
+    const Eigen::Matrix2d flux =
+        (1.0 - n) * (1.0 - n) * r.solid + 2.0 * n * (1.0 - n) * r.exchange + n * n * r.fluid;
+    EXPECT_NEAR(compliances.xx[0], flux(0, 0), 1e-16);
+    EXPECT_NEAR(compliances.xy[0], flux(0, 1), 1e-16);
+    EXPECT_NEAR(compliances.yy[0], flux(1, 1), 1e-16);
 }
 
 TEST(NodeConditions, AHeldSkeletonStillDragsTheWater)

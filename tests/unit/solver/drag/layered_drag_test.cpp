@@ -1,4 +1,4 @@
-#include "solver/motion/layered_drag.hpp"
+#include "solver/drag/layered_drag.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

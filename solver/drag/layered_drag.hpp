@@ -8,11 +8,14 @@
 // n_i of the node, whose flux against the grains is n_i (v_w - v_s), the drag of a flow along x is
 //   C_x = n_i^2 (sum W_s)^2 / sum_s (W_s^2 / R_s),
 // resistances added within a strip, conductivities over the strips; C_y likewise by the strips along y. Both
-// are C where all soil is alike.
+// are C where all soil is alike. Where strips along another direction lead more water, as along slanted
+// layers, the drag has their axes (slanted_layers.hpp).
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
 #include "solver/boundaries/nodes.hpp"
+#include "solver/drag/node_strips.hpp"
+#include "solver/drag/slanted_layers.hpp"
 #include "solver/interpolation/node_weights.hpp"
 #include "solver/particles/cell_lists.hpp"
 #include "solver/problem/problem.hpp"
@@ -22,14 +25,6 @@
 #include <vector>
 
 namespace quicksand {
-
-/// Volumes and resistances of the strips about a node, from below to above and from left to right.
-struct alignas(64) NodeStrips {
-    static constexpr std::size_t per_cell = 8, count = 2 * per_cell;
-
-    double row_volume[count], column_volume[count];         // W_s [m3/m]
-    double row_resistance[count], column_resistance[count]; // R_s [N s/m2]
-};
 
 /// Work space.
 struct LayeredDrag {
@@ -41,6 +36,8 @@ struct LayeredDrag {
     std::vector<std::uint64_t> kinds_at_node; // bits of the kinds that have weight there, of candidates
     std::vector<std::int32_t> strips_of_node; // index into `strips`, -1: one kind alone
     std::vector<NodeStrips> strips;
+    std::vector<std::int32_t> shares_of_node; // index into `shares`, -1: strips along the grid do
+    std::vector<std::vector<NodeShare>> shares;
 
     bool any() const { return !kind_of_material.empty(); }
 };

@@ -1,8 +1,8 @@
-#include "solver/motion/layered_drag.hpp"
+#include "solver/drag/layered_drag.hpp"
 
-#include "solver/base/lanes.hpp"
 #include "solver/base/threads.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
+#include "solver/drag/strip_parts.hpp"
 
 #include <algorithm>
 #include <array>
@@ -45,69 +45,6 @@ void for_each_cell_about(const BackgroundGrid& grid, std::size_t node, Visit&& v
     for (int row = std::max(j - 2, 0); row < std::min(j + 2, grid.all_cells_y()); ++row)
         for (int column = std::max(i - 2, 0); column < std::min(i + 2, grid.all_cells_x()); ++column)
             visit(static_cast<std::size_t>(row * grid.all_cells_x() + column));
-}
-
-/// Part of the area under the hat function of a node from its left end to t, in cells from the node [-].
-inline Lanes hat_area_below(const Lanes& t)
-{
-    const Lanes one = all_lanes(1.0), half = all_lanes(0.5);
-    const Lanes left = half * (one + t) * (one + t), right = one - half * (one - t) * (one - t);
-    return t < all_lanes(0.0) ? left : right;
-}
-
-inline Lanes limited(const Lanes& t, double lower, double upper)
-{
-    const Lanes raised = t < all_lanes(lower) ? all_lanes(lower) : t;
-    return raised > all_lanes(upper) ? all_lanes(upper) : raised;
-}
-
-/// Parts of the weight by strips, four by four [-].
-using StripParts = std::array<Lanes, NodeStrips::count / 4>;
-
-/// Of a domain from `lower` to `upper`, in cells from the node.
-inline StripParts parts_of(double lower, double upper)
-{
-    constexpr double width = 1.0 / NodeStrips::per_cell, least = 1e-9;
-    constexpr Lanes first_edges = {-1.0, -1.0 + width, -1.0 + 2.0 * width, -1.0 + 3.0 * width};
-    double below[NodeStrips::count + 1]; // area under the hat function, up to the edges of the strips
-    below[NodeStrips::count] = hat_area_below(all_lanes(std::clamp(1.0, lower, upper)))[0];
-    StripParts parts;
-    for (std::size_t k = 0; k < parts.size(); ++k) {
-        const Lanes edges = first_edges + all_lanes(4.0 * width * static_cast<double>(k));
-        store_lanes(hat_area_below(limited(edges, lower, upper)), below + 4 * k);
-    }
-    const double total = below[NodeStrips::count] - below[0];
-    if (total > least) {
-        for (std::size_t k = 0; k < parts.size(); ++k)
-            parts[k] = (load_lanes(below + 4 * k + 1) - load_lanes(below + 4 * k)) * all_lanes(1.0 / total);
-        return parts;
-    }
-    // the domain has next to nothing within the support: all lies in the outermost strip
-    const double all_below = lower + upper < 0.0 ? 1.0 : 0.0;
-    parts.fill(all_lanes(0.0));
-    parts.front() = Lanes{all_below, 0.0, 0.0, 0.0};
-    parts.back() = Lanes{0.0, 0.0, 0.0, 1.0 - all_below};
-    return parts;
-}
-
-inline void add_parts(double amount, const StripParts& parts, double* strips)
-{
-    for (const Lanes& part : parts) {
-        store_lanes(load_lanes(strips) + all_lanes(amount) * part, strips);
-        strips += 4;
-    }
-}
-
-/// (sum W)^2 / sum (W^2 / R) of the strips; zero where they are empty [N s/m2].
-inline double resistance_of(const double* volume, const double* resistance)
-{
-    double whole = 0.0, flow = 0.0;
-    for (std::size_t s = 0; s < NodeStrips::count; ++s) {
-        if (!(volume[s] > 0.0) || !(resistance[s] > 0.0)) continue;
-        whole += volume[s];
-        flow += volume[s] * volume[s] / resistance[s];
-    }
-    return flow > 0.0 ? whole * whole / flow : 0.0;
 }
 
 /// Extent of a domain from its centre along an axis, in cells [-]. The outermost tenth is left out: a domain
@@ -175,6 +112,7 @@ void find_candidates(const BackgroundGrid& grid, const Particles& particles, con
         }
         layered.kinds_at_node.assign(grid.node_count(), 0);
         layered.strips_of_node.assign(grid.node_count(), -1);
+        layered.shares_of_node.assign(grid.node_count(), -1);
     }
     for (const std::size_t n : layered.candidates) layered.kinds_at_node[n] = 0;
 }
@@ -235,6 +173,7 @@ void scatter_strips(const Problem& problem, const Particles& particles, const Ce
                 NodeStrips& strips = layered.strips[static_cast<std::size_t>(strips_of[a])];
                 const StripParts& along = across[static_cast<std::size_t>(a)];
                 const double volume = phi[a] * V, resistance = volume * resistivity;
+                strips.conductance += volume / resistivity;
                 add_parts(volume, up, strips.row_volume);
                 add_parts(resistance, up, strips.row_resistance);
                 add_parts(volume, along, strips.column_volume);
@@ -257,7 +196,111 @@ void gather_tied_strips(const NodeConditions& conditions, LayeredDrag& layered)
             master.row_resistance[s] += node.row_resistance[s];
             master.column_resistance[s] += node.column_resistance[s];
         }
+        master.conductance += node.conductance;
     }
+}
+
+/// Drags over n_i^2 by strips along the axes of the grid.
+struct AlignedDrag {
+    double x, y; // [N s/m2]
+};
+
+AlignedDrag aligned_drag(const NodeStrips& strips)
+{
+    return {resistance_of(strips.row_volume, strips.row_resistance),
+            resistance_of(strips.column_volume, strips.column_resistance)};
+}
+
+/// Whether the strips along the axes lead less water in both directions together than layers would along
+/// and across them.
+bool lacks_flow(const NodeStrips& strips, const AlignedDrag& drag)
+{
+    constexpr double enough = 0.97;
+    double whole = 0.0, resistance = 0.0;
+    for (std::size_t s = 0; s < NodeStrips::count; ++s) {
+        whole += strips.row_volume[s];
+        resistance += strips.row_resistance[s];
+    }
+    return 1.0 / drag.x + 1.0 / drag.y < enough * (strips.conductance / (whole * whole) + 1.0 / resistance);
+}
+
+/// Set the drags along the axes, and list the nodes without conditions to which they give too little flow.
+void set_aligned_drag(const Problem& problem, const NodeConditions& conditions,
+                      std::vector<TwoPhaseSums>& sums, LayeredDrag& layered)
+{
+    std::size_t count = 0;
+    for (const std::size_t i : layered.candidates) {
+        layered.shares_of_node[i] = -1;
+        if (layered.strips_of_node[i] < 0) continue;
+        const NodeStrips& strips = layered.strips[static_cast<std::size_t>(layered.strips_of_node[i])];
+        const AlignedDrag drag = aligned_drag(strips);
+        if (!(drag.x > 0.0) || !(drag.y > 0.0)) continue;
+        const double n = node_porosity(problem, sums[i]);
+        sums[i].drag_1 = n * n * drag.x;
+        sums[i].drag_2 = n * n * drag.y;
+        if (conditions.of_node[i] != 0 || conditions.master[i] != i || !lacks_flow(strips, drag)) continue;
+        layered.shares_of_node[i] = static_cast<std::int32_t>(count++);
+        if (layered.shares.size() < count) layered.shares.emplace_back();
+        layered.shares[count - 1].clear();
+    }
+    for (const TiedNodes& tie : conditions.tied)
+        layered.shares_of_node[tie.node] = layered.shares_of_node[tie.master];
+    layered.shares.resize(count);
+}
+
+/// Add the particles of a tile to the shares of the nodes with slanted layers.
+void list_shares(const Problem& problem, const Particles& particles, const CellLists& lists, const Tile& tile,
+                 const StencilStore& store, LayeredDrag& layered)
+{
+    const BackgroundGrid& grid = problem.grid;
+    const Vectors& place = place_in_equations(problem, particles);
+    const bool at_reference = problem.strain == StrainForm::small;
+    const Vectors& r_1 = at_reference ? particles.reference_edge_1 : particles.half_edge_1;
+    const Vectors& r_2 = at_reference ? particles.reference_edge_2 : particles.half_edge_2;
+    const double h = grid.cell_size;
+    for_each_near(particles, lists, tile, layered, [&](std::size_t p, std::size_t k) {
+        const StoredStencil& stencil = store.stencils[k];
+        const std::int32_t* shares_of = layered.shares_of_node.data() + stencil.base(grid.nodes_x());
+        if (!shares_nodes(stencil, grid.nodes_x(), shares_of)) return;
+        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        NodeShare share;
+        share.whole = particles.volume[p];
+        share.resistivity = flow_resistivity(material, *problem.water, particles, p);
+        share.edge_1 = r_1[p] / h;
+        share.edge_2 = r_2[p] / h;
+        const Vector2 from_first = (place[p] - grid.rim_origin()) / h - Vector2(stencil.column, stencil.row);
+        const double* phi = store.value.data() + stencil.first;
+        for (int b = 0; b < stencil.height; ++b, shares_of += grid.nodes_x(), phi += stencil.width) {
+            for (int a = 0; a < stencil.width; ++a) {
+                if (shares_of[a] < 0 || !(phi[a] > 0.0)) continue;
+                share.volume = phi[a] * share.whole;
+                share.place = from_first - Vector2(a, b);
+                layered.shares[static_cast<std::size_t>(shares_of[a])].push_back(share);
+            }
+        }
+    });
+}
+
+/// Turn the drag to slanted layers where these lead more water.
+void set_slanted_drag(const Problem& problem, std::vector<TwoPhaseSums>& sums, LayeredDrag& layered)
+{
+    constexpr double clearly_less = 0.98;
+    for_each_index(layered.candidates.size(), [&](std::size_t c) {
+        const std::size_t i = layered.candidates[c];
+        const std::int32_t own = layered.shares_of_node[i];
+        if (own < 0 || layered.strips_of_node[i] < 0) return;
+        const std::optional<SlantedDrag> slanted =
+            slanted_drag(layered.shares[static_cast<std::size_t>(own)]);
+        if (!slanted) return;
+        TwoPhaseSums& node = sums[i];
+        const double n = node_porosity(problem, node), along = n * n * slanted->along,
+                     across = n * n * slanted->across;
+        if (!(along < clearly_less * std::min(node.drag_1, node.drag_2))) return;
+        node.drag_1 = along;
+        node.drag_2 = across;
+        node.layer_x = slanted->layer.x();
+        node.layer_y = slanted->layer.y();
+    });
 }
 
 } // namespace
@@ -284,7 +327,11 @@ void set_drag(const Problem& problem, const Particles& particles, const CellList
               const std::vector<StencilStore>& stencils, const NodeConditions& conditions,
               std::vector<TwoPhaseSums>& sums, LayeredDrag& layered)
 {
-    for_each_index(sums.size(), [&](std::size_t i) { sums[i].drag_x = sums[i].drag_y = sums[i].drag; });
+    for_each_index(sums.size(), [&](std::size_t i) {
+        sums[i].drag_1 = sums[i].drag_2 = sums[i].drag;
+        sums[i].layer_x = 1.0;
+        sums[i].layer_y = 0.0;
+    });
     if (!layered.any()) return;
     const auto weights_of = [&](const Tile& tile) -> const StencilStore& {
         return stencils[static_cast<std::size_t>(tile.number)];
@@ -298,16 +345,12 @@ void set_drag(const Problem& problem, const Particles& particles, const CellList
         scatter_strips(problem, particles, lists, tile, weights_of(tile), layered);
     });
     gather_tied_strips(conditions, layered);
-    for_each_index(layered.candidates.size(), [&](std::size_t c) {
-        const std::size_t i = layered.candidates[c];
-        if (layered.strips_of_node[i] < 0) return;
-        const NodeStrips& strips = layered.strips[static_cast<std::size_t>(layered.strips_of_node[i])];
-        const double n = node_porosity(problem, sums[i]);
-        const double along_x = resistance_of(strips.row_volume, strips.row_resistance),
-                     along_y = resistance_of(strips.column_volume, strips.column_resistance);
-        if (along_x > 0.0) sums[i].drag_x = n * n * along_x;
-        if (along_y > 0.0) sums[i].drag_y = n * n * along_y;
+    set_aligned_drag(problem, conditions, sums, layered);
+    if (layered.shares.empty()) return;
+    for_each_tile_by_colour(lists, [&](const Tile& tile) {
+        list_shares(problem, particles, lists, tile, weights_of(tile), layered);
     });
+    set_slanted_drag(problem, sums, layered);
 }
 
 } // namespace quicksand
