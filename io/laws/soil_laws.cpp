@@ -140,13 +140,19 @@ std::vector<SceneKey> keys_of_laws(std::vector<SceneKey> SoilLaw::*rows)
     return keys;
 }
 
+/// The number that a scene gave, of which a change of unit has moved the last digits.
+double without_rounding(double value)
+{
+    return std::isfinite(value) ? std::stod(fmt::format("{:.12g}", value)) : value;
+}
+
 /// "shear_modulus = 10 MPa, poisson_ratio = 0.3", without what has no value.
 std::string numbers_of(const SkeletonLaw& law)
 {
     const std::vector<LawKeyText> keys = keys_of(law);
     std::vector<std::string> numbers;
     for (std::size_t k = 0; k < keys.size(); ++k) {
-        const double value = value_of(law, k);
+        const double value = without_rounding(value_of(law, k));
         if (std::isfinite(value))
             numbers.push_back(
                 fmt::format("{} = {}", keys[k].name, quantity_text(value, dimension_of(keys[k].unit))));

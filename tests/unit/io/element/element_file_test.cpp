@@ -208,13 +208,13 @@ TEST(ElementFile, ALawIsToldWithItsNumbers)
     const ElementFolder folder;
     const ElementReading reading = folder.read(
         "test_version = 1\n[materials.clay]\nmodel = \"mohr_coulomb\"\nshear_modulus = \"5 MPa\"\n"
-        "poisson_ratio = 0.3\nfriction_angle = \"25 deg\"\ncohesion = \"8 kPa\"\n"
+        "poisson_ratio = 0.3\nfriction_angle = \"30 deg\"\ncohesion = \"8 kPa\"\n"
         "[tests.a]\nkind = \"monotonic_shear\"\n");
     const DescribedLaw& soil = reading.programme.tests.at(0).soil;
     EXPECT_EQ(soil.title, "mohr_coulomb");
     EXPECT_EQ(soil.density, "");
     EXPECT_EQ(soil.numbers,
-              "shear_modulus = 5e6 Pa, poisson_ratio = 0.3, cohesion = 8000 Pa, friction_angle = 25 deg, "
+              "shear_modulus = 5e6 Pa, poisson_ratio = 0.3, cohesion = 8000 Pa, friction_angle = 30 deg, "
               "dilation_angle = 0 deg");
 }
 
