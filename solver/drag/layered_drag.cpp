@@ -55,9 +55,7 @@ struct DomainReach {
 
 inline DomainReach reach_of(const Problem& problem, const Particles& particles, std::size_t p)
 {
-    const bool at_reference = problem.strain == StrainForm::small;
-    const Vectors& r_1 = at_reference ? particles.reference_edge_1 : particles.half_edge_1;
-    const Vectors& r_2 = at_reference ? particles.reference_edge_2 : particles.half_edge_2;
+    const auto [r_1, r_2] = half_edges_in_equations(problem, particles);
     const double part = 0.9 / problem.grid.cell_size;
     return {part * (std::abs(r_1.x[p]) + std::abs(r_2.x[p])),
             part * (std::abs(r_1.y[p]) + std::abs(r_2.y[p]))};
@@ -82,11 +80,12 @@ inline void for_each_near(const Particles& particles, const CellLists& lists, co
     }
 }
 
-inline bool shares_nodes(const StoredStencil& stencil, std::int32_t nodes_x, const std::int32_t* strips_of)
+/// Whether a stencil has nodes with a number.
+inline bool touches_any(const StoredStencil& stencil, std::int32_t nodes_x, const std::int32_t* number_of)
 {
-    for (std::int32_t b = 0; b < stencil.height; ++b, strips_of += nodes_x)
+    for (std::int32_t b = 0; b < stencil.height; ++b, number_of += nodes_x)
         for (std::int32_t a = 0; a < stencil.width; ++a)
-            if (strips_of[a] >= 0) return true;
+            if (number_of[a] >= 0) return true;
     return false;
 }
 
@@ -112,7 +111,7 @@ void find_candidates(const BackgroundGrid& grid, const Particles& particles, con
         }
         layered.kinds_at_node.assign(grid.node_count(), 0);
         layered.strips_of_node.assign(grid.node_count(), -1);
-        layered.shares_of_node.assign(grid.node_count(), -1);
+        layered.parts_of_node.assign(grid.node_count(), -1);
     }
     for (const std::size_t n : layered.candidates) layered.kinds_at_node[n] = 0;
 }
@@ -132,7 +131,7 @@ void note_kinds(const Particles& particles, const CellLists& lists, const Backgr
 }
 
 /// Give strips to the nodes that several kinds share.
-void share_nodes(const NodeConditions& conditions, LayeredDrag& layered)
+void number_strips(const NodeConditions& conditions, LayeredDrag& layered)
 {
     std::vector<std::uint64_t>& kinds = layered.kinds_at_node;
     for (const TiedNodes& tie : conditions.tied) kinds[tie.master] |= kinds[tie.node];
@@ -156,7 +155,7 @@ void scatter_strips(const Problem& problem, const Particles& particles, const Ce
     for_each_near(particles, lists, tile, layered, [&](std::size_t p, std::size_t k) {
         const StoredStencil& stencil = store.stencils[k];
         const std::int32_t* strips_of = layered.strips_of_node.data() + stencil.base(grid.nodes_x());
-        if (!shares_nodes(stencil, grid.nodes_x(), strips_of)) return;
+        if (!touches_any(stencil, grid.nodes_x(), strips_of)) return;
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
         const double V = particles.volume[p],
                      resistivity = flow_resistivity(material, *problem.water, particles, p);
@@ -224,13 +223,19 @@ bool lacks_flow(const NodeStrips& strips, const AlignedDrag& drag)
     return 1.0 / drag.x + 1.0 / drag.y < enough * (strips.conductance / (whole * whole) + 1.0 / resistance);
 }
 
-/// Set the drags along the axes, and list the nodes without conditions to which they give too little flow.
+/// Set the drags along the axes, and number the nodes without conditions to which they give too little flow,
+/// and those tied to one of these.
 void set_aligned_drag(const Problem& problem, const NodeConditions& conditions,
                       std::vector<TwoPhaseSums>& sums, LayeredDrag& layered)
 {
-    std::size_t count = 0;
+    layered.parts_count = 0;
+    const auto number = [&](std::size_t i) {
+        layered.parts_of_node[i] = static_cast<std::int32_t>(layered.parts_count++);
+        if (layered.parts.size() < layered.parts_count) layered.parts.emplace_back();
+        layered.parts[layered.parts_count - 1].clear();
+    };
     for (const std::size_t i : layered.candidates) {
-        layered.shares_of_node[i] = -1;
+        layered.parts_of_node[i] = -1;
         if (layered.strips_of_node[i] < 0) continue;
         const NodeStrips& strips = layered.strips[static_cast<std::size_t>(layered.strips_of_node[i])];
         const AlignedDrag drag = aligned_drag(strips);
@@ -238,59 +243,64 @@ void set_aligned_drag(const Problem& problem, const NodeConditions& conditions,
         const double n = node_porosity(problem, sums[i]);
         sums[i].drag_1 = n * n * drag.x;
         sums[i].drag_2 = n * n * drag.y;
-        if (conditions.of_node[i] != 0 || conditions.master[i] != i || !lacks_flow(strips, drag)) continue;
-        layered.shares_of_node[i] = static_cast<std::int32_t>(count++);
-        if (layered.shares.size() < count) layered.shares.emplace_back();
-        layered.shares[count - 1].clear();
+        if (conditions.of_node[i] == 0 && conditions.master[i] == i && lacks_flow(strips, drag)) number(i);
     }
     for (const TiedNodes& tie : conditions.tied)
-        layered.shares_of_node[tie.node] = layered.shares_of_node[tie.master];
-    layered.shares.resize(count);
+        if (layered.parts_of_node[tie.master] >= 0) number(tie.node);
 }
 
-/// Add the particles of a tile to the shares of the nodes with slanted layers.
-void list_shares(const Problem& problem, const Particles& particles, const CellLists& lists, const Tile& tile,
-                 const StencilStore& store, LayeredDrag& layered)
+/// Note what the particles of a tile have of the soil of the numbered nodes.
+void list_parts(const Problem& problem, const Particles& particles, const CellLists& lists, const Tile& tile,
+                const StencilStore& store, LayeredDrag& layered)
 {
     const BackgroundGrid& grid = problem.grid;
     const Vectors& place = place_in_equations(problem, particles);
-    const bool at_reference = problem.strain == StrainForm::small;
-    const Vectors& r_1 = at_reference ? particles.reference_edge_1 : particles.half_edge_1;
-    const Vectors& r_2 = at_reference ? particles.reference_edge_2 : particles.half_edge_2;
+    const auto [r_1, r_2] = half_edges_in_equations(problem, particles);
     const double h = grid.cell_size;
     for_each_near(particles, lists, tile, layered, [&](std::size_t p, std::size_t k) {
         const StoredStencil& stencil = store.stencils[k];
-        const std::int32_t* shares_of = layered.shares_of_node.data() + stencil.base(grid.nodes_x());
-        if (!shares_nodes(stencil, grid.nodes_x(), shares_of)) return;
+        const std::int32_t* parts_of = layered.parts_of_node.data() + stencil.base(grid.nodes_x());
+        if (!touches_any(stencil, grid.nodes_x(), parts_of)) return;
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-        NodeShare share;
-        share.whole = particles.volume[p];
-        share.resistivity = flow_resistivity(material, *problem.water, particles, p);
-        share.edge_1 = r_1[p] / h;
-        share.edge_2 = r_2[p] / h;
+        SoilPart part;
+        part.whole = particles.volume[p];
+        part.resistivity = flow_resistivity(material, *problem.water, particles, p);
+        part.edge_1 = r_1[p] / h;
+        part.edge_2 = r_2[p] / h;
         const Vector2 from_first = (place[p] - grid.rim_origin()) / h - Vector2(stencil.column, stencil.row);
         const double* phi = store.value.data() + stencil.first;
-        for (int b = 0; b < stencil.height; ++b, shares_of += grid.nodes_x(), phi += stencil.width) {
+        for (int b = 0; b < stencil.height; ++b, parts_of += grid.nodes_x(), phi += stencil.width) {
             for (int a = 0; a < stencil.width; ++a) {
-                if (shares_of[a] < 0 || !(phi[a] > 0.0)) continue;
-                share.volume = phi[a] * share.whole;
-                share.place = from_first - Vector2(a, b);
-                layered.shares[static_cast<std::size_t>(shares_of[a])].push_back(share);
+                if (parts_of[a] < 0 || !(phi[a] > 0.0)) continue;
+                part.volume = phi[a] * part.whole;
+                part.place = from_first - Vector2(a, b);
+                layered.parts[static_cast<std::size_t>(parts_of[a])].push_back(part);
             }
         }
     });
 }
 
+void gather_tied_parts(const NodeConditions& conditions, LayeredDrag& layered)
+{
+    for (const TiedNodes& tie : conditions.tied) {
+        const std::int32_t from = layered.parts_of_node[tie.node], to = layered.parts_of_node[tie.master];
+        if (from < 0 || to < 0) continue;
+        const std::vector<SoilPart>& added = layered.parts[static_cast<std::size_t>(from)];
+        std::vector<SoilPart>& master = layered.parts[static_cast<std::size_t>(to)];
+        master.insert(master.end(), added.begin(), added.end());
+    }
+}
+
 /// Turn the drag to slanted layers where these lead more water.
-void set_slanted_drag(const Problem& problem, std::vector<TwoPhaseSums>& sums, LayeredDrag& layered)
+void set_slanted_drag(const Problem& problem, const NodeConditions& conditions,
+                      std::vector<TwoPhaseSums>& sums, LayeredDrag& layered)
 {
     constexpr double clearly_less = 0.98;
     for_each_index(layered.candidates.size(), [&](std::size_t c) {
         const std::size_t i = layered.candidates[c];
-        const std::int32_t own = layered.shares_of_node[i];
-        if (own < 0 || layered.strips_of_node[i] < 0) return;
-        const std::optional<SlantedDrag> slanted =
-            slanted_drag(layered.shares[static_cast<std::size_t>(own)]);
+        const std::int32_t own = layered.parts_of_node[i];
+        if (own < 0 || conditions.master[i] != i) return;
+        const std::optional<SlantedDrag> slanted = slanted_drag(layered.parts[static_cast<std::size_t>(own)]);
         if (!slanted) return;
         TwoPhaseSums& node = sums[i];
         const double n = node_porosity(problem, node), along = n * n * slanted->along,
@@ -340,17 +350,18 @@ void set_drag(const Problem& problem, const Particles& particles, const CellList
     for_each_tile_by_colour(lists, [&](const Tile& tile) {
         note_kinds(particles, lists, problem.grid, tile, weights_of(tile), layered);
     });
-    share_nodes(conditions, layered);
+    number_strips(conditions, layered);
     for_each_tile_by_colour(lists, [&](const Tile& tile) {
         scatter_strips(problem, particles, lists, tile, weights_of(tile), layered);
     });
     gather_tied_strips(conditions, layered);
     set_aligned_drag(problem, conditions, sums, layered);
-    if (layered.shares.empty()) return;
+    if (layered.parts_count == 0) return;
     for_each_tile_by_colour(lists, [&](const Tile& tile) {
-        list_shares(problem, particles, lists, tile, weights_of(tile), layered);
+        list_parts(problem, particles, lists, tile, weights_of(tile), layered);
     });
-    set_slanted_drag(problem, sums, layered);
+    gather_tied_parts(conditions, layered);
+    set_slanted_drag(problem, conditions, sums, layered);
 }
 
 } // namespace quicksand

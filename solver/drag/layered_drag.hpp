@@ -36,8 +36,9 @@ struct LayeredDrag {
     std::vector<std::uint64_t> kinds_at_node; // bits of the kinds that have weight there, of candidates
     std::vector<std::int32_t> strips_of_node; // index into `strips`, -1: one kind alone
     std::vector<NodeStrips> strips;
-    std::vector<std::int32_t> shares_of_node; // index into `shares`, -1: strips along the grid do
-    std::vector<std::vector<NodeShare>> shares;
+    std::vector<std::int32_t> parts_of_node;  // index into `parts`, -1: strips along the grid do
+    std::vector<std::vector<SoilPart>> parts; // the first `parts_count` of them
+    std::size_t parts_count = 0;
 
     bool any() const { return !kind_of_material.empty(); }
 };
@@ -45,8 +46,8 @@ struct LayeredDrag {
 /// For the materials of a scene; nothing to do where their conductivities differ by less than a tenth.
 LayeredDrag make_layered_drag(const Problem& problem);
 
-/// Set the drags of both directions from the sums, with tied nodes gathered, and from the particles where
-/// unlike soils share a node.
+/// Set the drags along their axes from the sums, with tied nodes gathered, and from the particles where
+/// unlike soils share a node. The conditions are those of the step, with the seals of solids.
 void set_drag(const Problem& problem, const Particles& particles, const CellLists& lists,
               const std::vector<StencilStore>& stencils, const NodeConditions& conditions,
               std::vector<TwoPhaseSums>& sums, LayeredDrag& layered);

@@ -14,7 +14,8 @@ namespace {
 constexpr double reach = 1.5; // [cells]
 constexpr double strips_per_cell = 16.0;
 constexpr int strip_count = 48; // 2 reach strips_per_cell
-/// Of a domain's half extent: the rectangle of a piece reaches beyond the face that cut it.
+/// Of half the width of a strip with a domain's moment of inertia: the rectangle that stands for a piece
+/// reaches beyond the face that cut it.
 constexpr double inner_part = 0.8;
 
 /// Weight, centre and moment of inertia per weight of a soil.
@@ -24,24 +25,24 @@ struct SoilMoments {
     Eigen::Matrix2d spread = Eigen::Matrix2d::Zero(); // [cells2]
 };
 
-/// Of the shares that belong to it, by weight(share).
+/// Of the parts that belong to it, by weight(part).
 template <class Weight, class Belongs>
-SoilMoments moments_of(const std::vector<NodeShare>& shares, Weight&& weight, Belongs&& belongs)
+SoilMoments moments_of(const std::vector<SoilPart>& parts, Weight&& weight, Belongs&& belongs)
 {
     SoilMoments soil;
-    for (const NodeShare& share : shares) {
-        if (!belongs(share)) continue;
-        soil.weight += weight(share);
-        soil.centre += weight(share) * share.place;
+    for (const SoilPart& part : parts) {
+        if (!belongs(part)) continue;
+        soil.weight += weight(part);
+        soil.centre += weight(part) * part.place;
     }
     if (!(soil.weight > 0.0)) return soil;
     soil.centre /= soil.weight;
-    for (const NodeShare& share : shares) {
-        if (!belongs(share)) continue;
-        const Vector2 apart = share.place - soil.centre;
+    for (const SoilPart& part : parts) {
+        if (!belongs(part)) continue;
+        const Vector2 apart = part.place - soil.centre;
         const Eigen::Matrix2d own =
-            share.edge_1 * share.edge_1.transpose() + share.edge_2 * share.edge_2.transpose();
-        soil.spread += weight(share) / soil.weight * (apart * apart.transpose() + own / 3.0);
+            part.edge_1 * part.edge_1.transpose() + part.edge_2 * part.edge_2.transpose();
+        soil.spread += weight(part) / soil.weight * (apart * apart.transpose() + own / 3.0);
     }
     return soil;
 }
@@ -80,25 +81,25 @@ struct TwoSoils {
     /// The direction that tells them apart best.
     Vector2 normal() const
     {
-        const auto part = [](const SoilMoments& soil, const Vector2& n) {
+        const auto term = [](const SoilMoments& soil, const Vector2& n) {
             return soil.weight * std::log(n.dot(soil.spread * n));
         };
         return direction(least_angle([&](double angle) {
             const Vector2 n = direction(angle);
-            return part(open, n) + part(tight, n) - part(all, n);
+            return term(open, n) + term(tight, n) - term(all, n);
         }));
     }
 };
 
-/// By weight(share); none where a soil has no weight.
+/// By weight(part); none where a soil has no weight.
 template <class Weight>
-std::optional<TwoSoils> two_soils(const std::vector<NodeShare>& shares, double middle_resistivity,
+std::optional<TwoSoils> two_soils(const std::vector<SoilPart>& parts, double middle_resistivity,
                                   Weight&& weight)
 {
-    const auto is_tight = [&](const NodeShare& share) { return share.resistivity > middle_resistivity; };
-    TwoSoils soils{moments_of(shares, weight, [&](const NodeShare& share) { return !is_tight(share); }),
-                   moments_of(shares, weight, is_tight),
-                   moments_of(shares, weight, [](const NodeShare&) { return true; })};
+    const auto is_tight = [&](const SoilPart& part) { return part.resistivity > middle_resistivity; };
+    TwoSoils soils{moments_of(parts, weight, [&](const SoilPart& part) { return !is_tight(part); }),
+                   moments_of(parts, weight, is_tight),
+                   moments_of(parts, weight, [](const SoilPart&) { return true; })};
     if (!(soils.open.weight > 0.0) || !(soils.tight.weight > 0.0)) return std::nullopt;
     return soils;
 }
@@ -108,29 +109,29 @@ struct Span {
     double low, high;
 };
 
-Span span_of(const NodeShare& share, const Vector2& normal)
+Span span_of(const SoilPart& part, const Vector2& normal)
 {
     constexpr double least = 1e-6; // of a domain that lies along the strips
-    const double middle = (share.place.dot(normal) + reach) * strips_per_cell,
+    const double middle = (part.place.dot(normal) + reach) * strips_per_cell,
                  half = inner_part * strips_per_cell *
-                        std::hypot(share.edge_1.dot(normal), share.edge_2.dot(normal));
+                        std::hypot(part.edge_1.dot(normal), part.edge_2.dot(normal));
     const double low = std::clamp(middle - half, 0.0, strip_count - least);
     return {low, std::clamp(middle + half, low + least, 1.0 * strip_count)};
 }
 
 /// (sum W)^2 / sum (W^2 / R) over strips whose normal is given.
-double drag_along_strips(const std::vector<NodeShare>& shares, const Vector2& normal)
+double drag_along_strips(const std::vector<SoilPart>& parts, const Vector2& normal)
 {
     std::array<double, strip_count> volume{}, resistance{};
-    for (const NodeShare& share : shares) {
-        const Span span = span_of(share, normal);
-        const double per_strip = share.volume / (span.high - span.low);
+    for (const SoilPart& part : parts) {
+        const Span span = span_of(part, normal);
+        const double per_strip = part.volume / (span.high - span.low);
         const int last = std::min(static_cast<int>(span.high), strip_count - 1);
         for (int s = static_cast<int>(span.low); s <= last; ++s) {
-            const double part =
+            const double within =
                 per_strip * std::max(std::min(span.high, s + 1.0) - std::max(span.low, 1.0 * s), 0.0);
-            volume[static_cast<std::size_t>(s)] += part;
-            resistance[static_cast<std::size_t>(s)] += part * share.resistivity;
+            volume[static_cast<std::size_t>(s)] += within;
+            resistance[static_cast<std::size_t>(s)] += within * part.resistivity;
         }
     }
     double whole = 0.0, flow = 0.0;
@@ -141,23 +142,25 @@ double drag_along_strips(const std::vector<NodeShare>& shares, const Vector2& no
     return whole * whole / flow;
 }
 
-double sum_of_resistances(const std::vector<NodeShare>& shares)
+double sum_of_resistances(const std::vector<SoilPart>& parts)
 {
     double sum = 0.0;
-    for (const NodeShare& share : shares) sum += share.volume * share.resistivity;
+    for (const SoilPart& part : parts) sum += part.volume * part.resistivity;
     return sum;
 }
 
-/// Whether there is open soil on both sides of a place in the tight soil, along the normal.
-bool lies_between(const std::vector<NodeShare>& shares, double middle_resistivity, const Vector2& normal,
+/// Whether a place, the centre of the tight soil, lies between open soil along the normal.
+bool lies_between(const std::vector<SoilPart>& parts, double middle_resistivity, const Vector2& normal,
                   const Vector2& place)
 {
-    bool before = false, behind = false;
-    for (const NodeShare& share : shares) {
-        if (share.resistivity > middle_resistivity) continue;
-        (normal.dot(share.place - place) < 0.0 ? before : behind) = true;
+    constexpr double little = 0.02; // of all soil
+    double before = 0.0, behind = 0.0, all = 0.0;
+    for (const SoilPart& part : parts) {
+        all += part.volume;
+        if (part.resistivity > middle_resistivity) continue;
+        (normal.dot(part.place - place) < 0.0 ? before : behind) += part.volume;
     }
-    return before && behind;
+    return std::min(before, behind) > little * all;
 }
 
 /// Whether a face is so near to the axes of the grid that strips along these do.
@@ -169,24 +172,25 @@ bool is_along_grid(const Vector2& normal)
 
 } // namespace
 
-std::optional<SlantedDrag> slanted_drag(const std::vector<NodeShare>& shares)
+std::optional<SlantedDrag> slanted_drag(const std::vector<SoilPart>& parts)
 {
     const auto [least, most] =
-        std::minmax_element(shares.begin(), shares.end(), [](const NodeShare& a, const NodeShare& b) {
+        std::minmax_element(parts.begin(), parts.end(), [](const SoilPart& a, const SoilPart& b) {
             return a.resistivity < b.resistivity;
         });
-    if (shares.empty() || !(least->resistivity < most->resistivity)) return std::nullopt;
+    if (parts.empty() || !(least->resistivity < most->resistivity)) return std::nullopt;
     const double middle = std::sqrt(least->resistivity * most->resistivity);
     const std::optional<TwoSoils> by_weight =
-        two_soils(shares, middle, [](const NodeShare& share) { return share.volume; });
+        two_soils(parts, middle, [](const SoilPart& part) { return part.volume; });
     if (!by_weight || is_along_grid(by_weight->normal())) return std::nullopt;
-    const std::optional<TwoSoils> by_distance = two_soils(shares, middle, [](const NodeShare& share) {
-        return share.whole * std::max(1.0 - share.place.squaredNorm(), 0.0);
+    const std::optional<TwoSoils> by_distance = two_soils(parts, middle, [](const SoilPart& part) {
+        return part.whole * std::max(1.0 - part.place.squaredNorm(), 0.0);
     });
     const Vector2 normal = (by_distance ? *by_distance : *by_weight).normal(), layer(-normal.y(), normal.x());
-    const bool is_seam = lies_between(shares, middle, normal, by_weight->tight.centre);
-    return SlantedDrag{drag_along_strips(shares, normal),
-                       is_seam ? sum_of_resistances(shares) : drag_along_strips(shares, layer), layer};
+    if (is_along_grid(normal)) return std::nullopt;
+    const bool is_seam = lies_between(parts, middle, normal, by_weight->tight.centre);
+    return SlantedDrag{drag_along_strips(parts, normal),
+                       is_seam ? sum_of_resistances(parts) : drag_along_strips(parts, layer), layer};
 }
 
 } // namespace quicksand

@@ -22,7 +22,7 @@
 namespace quicksand {
 
 /// The part of a particle in the soil of a node.
-struct NodeShare {
+struct SoilPart {
     double volume = 0.0;      // phi V [m3/m]
     double whole = 0.0;       // V [m3/m]
     double resistivity = 0.0; // rho_w g_k / k [N s/m4]
@@ -37,6 +37,6 @@ struct SlantedDrag {
 };
 
 /// By strips along the face of the soils; none where there is one soil, or the face is along the grid.
-std::optional<SlantedDrag> slanted_drag(const std::vector<NodeShare>& shares);
+std::optional<SlantedDrag> slanted_drag(const std::vector<SoilPart>& parts);
 
 } // namespace quicksand

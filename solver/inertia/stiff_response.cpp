@@ -346,14 +346,16 @@ void StiffResponse::answer_pressure(const Scalars& force_x, const Scalars& force
         vector_[y.equation] += y.scale * gain * force_x[of.node];
     }
     const auto for_each_moved = [&](auto&& visit) { // parts whose multipliers move the water of their node
-        for (const Part& part : parts_)
+        for (const Part& part : parts_) {
+            const double between = mixed(part.node).mobility;
             for (std::size_t axis = 0; axis < 2; ++axis) {
                 const auto d = static_cast<int>(axis);
                 const double moved =
                     porosities_[part.node] * (share(part.node, axis).mobility * part.coefficients[d + 2] +
-                                              mixed(part.node).mobility * part.coefficients[3 - d]);
+                                              between * part.coefficients[3 - d]);
                 if (moved != 0.0) visit(part, axis, scale_[multipliers_[part.row]] * moved);
             }
+        }
     };
     for_each_moved([&](const Part& part, std::size_t axis, double moved) {
         const Scalars& force = axis == 0 ? force_x : force_y;

@@ -27,7 +27,7 @@
 
 namespace quicksand {
 
-/// What a node has along an axis of its drag, the water eliminated.
+/// What a node has along an axis, the water eliminated.
 struct AxisShare {
     double mass = 0.0;     // M, 0: held [kg/m]
     double carried = 0.0;  // e [-]

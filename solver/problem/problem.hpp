@@ -198,4 +198,14 @@ inline const Vectors& place_in_equations(const Problem& problem, const Particles
     return problem.strain == StrainForm::small ? particles.reference_position : particles.position;
 }
 
+/// Half edges of the particles' domains in the equations [m].
+struct HalfEdges {
+    const Vectors &first, &second;
+};
+inline HalfEdges half_edges_in_equations(const Problem& problem, const Particles& particles)
+{
+    if (problem.strain == StrainForm::small) return {particles.reference_edge_1, particles.reference_edge_2};
+    return {particles.half_edge_1, particles.half_edge_2};
+}
+
 } // namespace quicksand

@@ -4,12 +4,14 @@
 #include "solver/run/staged_run.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 #include "tests/fixtures/same_bits.hpp"
+#include "tests/fixtures/scene_example.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 namespace quicksand {
 namespace {
@@ -20,6 +22,7 @@ using namespace fixtures;
 struct Layers {
     double cell = 0.5;               // [m]
     double shift = 0.0;              // of the grid's lines along both axes [cells]
+    double drop = 0.0;               // besides, along y [cells]
     bool upright = false;            // the layers are turned by 90 degrees
     double slope = 0.0;              // by which the drawing is turned about its corner [degrees]
     bool across = false;             // the water flows across them
@@ -88,7 +91,8 @@ std::string layered_scene(const Layers& layers)
     const std::string count = std::to_string(layers.particles);
     const double left = 3.0 * thickness * std::sin(layers.slope * std::numbers::pi / 180.0);
     const Vector2 origin =
-        -Vector2(std::ceil(left / layers.cell) + 2.0 + layers.shift, 2.0 + layers.shift) * layers.cell;
+        -Vector2(std::ceil(left / layers.cell) + 2.0 + layers.shift, 2.0 + layers.shift + layers.drop) *
+        layers.cell;
     const auto cells = static_cast<int>(std::lround(4.0 / layers.cell)) + 4;
     return scene_with(layers.cell, origin, cells, cells,
                       "[sampling]\nparticles_per_cell = [" + count + ", " + count +
@@ -188,19 +192,40 @@ TEST(LayeredFlow, GoesOnWhereTheSoilHasMovedByLittle)
     EXPECT_NEAR(discharge_of({.strain = "large", .scheme = "explicit"}), 1.0, 0.02);
 }
 
+/// Between sides that are tied to each other, without flow at the beginning.
+std::string tied_scene(const Layers& layers)
+{
+    std::string scene = layered_scene(layers);
+    for (const auto& [side, other, head] : {std::tuple{"left", "right", "5.0"}, {"right", "left", "4.0"}}) {
+        const std::string table = "[boundaries." + std::string(side) + "]\nsoil = \"";
+        scene = fixtures::replaced(scene, table + "roller\"\nwater = \"head\"\nhead = " + head + "\n",
+                                   table + "tied\"\ntied_to = \"" + other + "\"\n");
+    }
+    scene = fixtures::replaced(scene, "initial_flow = \"seepage\"\n", "");
+    return fixtures::replaced(scene, "[analysis]\n", "[analysis]\ncolumns = \"all\"\n") +
+           "[motion]\nkind = \"sine\"\namplitude = 2.0\nfrequency = 5.0\n";
+}
+
 TEST(LayeredFlow, HasTheSameBitsForAnyNumberOfThreads)
 {
     const int threads_before = thread_count();
-    const auto state_of = [](int threads) {
+    const Layers layers{.cell = 0.125, .shift = 0.3, .strain = "large", .particles = 3},
+        tied{.cell = 0.125, .drop = 0.3, .strain = "large", .particles = 3},
+        slanted{.cell = 0.125, .slope = 20.0, .strain = "large", .particles = 3};
+    const auto state_of = [](const std::string& scene, const Layers& drawing, int threads) {
         set_thread_count(threads);
-        const Layers layers{.cell = 0.125, .shift = 0.3, .strain = "large"};
-        AssembledCase assembled = assemble(layered_scene(layers), layered_section(layers));
+        AssembledCase assembled = assemble(scene, layered_section(drawing));
         begin_shaking(assembled.problem, assembled.state);
-        run(assembled.problem, 0.05, {}, assembled.state);
+        run(assembled.problem, 0.02, {}, assembled.state);
         return assembled.state;
     };
-    const State one = state_of(1);
-    for (const int threads : {2, 3}) expect_same_bits(state_of(threads).particles, one.particles);
+    for (const auto& [scene, drawing] : {std::pair{layered_scene(layers), layers},
+                                         {layered_scene(slanted), slanted},
+                                         {tied_scene(tied), tied}}) {
+        const State one = state_of(scene, drawing, 1);
+        for (const int threads : {2, 4})
+            expect_same_bits(state_of(scene, drawing, threads).particles, one.particles);
+    }
     set_thread_count(threads_before);
 }
 

@@ -13,24 +13,24 @@ constexpr double open = 1.0, tight = 1e6; // resistivities [N s/m4]
 
 /// Shares of the soil about a node in domains of 1/count of a cell, by resistivity(place).
 template <class Resistivity>
-std::vector<NodeShare> shares_of(int count, Resistivity&& resistivity)
+std::vector<SoilPart> parts_of(int count, Resistivity&& resistivity)
 {
-    std::vector<NodeShare> shares;
+    std::vector<SoilPart> parts;
     const double size = 1.0 / count;
     for (int j = -count; j < count; ++j)
         for (int i = -count; i < count; ++i) {
             const Vector2 place((i + 0.5) * size, (j + 0.5) * size);
             const double phi = (1.0 - std::abs(place.x())) * (1.0 - std::abs(place.y()));
-            shares.push_back({phi * size * size, size * size, resistivity(place), place,
-                              Vector2(0.5 * size, 0.0), Vector2(0.0, 0.5 * size)});
+            parts.push_back({phi * size * size, size * size, resistivity(place), place,
+                             Vector2(0.5 * size, 0.0), Vector2(0.0, 0.5 * size)});
         }
-    return shares;
+    return parts;
 }
 
-double volume_of(const std::vector<NodeShare>& shares, double resistivity)
+double volume_of(const std::vector<SoilPart>& parts, double resistivity)
 {
     double volume = 0.0;
-    for (const NodeShare& share : shares) volume += share.resistivity == resistivity ? share.volume : 0.0;
+    for (const SoilPart& part : parts) volume += part.resistivity == resistivity ? part.volume : 0.0;
     return volume;
 }
 
@@ -51,11 +51,11 @@ TEST(SlantedDrag, LeadsAlongAFaceAsMuchAsTheOpenSoilAndHardlyAcrossIt)
     for (const double degrees : {12.0, 30.0, 45.0, 63.0, 110.0, 160.0}) {
         for (const double distance : {-0.4, 0.0, 0.3}) { // of the face from the node [cells]
             const Vector2 n = normal_at(degrees);
-            const auto shares =
-                shares_of(16, [&](const Vector2& x) { return n.dot(x) > distance ? tight : open; });
-            const double in_open = volume_of(shares, open), in_tight = volume_of(shares, tight),
+            const auto parts =
+                parts_of(16, [&](const Vector2& x) { return n.dot(x) > distance ? tight : open; });
+            const double in_open = volume_of(parts, open), in_tight = volume_of(parts, tight),
                          whole = in_open + in_tight;
-            const std::optional<SlantedDrag> drag = slanted_drag(shares);
+            const std::optional<SlantedDrag> drag = slanted_drag(parts);
             ASSERT_TRUE(drag);
             EXPECT_LT(angle_between(drag->layer, {n.y(), -n.x()}), 2.5) << degrees << ' ' << distance;
             // W^2/(W_open/r_open): conductivities are added; a strip and the steps of domains are lost
@@ -71,12 +71,12 @@ TEST(SlantedDrag, FindsASeamWhoseCentreIsThatOfTheSoilAboutIt)
 {
     for (const double degrees : {20.0, 45.0, 75.0, 130.0}) {
         const Vector2 n = normal_at(degrees);
-        const auto shares =
-            shares_of(12, [&](const Vector2& x) { return std::abs(n.dot(x)) < 0.2 ? tight : open; });
-        const std::optional<SlantedDrag> drag = slanted_drag(shares);
+        const auto parts =
+            parts_of(12, [&](const Vector2& x) { return std::abs(n.dot(x)) < 0.2 ? tight : open; });
+        const std::optional<SlantedDrag> drag = slanted_drag(parts);
         ASSERT_TRUE(drag);
         EXPECT_LT(angle_between(drag->layer, {n.y(), -n.x()}), 3.0) << degrees;
-        EXPECT_NEAR(drag->across, volume_of(shares, tight) * tight, 1e-4 * drag->across) << degrees;
+        EXPECT_NEAR(drag->across, volume_of(parts, tight) * tight, 1e-4 * drag->across) << degrees;
         EXPECT_LT(drag->along, 5.0 * open) << degrees;
     }
 }
@@ -85,12 +85,12 @@ TEST(SlantedDrag, IsTurnedAndMirroredWithItsSoil)
 {
     const Vector2 n = normal_at(25.0);
     const auto soil = [&](const Vector2& x) { return n.dot(x) > 0.1 ? tight : open; };
-    const std::optional<SlantedDrag> drag = slanted_drag(shares_of(2, soil)),
-                                     turned = slanted_drag(shares_of(2,
-                                                                     [&](const Vector2&x) {
-                                                                         return soil({x.y(), -x.x()});
-                                                                     })),
-                                     mirrored = slanted_drag(shares_of(2, [&](const Vector2&x) {
+    const std::optional<SlantedDrag> drag = slanted_drag(parts_of(2, soil)),
+                                     turned = slanted_drag(parts_of(2,
+                                                                    [&](const Vector2&x) {
+                                                                        return soil({x.y(), -x.x()});
+                                                                    })),
+                                     mirrored = slanted_drag(parts_of(2, [&](const Vector2&x) {
                                          return soil({-x.x(), x.y()});
                                      }));
     ASSERT_TRUE(drag && turned && mirrored);
@@ -107,10 +107,10 @@ TEST(SlantedDrag, IsNoneInOneSoilAndAlongTheGrid)
     for (const double degrees : {0.0, 90.0, 180.0}) {
         const Vector2 n = normal_at(degrees);
         EXPECT_FALSE(
-            slanted_drag(shares_of(2, [&](const Vector2& x) { return n.dot(x) > 0.2 ? tight : open; })));
+            slanted_drag(parts_of(2, [&](const Vector2& x) { return n.dot(x) > 0.2 ? tight : open; })));
     }
     EXPECT_FALSE(slanted_drag({}));
-    EXPECT_FALSE(slanted_drag(shares_of(2, [](const Vector2&) { return open; })));
+    EXPECT_FALSE(slanted_drag(parts_of(2, [](const Vector2&) { return open; })));
 }
 
 } // namespace
