@@ -56,6 +56,19 @@ TimeStep choose_wave_step(const Problem& wave_form, double replaced, double even
     return step;
 }
 
+/// Forces act from the middle of the last step to that of the next: after long steps of consolidation a stage
+/// of short ones begins as if its own had gone before, or what is out of balance at its start would act for
+/// hours.
+void shorten_last_step(const Problem& problem, State& state)
+{
+    const double last_step = state.last_step;
+    state.last_step = 0.0;
+    const TimeStep first = shortest_time_step(problem, state);
+    state.last_step = first.limiter == TimeStepLimiter::growth ? last_step : std::min(last_step, first.dt);
+    for (FreeFieldState& side : state.free_fields)
+        side.column.last_step = std::min(side.column.last_step, state.last_step);
+}
+
 /// The steps of a problem and of its other forms: with steps that waves limit, which may cost less than
 /// implicit ones, and with explicit steps, which the watchdog may ask for.
 class Steps {
@@ -173,6 +186,7 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
 {
     const bool goes_on = state.last_step > 0.0; // from another stage, with what was held then
     if (state.step == 0 && !goes_on) hold_reactions(problem, state);
+    if (state.step == 0 && goes_on) shorten_last_step(problem, state);
     Steps steps(problem);
     StepReport report{state.step, state.time, {}, 0, true};
     observe_due(problem, observers, state, report);

@@ -6,6 +6,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sstream>
+#include <string>
+
 namespace quicksand {
 namespace {
 
@@ -193,6 +196,44 @@ TEST_F(Stages, AnOriginHasToSuit)
                                "/gravity, which has other values of sampling.particles_per_cell"),
               std::string::npos)
         << grid.output;
+}
+
+/// The last number of a column of a history.
+double last_of(const std::string& history, const std::string& name)
+{
+    std::istringstream text(history);
+    std::string header, row;
+    while (std::getline(text, header) && !header.starts_with("time_s")) {
+    }
+    for (std::string line; std::getline(text, line);) row = line;
+    std::istringstream names(header), numbers(row);
+    std::string found, number;
+    while (std::getline(names, found, ',') && std::getline(numbers, number, ','))
+        if (found == name) return std::stod(number);
+    ADD_FAILURE() << "no column " << name;
+    return 0.0;
+}
+
+TEST_F(Stages, AShakeAfterHoursOfConsolidationMovesAsItDoesWithout)
+{
+    const std::string begin = "scene_version = 1\nbase = \"scene.toml\"\n[boundaries.surface]\npressure = "
+                              "2000\n[[stages]]\nname = \"rest\"\nkind = \"settle\"\n",
+                      wait = "[[stages]]\nname = \"wait\"\nkind = \"consolidate\"\nduration = \"5 h\"\n",
+                      end = "[[stages]]\nname = \"shaking\"\nkind = \"shake\"\nduration = \"4 ms\"\n"
+                            "[stages.boundaries.surface]\npressure = 1500\n";
+    std::ofstream(folder / "column/with.toml") << begin << wait << end;
+    std::ofstream(folder / "column/without.toml") << begin << end;
+    double velocity[2], displacement[2];
+    for (const int k : {0, 1}) {
+        const std::string name = k == 0 ? "with" : "without";
+        const Outcome outcome = run((folder / "column" / (name + ".toml")).string() + " -o " + results(name));
+        EXPECT_EQ(outcome.code, 0) << outcome.output;
+        const std::string history = read_file(folder / name / "shaking/history.csv");
+        velocity[k] = last_of(history, "max_velocity_m_s");
+        displacement[k] = last_of(history, "max_displacement_m");
+    }
+    EXPECT_NEAR(velocity[0], velocity[1], 0.05 * velocity[1]);
+    EXPECT_NEAR(displacement[0], displacement[1], 0.05 * displacement[1]);
 }
 
 } // namespace
