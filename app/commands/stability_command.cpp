@@ -5,6 +5,7 @@
 #include "app/stages/stability_search.hpp"
 #include "io/results/run_record.hpp"
 #include "io/results/stage_table.hpp"
+#include "io/scene/stage_beginning.hpp"
 
 #include <algorithm>
 #include <optional>
@@ -37,7 +38,9 @@ Subject find_subject(const StabilityChoice& choice, Journal& journal)
         return reading.scene.stage && reading.scene.stage->name == folder.filename();
     };
     const auto found = std::find_if(stages.begin(), stages.end(), is_stage);
-    return {std::move(found == stages.end() ? stages.front() : *found), folder};
+    SceneReading& reading = found == stages.end() ? stages.front() : *found;
+    begin_later(record.simulated_time, reading.scene);
+    return {std::move(reading), folder};
 }
 
 } // namespace

@@ -82,7 +82,7 @@ std::vector<SceneKey> history_keys()
         {.pattern = "boundaries.*.ramp_time", .dimension = Dimension::time, .default_note = "at once",
          .allowed = positive,
          .doc = "Time over which what acts on the curve rises linearly, a head from the water at rest, "
-                "or from where the stage before left it."},
+                "or from where the stage before left it, as a load does that the stage changes."},
         {.pattern = "boundaries.*.frequency", .dimension = Dimension::frequency, .default_note = "no wave",
          .allowed = positive, .doc = "What acts on the curve varies as sin(2 pi f t) times its value."},
         {.pattern = "boundaries.*.history", .type = path, .default_note = "constant",

@@ -134,6 +134,11 @@ void Diagnostics::keep_text(const std::filesystem::path& file, std::string_view 
     texts_.emplace(file, text);
 }
 
+void Diagnostics::keep_texts_of(const Diagnostics& others)
+{
+    texts_.insert(others.texts_.begin(), others.texts_.end());
+}
+
 void Diagnostics::accept(const std::vector<std::string>& keys)
 {
     std::erase_if(findings_, [&](const Diagnostic& finding) {

@@ -46,6 +46,8 @@ public:
     void add_new(const Diagnostic& diagnostic);
     /// Quote findings in this file from its own text, not from that of `render`. They are shown last.
     void keep_text(const std::filesystem::path& file, std::string_view text);
+    /// The same of all files whose texts others have.
+    void keep_texts_of(const Diagnostics& others);
     /// Remove the warnings about these keys.
     void accept(const std::vector<std::string>& keys);
     bool has_errors() const;

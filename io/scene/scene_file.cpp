@@ -10,9 +10,9 @@
 #include "io/scene/scene_references.hpp"
 #include "io/scene/scene_stages.hpp"
 #include "io/scene/scene_variant.hpp"
+#include "io/scene/stage_beginning.hpp"
 #include "io/scene/stage_changes.hpp"
 #include "io/scene/stage_placement.hpp"
-#include "io/scene/stage_water.hpp"
 #include "io/tables/scene_boundaries.hpp"
 #include "io/tables/scene_figures.hpp"
 #include "io/tables/scene_interfaces.hpp"
@@ -336,7 +336,10 @@ std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
     check_stages(readings, findings);
     if (findings.has_errors()) throw_findings(findings, read.text);
     readings.front().warnings = std::move(findings); // of all stages
-    for (SceneReading& reading : readings) reading.warnings.keep_text(file, read.text);
+    readings.front().warnings.keep_text(file, read.text);
+    for (std::size_t k = 1; k < readings.size(); ++k)
+        readings[k].warnings.keep_texts_of(readings.front().warnings);
+    carry_courses_on(readings);
     carry_water_on(readings);
     share_water_lines(readings);
     return readings;

@@ -1,4 +1,4 @@
-#include "io/scene/stage_water.hpp"
+#include "io/scene/stage_beginning.hpp"
 
 #include "io/tables/scene_boundaries.hpp"
 
@@ -10,6 +10,12 @@ namespace quicksand {
 
 namespace {
 
+/// How long loads and walls act in a stage [s].
+double duration_of(const Scene& stage)
+{
+    return takes_time(stage.stage->kind) ? stage.end_time : stage.stage->flow_duration.value_or(0.0);
+}
+
 /// The head beyond a curve at the end of a stage; the level of the still water where it has no head of its
 /// own [m].
 double head_at_end(const Scene& stage, const Boundary& boundary)
@@ -19,9 +25,7 @@ double head_at_end(const Scene& stage, const Boundary& boundary)
     const auto* head = water != nullptr ? std::get_if<WaterHead>(&water->value) : nullptr;
     if (head == nullptr) return level;
     const double at_rest = water->at_rest ? water->at_rest->points.front().y() : level;
-    const double end =
-        takes_time(stage.stage->kind) ? stage.end_time : stage.stage->flow_duration.value_or(0.0);
-    return at_rest + outer_factor(boundary.water, end) * (head->head - at_rest);
+    return at_rest + outer_factor(boundary.water, duration_of(stage)) * (head->head - at_rest);
 }
 
 void begin_ramps(const Scene& before, Scene& stage)
@@ -63,7 +67,93 @@ std::optional<WaterLine> still_water_line(const Scene& scene)
     return WaterLine{scene.phreatic_line};
 }
 
+/// Factor on `load` that is the part of another, parallel one; none where they are not parallel [-].
+std::optional<double> part_of_load(const SurfaceLoad& other, double part, const SurfaceLoad& load)
+{
+    const Eigen::Vector3d before(other.traction.x(), other.traction.y(), other.pressure),
+        now(load.traction.x(), load.traction.y(), load.pressure);
+    if (!(now.norm() > 0.0)) return std::nullopt;
+    constexpr double parallel = 1e-9; // of their size
+    const double factor = before.dot(now) / now.squaredNorm();
+    if ((before - factor * now).norm() > parallel * before.norm()) return std::nullopt;
+    return part * factor;
+}
+
+bool rises_from_rest(const History& history)
+{
+    return std::holds_alternative<ConstantHistory>(history.shape) && history.ramp_time > 0.0;
+}
+
+/// `before` as the stage before had it, `drawn` as its scene gives it.
+void carry_load_on(const SurfaceLoad& drawn, const SurfaceLoad& before, double duration, SurfaceLoad& load)
+{
+    if (load == drawn) {
+        load.history = history_from(before.history, duration);
+        return;
+    }
+    const std::optional<double> left = part_of_load(before, history_value(before.history, duration), load);
+    if (left && rises_from_rest(load.history))
+        load.history = {SampledHistory{{0.0, load.history.ramp_time}, {*left, 1.0}}, 0.0};
+}
+
+/// The water at a curve whose excess has a course; heads that rise by a ramp begin in begin_ramps().
+void carry_pressure_on(const PrescribedWater& drawn, const PrescribedWater& before, double duration,
+                       PrescribedWater& water)
+{
+    const bool is_ramp = std::holds_alternative<WaterHead>(water.value) && rises_from_rest(water.history);
+    if (is_ramp || water.value != drawn.value || water.history != drawn.history) return;
+    water.history = history_from(before.history, duration);
+}
+
+void carry_course_on(const Boundary& drawn, const Boundary& before, double duration, Boundary& boundary)
+{
+    auto* face = std::get_if<FreeFace>(&boundary.soil);
+    const auto *drawn_face = std::get_if<FreeFace>(&drawn.soil),
+               *face_before = std::get_if<FreeFace>(&before.soil);
+    if (face != nullptr && face->load && face_before != nullptr && face_before->load)
+        carry_load_on(*drawn_face->load, *face_before->load, duration, *face->load);
+    auto* wall = std::get_if<MovingWall>(&boundary.soil);
+    const auto *drawn_wall = std::get_if<MovingWall>(&drawn.soil),
+               *wall_before = std::get_if<MovingWall>(&before.soil);
+    if (wall != nullptr && wall_before != nullptr && wall->motion == drawn_wall->motion)
+        wall->motion.history = history_from(wall_before->motion.history, duration);
+    auto* water = std::get_if<PrescribedWater>(&boundary.water);
+    const auto *drawn_water = std::get_if<PrescribedWater>(&drawn.water),
+               *water_before = std::get_if<PrescribedWater>(&before.water);
+    if (water != nullptr && water_before != nullptr)
+        carry_pressure_on(*drawn_water, *water_before, duration, *water);
+}
+
 } // namespace
+
+void carry_courses_on(std::vector<SceneReading>& stages)
+{
+    std::vector<SceneBoundary> drawn = stages.front().scene.boundaries;
+    for (std::size_t k = 1; k < stages.size(); ++k) {
+        const Scene& before = stages[k - 1].scene;
+        std::vector<SceneBoundary> drawn_now = stages[k].scene.boundaries;
+        for (SceneBoundary& scene : stages[k].scene.boundaries) {
+            const SceneBoundary* of_before = find_boundary(before, scene.boundary.name);
+            if (of_before == nullptr) continue;
+            const auto number = static_cast<std::size_t>(of_before - before.boundaries.data());
+            carry_course_on(drawn[number].boundary, of_before->boundary, duration_of(before), scene.boundary);
+        }
+        drawn = std::move(drawn_now);
+    }
+}
+
+void begin_later(double time, Scene& scene)
+{
+    for (SceneBoundary& of_scene : scene.boundaries) {
+        Boundary& boundary = of_scene.boundary;
+        if (auto* face = std::get_if<FreeFace>(&boundary.soil); face != nullptr && face->load)
+            face->load->history = history_from(face->load->history, time);
+        if (auto* wall = std::get_if<MovingWall>(&boundary.soil); wall != nullptr)
+            wall->motion.history = history_from(wall->motion.history, time);
+        if (auto* water = std::get_if<PrescribedWater>(&boundary.water); water != nullptr)
+            water->history = history_from(water->history, time);
+    }
+}
 
 void carry_water_on(std::vector<SceneReading>& stages)
 {

@@ -44,7 +44,7 @@ std::vector<SceneKey> stage_keys()
         {.pattern = "stages.*.kind", .type = word, .required = true, .words = {"settle", "seepage", "shake", "consolidate", "stability"},
          .doc = "Settle under gravity, drained, with still water or in the steady flow between heads; shake; let excess pore pressures go in long steps; find the factor of safety."},
         {.pattern = "stages.*.duration", .dimension = Dimension::time, .default_note = "run.end_time; with seepage no time but the steady flow", .allowed = positive,
-         .when = with_duration, .doc = "Length of the stage, whose time counts from its start. With seepage the water flows for so long from where the stage before has left it, while heads rise and fall and pores fill and drain."},
+         .when = with_duration, .doc = "Length of the stage, whose time counts from its start; loads and walls that move go on where the stage leaves them as they were. With seepage the water flows for so long from where the stage before has left it, while heads rise and fall and pores fill and drain."},
         {.pattern = "stages.*.place", .type = text_list, .default_note = "no soil is placed", .when = at_rest,
          .doc = "Regions whose soil is placed at the start of the stage: free of stress, up to the height drawn, on the ground as it has settled. Before that they have no soil."},
         {.pattern = "stages.*.remove", .type = text_list, .default_note = "no soil is removed", .when = at_rest,

@@ -81,6 +81,24 @@ double history_integral(const History& history, double time)
         history.shape);
 }
 
+History history_from(const History& history, double time)
+{
+    if (std::holds_alternative<SineHistory>(history.shape)) return history;
+    SampledHistory left{{0.0}, {history_value(history, time)}};
+    if (const auto* table = std::get_if<SampledHistory>(&history.shape)) {
+        for (std::size_t k = 0; k < table->times.size(); ++k) {
+            if (!(table->times[k] > time)) continue;
+            left.times.push_back(table->times[k] - time);
+            left.values.push_back(table->values[k]);
+        }
+        return {left, 0.0};
+    }
+    if (!(history.ramp_time > time)) return {};
+    left.times.push_back(history.ramp_time - time);
+    left.values.push_back(1.0);
+    return {left, 0.0};
+}
+
 double peak_value(const History& history)
 {
     const auto largest = [](const SampledHistory& table) {

@@ -7,23 +7,31 @@
 namespace quicksand {
 
 /// The factor is 1.
-struct ConstantHistory {};
+struct ConstantHistory {
+    bool operator==(const ConstantHistory&) const = default;
+};
 
 /// The factor is sin(2 pi f t).
 struct SineHistory {
     double frequency = 0.0; // f [Hz]
+
+    bool operator==(const SineHistory&) const = default;
 };
 
 /// A table of times and factors, linear in between and constant before its first and after its last time.
 struct SampledHistory {
     std::vector<double> times;  // increasing [s]
     std::vector<double> values; // factors [-]
+
+    bool operator==(const SampledHistory&) const = default;
 };
 
 /// A shape that rises linearly from nothing over `ramp_time`.
 struct History {
     std::variant<ConstantHistory, SineHistory, SampledHistory> shape = ConstantHistory{};
     double ramp_time = 0.0; // 0: at once; not for a table, which holds its own rise [s]
+
+    bool operator==(const History&) const = default;
 };
 
 /// The factor at a time; before t = 0 that of t = 0 [-].
@@ -31,6 +39,10 @@ double history_value(const History& history, double time);
 
 /// The integral of the factor from 0 to a time; 0 before [s].
 double history_integral(const History& history, double time);
+
+/// The history as one sees it that begins to count at a time: factor(t) = factor of `history` at time + t. A
+/// sine begins anew.
+History history_from(const History& history, double time);
 
 /// Largest absolute factor of the history [-].
 double peak_value(const History& history);

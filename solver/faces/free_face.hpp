@@ -17,6 +17,8 @@ struct SurfaceLoad {
     double pressure = 0.0;              // normal to the present surface and on its present length, positive
                                         // onto the soil [Pa]
     History history;
+
+    bool operator==(const SurfaceLoad&) const = default;
 };
 
 struct FreeFace {

@@ -19,6 +19,8 @@ struct WallMotion {
     Vector2 value = Vector2::Zero(); // of a rough wall [m/s] or [m]
     double inward = 0.0;             // of a smooth wall, normal to it and positive into the soil [m/s] or [m]
     History history;
+
+    bool operator==(const WallMotion&) const = default;
 };
 
 struct MovingWall {

@@ -39,11 +39,15 @@ struct Impervious {
 /// Still water beyond a curve, standing up to a height.
 struct WaterHead {
     double head = 0.0; // y of its surface [m]
+
+    bool operator==(const WaterHead&) const = default;
 };
 
 /// Pore pressure along a curve.
 struct PorePressure {
     double pressure = 0.0; // with its static part, compression positive [Pa]
+
+    bool operator==(const PorePressure&) const = default;
 };
 
 /// Water passes, and has a given head or pressure at the curve; the history is a factor on what it has beyond

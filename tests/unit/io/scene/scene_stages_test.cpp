@@ -1,6 +1,8 @@
 // Scenes with stages: one reading for each, with what is common and what the stage changes.
 #include "io/scene/stage_changes.hpp"
 #include "io/tables/scene_boundaries.hpp"
+#include "solver/faces/free_face.hpp"
+#include "solver/faces/moving_wall.hpp"
 #include "tests/fixtures/scene_example.hpp"
 
 #include <gtest/gtest.h>
@@ -138,6 +140,57 @@ TEST(SceneStages, ExcerptsAreThoseOfTheFile)
         EXPECT_NE(message.find("| [boundaries." + boundary.boundary.name + "]"), std::string::npos)
             << message;
     }
+}
+
+/// What loads the surface at the beginning and the end of each stage, over the pressure of its scene.
+std::vector<std::pair<double, double>> factors_of_surface(const std::vector<SceneReading>& stages)
+{
+    std::vector<std::pair<double, double>> factors;
+    for (const SceneReading& stage : stages) {
+        const auto& face = std::get<FreeFace>(find_boundary(stage.scene, "surface")->boundary.soil);
+        const bool takes = takes_time(stage.scene.stage->kind);
+        factors.emplace_back(history_value(face.load->history, 0.0),
+                             history_value(face.load->history, takes ? stage.scene.end_time : 0.0));
+    }
+    return factors;
+}
+
+std::string loaded(const std::string& keys)
+{
+    return fixtures::replaced(column_scene, "soil = \"free\"\n", "soil = \"free\"\npressure = 1000\n" + keys);
+}
+
+using Factors = std::vector<std::pair<double, double>>;
+
+TEST(SceneStages, ALoadGoesOnWhereTheStageBeforeLeftIt)
+{
+    const std::string stability = "[[stages]]\nkind = \"stability\"\n";
+    EXPECT_EQ(
+        factors_of_surface(read_stages(loaded("ramp_time = \"4 h\"\n") + settle + consolidate + stability +
+                                       consolidate + "name = \"on\"\n" + stability + "name = \"end\"\n")),
+        (Factors{{0.0, 0.0}, {0.0, 0.5}, {0.5, 0.5}, {0.5, 1.0}, {1.0, 1.0}}));
+}
+
+TEST(SceneStages, AChangedLoadRisesFromWhatActed)
+{
+    const std::string change = "[stages.boundaries.surface]\npressure = 4000\n";
+    EXPECT_EQ(factors_of_surface(read_stages(loaded("ramp_time = \"1 h\"\n") + settle + consolidate +
+                                             consolidate + "name = \"more\"\n" + change)),
+              (Factors{{0.0, 0.0}, {0.0, 1.0}, {0.25, 1.0}}));
+}
+
+TEST(SceneStages, AWallThatHasMovedMovesOn)
+{
+    const std::string walls =
+        fixtures::replaced(column_scene, "soil = \"free\"\n",
+                           "soil = \"moving\"\nnormal_displacement = \"1 mm\"\nramp_time = \"3 h\"\n");
+    const auto stages = read_stages(walls + settle + consolidate + consolidate + "name = \"on\"\n");
+    const auto moved = [](const SceneReading& stage) {
+        const auto& wall = std::get<MovingWall>(find_boundary(stage.scene, "surface")->boundary.soil);
+        return displacement_of(wall, {{1.0, 0.0}, {0.0, 0.0}}, stage.scene.end_time).norm();
+    };
+    EXPECT_NEAR(moved(stages[1]), 1e-3 * 2.0 / 3.0, 1e-15);
+    EXPECT_NEAR(moved(stages[2]), 1e-3 / 3.0, 1e-15);
 }
 
 } // namespace
