@@ -1,12 +1,15 @@
 #include "io/scene/scene_section.hpp"
 
 #include "geometry/drawing/nearest_name.hpp"
+#include "geometry/section/region_locator.hpp"
 #include "io/keys/scene_schema.hpp"
 #include "io/keys/scene_units.hpp"
 #include "io/keys/scene_value_reader.hpp"
 #include "io/keys/scene_words.hpp"
 #include "io/scene/cell_size.hpp"
 #include "solver/problem/base_motion.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -138,6 +141,29 @@ bool may_have(const WaterCondition& water, bool flow_is_computed)
     return flow_is_computed && given != nullptr && std::holds_alternative<WaterHead>(given->value);
 }
 
+/// A pressure presses onto the soil, of which a curve within soil has two.
+void check_pressed_side(const RegionLocator& soil, const SceneBoundary& condition, const NamedCurve& curve,
+                        Diagnostics& findings)
+{
+    const auto* face = std::get_if<FreeFace>(&condition.boundary.soil);
+    if (face == nullptr || !face->load || face->load->pressure == 0.0) return;
+    for (const Segment& segment : curve.segments) {
+        const auto [left, right] = regions_beside(soil, segment);
+        if (!left || !right) continue;
+        const Vector2 middle = 0.5 * (segment.start + segment.end);
+        findings.add(error_at(
+            condition.place, "pressed-side",
+            fmt::format(
+                "the pressure on \"{}\" has soil on both sides at ({:.5g}, {:.5g}) m: it has no side to "
+                "press onto",
+                curve.name, middle.x(), middle.y()),
+            "a pressure on curves with soil on one side",
+            "a load within the soil is a traction = [x, y], positive to the right and upward; a stage that "
+            "buries the curve may give it so in its own table"));
+        return;
+    }
+}
+
 } // namespace
 
 std::optional<UprightSide> find_upright_side(const SceneBoundary& boundary, const NamedCurve& curve,
@@ -195,10 +221,12 @@ void check_names(const Scene& scene, const Section& section, Diagnostics& findin
 std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section, Diagnostics& findings)
 {
     std::vector<Boundary> boundaries;
+    const RegionLocator soil(section);
     for (const SceneBoundary& condition : scene.boundaries) {
         const NamedCurve* curve = find_curve(section, condition.boundary.name);
         if (curve == nullptr) continue;
         boundaries.push_back(drawn_along(*curve, condition.boundary));
+        check_pressed_side(soil, condition, *curve, findings);
         check_viscous_side(scene, condition, *curve, findings);
         check_long_absorption(scene, condition, findings);
     }

@@ -264,6 +264,25 @@ hint: choose a smaller cell_size, or move the curve to the soil
 )");
 }
 
+TEST(Assembly, RefusesAPressureOnACurveWithinSoil)
+{
+    const std::string text = replaced(column_scene, "[boundaries.surface]",
+                                      "[boundaries.inner]\npressure = 1000\n[boundaries.surface]");
+    Section section = column_section();
+    const Vector2 left(0.0, 0.15), right(0.0675, 0.15);
+    section.regions[0].polygons = {{{{0.0, 0.0}, {0.0675, 0.0}, right, left}, {}},
+                                   {{left, right, {0.0675, 0.3175}, {0.0, 0.3175}}, {}}};
+    section.curves.push_back({"inner", {{left, right}}});
+    EXPECT_EQ(
+        SceneFolder().assembly_message(text, section),
+        R"(scene.toml:41:1: error[pressed-side]: the pressure on "inner" has soil on both sides at (0.03375, 0.15) m: it has no side to press onto
+   41 | [boundaries.inner]
+      | ^~~~~~~~~~~~~~~~~~
+expected: a pressure on curves with soil on one side
+hint: a load within the soil is a traction = [x, y], positive to the right and upward; a stage that buries the curve may give it so in its own table
+)");
+}
+
 TEST(Assembly, WarnsOfAViscousSideOfAShakenSection)
 {
     std::string text = replaced(column_scene, "soil = \"tied\"\ntied_to = \"right\"", "soil = \"viscous\"");
