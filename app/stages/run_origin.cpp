@@ -1,11 +1,18 @@
 #include "app/stages/run_origin.hpp"
 
+#include "app/run/number_format.hpp"
 #include "io/results/checkpoint.hpp"
 #include "io/results/run_record.hpp"
 #include "io/results/stage_table.hpp"
 #include "io/scene/scene_keys.hpp"
 #include "io/scene/stage_changes.hpp"
 #include "solver/base/failure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <map>
 
 namespace quicksand {
 
@@ -34,6 +41,27 @@ void require_common(const fs::path& folder, const std::vector<ResolvedKey>& befo
     for (const std::string& name : differing) names += (names.empty() ? "" : ", ") + name;
     throw InputError("the run cannot go on from " + folder.string() + ", which has other values of " + names +
                      "\nexpected: the same drawing, grid, sampling, gravity and still water");
+}
+
+/// Soil settles drained: what its pores hold above the pressures of the stage's own water goes without a
+/// trace.
+std::string warn_of_lost_pressure(const Particles& drawn, const Particles& reached)
+{
+    constexpr double little = 0.02; // of the largest vertical stress of the grains
+    if (drawn.pore_pressure.empty() || reached.pore_pressure.empty()) return "";
+    std::map<std::int32_t, double> own; // of the particles by their lasting numbers [Pa]
+    for (std::size_t p = 0; p < drawn.size(); ++p) own[drawn.identifier[p]] = drawn.pore_pressure[p];
+    double lost = 0.0, stress = 0.0;
+    for (std::size_t p = 0; p < reached.size(); ++p) {
+        stress = std::max(stress, -reached.stress.yy[p]);
+        if (const auto found = own.find(reached.identifier[p]); found != own.end())
+            lost = std::max(lost, reached.pore_pressure[p] - found->second);
+    }
+    if (!(lost > little * stress)) return "";
+    return fmt::format(
+        "warning: soil settles drained in this stage: excess pore pressures of up to {} kPa are "
+        "lost\nhint: a stage of kind = \"consolidate\" before it lets them go in time",
+        short_number(1e-3 * lost, 3));
 }
 
 } // namespace
@@ -77,6 +105,8 @@ Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
     require_common(folder, before, now, origin.start.settles);
     origin.start.changed_soils = changed_soils(before, now, assembled.problem.region_names);
     origin.reached = read_checkpoint(results.checkpoint(), record.state_hash);
+    if (origin.start.settles)
+        origin.warning = warn_of_lost_pressure(assembled.state.particles, origin.reached.particles);
     return origin;
 }
 

@@ -19,6 +19,17 @@ namespace quicksand {
 
 namespace {
 
+/// Where a run begins that goes on from the results `before`; none for one that begins as drawn or is
+/// resumed.
+std::optional<Origin> origin_of_run(const std::optional<fs::path>& before, const RunChoice& choice,
+                                    const SceneSetup& setup, Journal& journal)
+{
+    if (!before || choice.resume) return std::nullopt;
+    Origin origin = origin_from(*before, setup.keys, setup.assembled);
+    if (!origin.warning.empty()) journal.say(origin.warning);
+    return origin;
+}
+
 namespace fs = std::filesystem;
 
 /// Have particles parted as in its own results where it is resumed, and else as in those before it.
@@ -103,8 +114,7 @@ private:
         part_as_before(chosen, before_, reading);
         SceneSetup setup = set_up_reading(choice_.scene, std::move(reading), of_stage);
         if (stage().kind == StageKind::stability) return find_safety(folder, std::move(setup), of_stage);
-        std::optional<Origin> origin;
-        if (before_ && !chosen.resume) origin = origin_from(*before_, setup.keys, setup.assembled);
+        std::optional<Origin> origin = origin_of_run(before_, chosen, setup, of_stage);
         return run_session(chosen, std::move(setup), of_stage, std::move(origin));
     }
 
@@ -187,8 +197,7 @@ SessionOutcome run_whole(const RunChoice& choice, SceneReading reading, Journal&
     if (!choice.from.empty()) before = folder_of_end(choice.from);
     part_as_before(chosen, before, reading);
     SceneSetup setup = set_up_reading(choice.scene, std::move(reading), journal);
-    std::optional<Origin> origin;
-    if (before && !chosen.resume) origin = origin_from(*before, setup.keys, setup.assembled);
+    std::optional<Origin> origin = origin_of_run(before, chosen, setup, journal);
     return run_session(chosen, std::move(setup), journal, std::move(origin));
 }
 

@@ -198,6 +198,20 @@ TEST_F(Stages, AnOriginHasToSuit)
         << grid.output;
 }
 
+TEST_F(Stages, AStageThatSettlesTellsOfThePressuresThatAreLost)
+{
+    std::ofstream(folder / "column/lost.toml")
+        << "scene_version = 1\nbase = \"scene.toml\"\n[[stages]]\nname = \"rest\"\nkind = \"settle\"\n"
+           "[[stages]]\nname = \"load\"\nkind = \"shake\"\nduration = \"8 ms\"\n"
+           "[stages.boundaries.surface]\npressure = 2000\n[[stages]]\nname = \"again\"\nkind = \"settle\"\n";
+    const Outcome outcome = run((folder / "column/lost.toml").string() + " -o " + results("lost"));
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    const std::size_t told =
+        outcome.output.find("warning: soil settles drained in this stage: excess pore pressures of up to");
+    EXPECT_NE(told, std::string::npos) << outcome.output;
+    EXPECT_GT(told, outcome.output.find("Stage 3 of 3")) << outcome.output;
+}
+
 /// The last number of a column of a history.
 double last_of(const std::string& history, const std::string& name)
 {
