@@ -4,6 +4,7 @@
 #include "app/stages/former_run.hpp"
 #include "app/stages/run_origin.hpp"
 #include "app/stages/stability_search.hpp"
+#include "io/assembly/case_checks.hpp"
 #include "io/results/run_record.hpp"
 #include "io/results/stage_table.hpp"
 #include "io/tables/stage_keys.hpp"
@@ -62,6 +63,7 @@ public:
     SessionOutcome run(Journal& journal)
     {
         require_room();
+        require_sound(stages_);
         const StopSignal signal; // also between the stages, and while one is set up
         SessionOutcome outcome;
         for (; next_ < stages_.size(); ++next_) {

@@ -1,33 +1,9 @@
 // From a checked scene to the problem and the state that a run starts from.
 #pragma once
 
-#include "geometry/sampling/particle_sampler.hpp"
-#include "geometry/section/section.hpp"
-#include "io/assembly/initial_flow.hpp"
-#include "io/assembly/interface_layers.hpp"
-#include "io/keys/diagnostics.hpp"
-#include "io/scene/scene_file.hpp"
-#include "io/tables/scene.hpp"
-#include "solver/problem/problem.hpp"
-#include "solver/problem/state.hpp"
-
-#include <optional>
-#include <string>
-#include <vector>
+#include "io/assembly/assembled_case.hpp"
 
 namespace quicksand {
-
-struct AssembledCase {
-    Scene scene; // probes have their places
-    Problem problem;
-    State state;
-    Section section;
-    std::vector<std::string> grid_reasons;   // what was chosen of the grid and why, lines for the user
-    Sampling sampling;                       // its domains have become the particles
-    std::vector<InterfaceLayer> interfaces;  // of the scene, with what they have become
-    std::optional<InitialFlow> initial_flow; // of the ground water, where it flows at the start
-    Diagnostics warnings;                    // of the scene and of the assembly
-};
 
 /// Read the drawing, choose the grid, sample the section and set the K0 state. Throws InputError with all
 /// errors at once; what gmsh finds in the drawing comes first.

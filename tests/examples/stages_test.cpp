@@ -212,6 +212,18 @@ TEST_F(Stages, AStageThatSettlesTellsOfThePressuresThatAreLost)
     EXPECT_GT(told, outcome.output.find("Stage 3 of 3")) << outcome.output;
 }
 
+TEST_F(Stages, WhatIsWrongWithALaterStageIsToldBeforeTheFirstRuns)
+{
+    std::ofstream(folder / "column/wrong.toml")
+        << "scene_version = 1\nbase = \"scene.toml\"\n[[stages]]\nname = \"rest\"\nkind = \"settle\"\n"
+           "[[stages]]\nname = \"load\"\nkind = \"shake\"\nduration = \"8 ms\"\n"
+           "[stages.boundaries.surfac]\npressure = 2000\n";
+    const Outcome outcome = run((folder / "column/wrong.toml").string() + " -o " + results("wrong"));
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    EXPECT_NE(outcome.output.find("did you mean \"surface\"?"), std::string::npos) << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(folder / "wrong")) << outcome.output;
+}
+
 /// The last number of a column of a history.
 double last_of(const std::string& history, const std::string& name)
 {
