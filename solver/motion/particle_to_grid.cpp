@@ -159,6 +159,21 @@ inline void scatter_one_velocity(const Problem& problem, const Particles& partic
     }
 }
 
+/// Part of a domain below the level that static pressures count from [-]. Where water rises above the level
+/// it changes gradually as soil moves: by its centre alone a particle on the level would be light below it,
+/// heavy above, and never rest. Elsewhere soil with water was below the level, and is until all of it has
+/// risen.
+double submerged_part(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    constexpr double little = 1e-9; // of the height: domains that end at the level
+    const auto [r_1, r_2] = half_edges_in_equations(problem, particles);
+    const double half = std::abs(r_1.y[p]) + std::abs(r_2.y[p]);
+    const double below = problem.water->level - place_in_equations(problem, particles).y[p];
+    const double part = 0.5 + 0.5 * below / half;
+    if (!(part > little)) return 0.0;
+    return part < 1.0 - little && problem.water->rises_above_level ? part : 1.0;
+}
+
 } // namespace
 
 void compute_carried_masses(const Problem& problem, const State& state, CarriedMasses& masses)
@@ -167,7 +182,6 @@ void compute_carried_masses(const Problem& problem, const State& state, CarriedM
     masses.inertia = particles.mass_solid;
     masses.weight = particles.mass_solid;
     if (!problem.water) return;
-    const Vectors& place = place_in_equations(problem, particles);
     const bool kept = state.stage == Stage::shaking && problem.water->flow == WaterFlow::undrained;
     for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t p = first; p < last; ++p) {
@@ -176,7 +190,7 @@ void compute_carried_masses(const Problem& problem, const State& state, CarriedM
             const double water = kept ? particles.water_volume[p] : particles.porosity[p] * V;
             masses.inertia[p] += problem.water->density * water;
             masses.weight[p] = masses.inertia[p];
-            if (place.y[p] < problem.water->level) masses.weight[p] -= problem.water->density * V;
+            masses.weight[p] -= submerged_part(problem, particles, p) * problem.water->density * V;
         }
     });
 }
@@ -249,9 +263,9 @@ void scatter_risen_water(const Problem& problem, const Particles& particles, con
     for (std::size_t k = lists.first_entry(tile); k < lists.last_entry(tile); ++k, ++stencil) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
-        if (!material.saturated || place_in_equations(problem, particles).y[p] < problem.water->level)
-            continue;
-        const double lift = problem.water->density * problem.gravity * particles.volume[p];
+        const double risen = material.saturated ? 1.0 - submerged_part(problem, particles, p) : 0.0;
+        if (risen == 0.0) continue;
+        const double lift = risen * problem.water->density * problem.gravity * particles.volume[p];
         for_each_node(*stencil, store, problem.grid.nodes_x(), [&](std::size_t i, const NodeWeight& w) {
             sums[i].pressure_force_y -= w.value * lift;
             outer[i].risen_weight += w.value * lift;

@@ -76,5 +76,54 @@ TEST(WaterTable, WithinCellsAboveACutBaseKeepsExplicitStepsStable)
             }
 }
 
+// With three particles a cell their centres lie on a level in the middle of cells, and the particles of a
+// flow are not parted there.
+TEST(WaterTable, LetsParticlesRestWhoseCentresLieOnIt)
+{
+    const std::string text = R"(scene_version = 1
+[geometry]
+file = "drawing.geo"
+[grid]
+cell_size = 1.0
+[run]
+end_time = 1.0
+[sampling]
+particles_per_cell = [3, 3]
+[analysis]
+strain = "large"
+[water]
+level = 2.5
+initial_flow = "seepage"
+[boundaries.base]
+soil = "fixed"
+[boundaries.left]
+soil = "roller"
+water = "head"
+head = 2.5
+[boundaries.right]
+soil = "roller"
+water = "head"
+head = 2.5
+[boundaries.surface]
+soil = "free"
+[motion]
+kind = "sine"
+amplitude = 0.5
+frequency = 2
+[relaxation]
+[materials.soil]
+hydraulic_conductivity = 1e-3
+)" + elastic.substr(elastic.find("]") + 1);
+    AssembledCase ground = assemble(
+        text,
+        polygon_section(
+            {{{0.0, 0.0}, "base"}, {{6.0, 0.0}, "right"}, {{6.0, 4.0}, "surface"}, {{0.0, 4.0}, "left"}}));
+    RelaxationControls controls;
+    controls.max_steps = 3000;
+    const RelaxationReport report = relax(ground.problem, controls, ground.state);
+    EXPECT_TRUE(report.settled);
+    EXPECT_LT(report.unbalanced.of_weight, controls.tolerance);
+}
+
 } // namespace
 } // namespace quicksand
