@@ -28,14 +28,18 @@ double head_at_end(const Scene& stage, const Boundary& boundary)
     return at_rest + outer_factor(boundary.water, duration_of(stage)) * (head->head - at_rest);
 }
 
+bool rises_from_rest(const History& history)
+{
+    return std::holds_alternative<ConstantHistory>(history.shape) && history.ramp_time > 0.0;
+}
+
 void begin_ramps(const Scene& before, Scene& stage)
 {
     if (!before.water || !stage.water) return;
     for (SceneBoundary& scene : stage.boundaries) {
         auto* water = std::get_if<PrescribedWater>(&scene.boundary.water);
         if (water == nullptr || !std::holds_alternative<WaterHead>(water->value)) continue;
-        const History& history = water->history;
-        if (!std::holds_alternative<ConstantHistory>(history.shape) || !(history.ramp_time > 0.0)) continue;
+        if (!rises_from_rest(water->history)) continue;
         const SceneBoundary* of_before = find_boundary(before, scene.boundary.name);
         if (of_before == nullptr) continue;
         const double head = head_at_end(before, of_before->boundary);
@@ -77,11 +81,6 @@ std::optional<double> part_of_load(const SurfaceLoad& other, double part, const 
     const double factor = before.dot(now) / now.squaredNorm();
     if ((before - factor * now).norm() > parallel * before.norm()) return std::nullopt;
     return part * factor;
-}
-
-bool rises_from_rest(const History& history)
-{
-    return std::holds_alternative<ConstantHistory>(history.shape) && history.ramp_time > 0.0;
 }
 
 /// `before` as the stage before had it, `drawn` as its scene gives it.

@@ -234,17 +234,22 @@ void set_aligned_drag(const Problem& problem, const NodeConditions& conditions,
         if (layered.parts.size() < layered.parts_count) layered.parts.emplace_back();
         layered.parts[layered.parts_count - 1].clear();
     };
-    for (const std::size_t i : layered.candidates) {
-        layered.parts_of_node[i] = -1;
-        if (layered.strips_of_node[i] < 0) continue;
+    constexpr std::int32_t none = -1, due = 0;
+    for_each_index(layered.candidates.size(), [&](std::size_t c) {
+        const std::size_t i = layered.candidates[c];
+        layered.parts_of_node[i] = none;
+        if (layered.strips_of_node[i] < 0) return;
         const NodeStrips& strips = layered.strips[static_cast<std::size_t>(layered.strips_of_node[i])];
         const AlignedDrag drag = aligned_drag(strips);
-        if (!(drag.x > 0.0) || !(drag.y > 0.0)) continue;
+        if (!(drag.x > 0.0) || !(drag.y > 0.0)) return;
         const double n = node_porosity(problem, sums[i]);
         sums[i].drag_1 = n * n * drag.x;
         sums[i].drag_2 = n * n * drag.y;
-        if (conditions.of_node[i] == 0 && conditions.master[i] == i && lacks_flow(strips, drag)) number(i);
-    }
+        const bool is_free = conditions.of_node[i] == 0 && conditions.master[i] == i;
+        if (is_free && lacks_flow(strips, drag)) layered.parts_of_node[i] = due;
+    });
+    for (const std::size_t i : layered.candidates)
+        if (layered.parts_of_node[i] == due) number(i);
     for (const TiedNodes& tie : conditions.tied)
         if (layered.parts_of_node[tie.master] >= 0) number(tie.node);
 }

@@ -198,12 +198,15 @@ TEST_F(Stages, AnOriginHasToSuit)
         << grid.output;
 }
 
+const std::string rest_and_load =
+    "scene_version = 1\nbase = \"scene.toml\"\n[[stages]]\nname = \"rest\"\nkind = \"settle\"\n"
+    "[[stages]]\nname = \"load\"\nkind = \"shake\"\nduration = \"8 ms\"\n";
+
 TEST_F(Stages, AStageThatSettlesTellsOfThePressuresThatAreLost)
 {
     std::ofstream(folder / "column/lost.toml")
-        << "scene_version = 1\nbase = \"scene.toml\"\n[[stages]]\nname = \"rest\"\nkind = \"settle\"\n"
-           "[[stages]]\nname = \"load\"\nkind = \"shake\"\nduration = \"8 ms\"\n"
-           "[stages.boundaries.surface]\npressure = 2000\n[[stages]]\nname = \"again\"\nkind = \"settle\"\n";
+        << rest_and_load
+        << "[stages.boundaries.surface]\npressure = 2000\n[[stages]]\nname = \"again\"\nkind = \"settle\"\n";
     const Outcome outcome = run((folder / "column/lost.toml").string() + " -o " + results("lost"));
     EXPECT_EQ(outcome.code, 0) << outcome.output;
     const std::size_t told =
@@ -215,9 +218,7 @@ TEST_F(Stages, AStageThatSettlesTellsOfThePressuresThatAreLost)
 TEST_F(Stages, WhatIsWrongWithALaterStageIsToldBeforeTheFirstRuns)
 {
     std::ofstream(folder / "column/wrong.toml")
-        << "scene_version = 1\nbase = \"scene.toml\"\n[[stages]]\nname = \"rest\"\nkind = \"settle\"\n"
-           "[[stages]]\nname = \"load\"\nkind = \"shake\"\nduration = \"8 ms\"\n"
-           "[stages.boundaries.surfac]\npressure = 2000\n";
+        << rest_and_load << "[stages.boundaries.surfac]\npressure = 2000\n";
     const Outcome outcome = run((folder / "column/wrong.toml").string() + " -o " + results("wrong"));
     EXPECT_EQ(outcome.code, 2) << outcome.output;
     EXPECT_NE(outcome.output.find("did you mean \"surface\"?"), std::string::npos) << outcome.output;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double open = 1.0, tight = 1e6; // resistivities [N s/m4]
 
-/// Shares of the soil about a node in domains of 1/count of a cell, by resistivity(place).
+/// Parts of the soil about a node in domains of 1/count of a cell, by resistivity(place).
 template <class Resistivity>
 std::vector<SoilPart> parts_of(int count, Resistivity&& resistivity)
 {
