@@ -31,6 +31,19 @@ int threads_for(std::size_t count);
 /// Number of the thread that calls, from 0 on.
 int thread_number();
 
+/// Call work() on so many threads at the same time; on one without OpenMP, whose team of one thread would
+/// call the system at every barrier.
+template <class Work>
+void on_threads(int threads, Work&& work)
+{
+    if (threads == 1) {
+        work();
+        return;
+    }
+#pragma omp parallel num_threads(threads)
+    work();
+}
+
 /// Call work(first, last) for the parts of `length` of [0, count), on all threads.
 template <class Work>
 void for_each_part(std::size_t count, std::size_t length, Work&& work)
@@ -46,8 +59,9 @@ void for_each_part(std::size_t count, std::size_t length, Work&& work)
         return static_cast<std::uint32_t>(std::uint64_t{parts} * static_cast<std::uint64_t>(k) /
                                           static_cast<std::uint64_t>(n));
     });
-#pragma omp parallel num_threads(threads)
-    while (const auto k = queues.take(thread_number())) take(*k);
+    on_threads(threads, [&] {
+        while (const auto k = queues.take(thread_number())) take(*k);
+    });
 }
 
 /// Call work(i) for i < count.
@@ -80,5 +94,16 @@ Sum ordered_sum(std::size_t count, const Sum& zero, Part&& part)
     for (const Sum& sum : sums) total += sum;
     return total;
 }
+
+/// An index, whose sums are the smallest of them [-].
+struct FirstIndex {
+    std::size_t index;
+
+    FirstIndex& operator+=(const FirstIndex& other)
+    {
+        index = std::min(index, other.index);
+        return *this;
+    }
+};
 
 } // namespace quicksand

@@ -64,8 +64,9 @@ void for_each_span(const std::vector<NodeSpan>& spans, Work&& work)
         return static_cast<std::uint32_t>(spans.size() * static_cast<std::size_t>(k) /
                                           static_cast<std::size_t>(n));
     });
-#pragma omp parallel num_threads(threads) if (threads > 1)
-    while (const auto k = queues.take(thread_number())) work(std::size_t{*k});
+    on_threads(threads, [&] {
+        while (const auto k = queues.take(thread_number())) work(std::size_t{*k});
+    });
 }
 
 } // namespace quicksand

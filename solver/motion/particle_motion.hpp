@@ -65,23 +65,24 @@ template <class Velocity>
 std::int64_t advance_quadrilaterals(const BackgroundGrid& grid, double dt, Velocity&& velocity,
                                     Particles& particles)
 {
-    const auto count = static_cast<std::int64_t>(particles.size());
-    std::int64_t lost = count;
-#pragma omp parallel for schedule(static) reduction(min : lost) if (particles.size() > least_parallel_work)
-    for (std::int64_t k = 0; k < count; ++k) {
-        const auto p = static_cast<std::size_t>(k);
+    const FirstIndex none{particles.size()};
+    const auto advance = [&](std::size_t p) {
         std::array<Vector2, 4> corners = quadrilateral_corners(particles, p);
         bool inside = true;
         for (Vector2& x : corners) inside = inside && move_with_grid(grid, dt, velocity, x);
-        if (!inside) {
-            lost = std::min(lost, k);
-            continue;
-        }
+        if (!inside) return false;
         const double area = domain_area(particles, p);
         set_quadrilateral(corners, p, particles);
         particles.volume[p] *= domain_area(particles, p) / area;
-    }
-    return lost < count ? lost : -1;
+        return true;
+    };
+    const FirstIndex lost = ordered_sum(particles.size(), none, [&](std::size_t first, std::size_t last) {
+        FirstIndex part = none;
+        for (std::size_t p = first; p < last; ++p)
+            if (!advance(p)) part += {p};
+        return part;
+    });
+    return lost.index < none.index ? static_cast<std::int64_t>(lost.index) : -1;
 }
 
 template <class Velocity>

@@ -16,6 +16,19 @@ int cell_index(double coordinate, double rim, double inverse_cell_size, int scen
     return allowed ? static_cast<int>(cells) : -1;
 }
 
+/// How many particles have come to another cell, and the first that may not be where it is.
+struct CellChanges {
+    std::size_t changed = 0;
+    FirstIndex lost; // the number of particles where none is
+
+    CellChanges& operator+=(const CellChanges& other)
+    {
+        changed += other.changed;
+        lost += other.lost;
+        return *this;
+    }
+};
+
 } // namespace
 
 CellLists make_cell_lists(const BackgroundGrid& grid)
@@ -52,31 +65,31 @@ CellLists make_cell_lists(const BackgroundGrid& grid)
 
 std::int64_t update_cell_lists(const BackgroundGrid& grid, const Particles& particles, CellLists& lists)
 {
-    const auto count = static_cast<std::int64_t>(particles.size());
     const Vector2 rim = grid.rim_origin();
     const double inverse = 1.0 / grid.cell_size;
     const int columns = grid.all_cells_x();
     const bool fresh = lists.cell_of_particle.size() != particles.size();
     if (fresh) lists.cell_of_particle.assign(particles.size(), -1);
 
-    std::int64_t lost = count;
-    std::int64_t changed = fresh ? 1 : 0;
-#pragma omp parallel for schedule(static) reduction(+ : changed) reduction(min : lost)                              \
-    if (particles.size() > least_parallel_work)
-    for (std::int64_t p = 0; p < count; ++p) {
-        const auto index = static_cast<std::size_t>(p);
-        const int i = cell_index(particles.position.x[index], rim.x(), inverse, grid.cells_x);
-        const int j = cell_index(particles.position.y[index], rim.y(), inverse, grid.cells_y);
-        if (i < 0 || j < 0) {
-            lost = std::min(lost, p);
-            continue;
+    const CellChanges none{0, {particles.size()}};
+    const auto find_cells = [&](std::size_t first, std::size_t last) {
+        CellChanges found = none;
+        for (std::size_t p = first; p < last; ++p) {
+            const int i = cell_index(particles.position.x[p], rim.x(), inverse, grid.cells_x);
+            const int j = cell_index(particles.position.y[p], rim.y(), inverse, grid.cells_y);
+            if (i < 0 || j < 0) {
+                found.lost += {p};
+                continue;
+            }
+            const std::int32_t slot = lists.slot_of_cell[static_cast<std::size_t>(j * columns + i)];
+            found.changed += slot != lists.cell_of_particle[p] ? 1 : 0;
+            lists.cell_of_particle[p] = slot;
         }
-        const std::int32_t slot = lists.slot_of_cell[static_cast<std::size_t>(j * columns + i)];
-        changed += slot != lists.cell_of_particle[index];
-        lists.cell_of_particle[index] = slot;
-    }
-    if (lost < count) return lost;
-    if (changed == 0) return -1;
+        return found;
+    };
+    const CellChanges all = ordered_sum(particles.size(), none, find_cells);
+    if (all.lost.index < particles.size()) return static_cast<std::int64_t>(all.lost.index);
+    if (all.changed == 0 && !fresh) return -1;
 
     ++lists.changes;
     // stable counting sort: within a cell the particles keep their order in memory

@@ -79,6 +79,11 @@ template <class Work>
 void for_each_tile_by_colour(const CellLists& lists, Work&& work)
 {
     const int threads = threads_for(lists.order.size());
+    if (threads == 1) {
+        for (const std::vector<Tile>& tiles : lists.tiles_of_colour)
+            for (const Tile& tile : tiles) work(tile);
+        return;
+    }
     const auto queues_of_colour = [&](std::size_t colour) {
         return queues_of(lists, lists.tiles_of_colour[colour], threads);
     };
@@ -97,9 +102,14 @@ template <class Work>
 void for_each_tile(const CellLists& lists, Work&& work)
 {
     const int threads = threads_for(lists.order.size());
+    if (threads == 1) {
+        for (const Tile& tile : lists.tiles) work(tile);
+        return;
+    }
     WorkQueues queues = queues_of(lists, lists.tiles, threads);
-#pragma omp parallel num_threads(threads)
-    while (const auto t = queues.take(thread_number())) work(lists.tiles[*t]);
+    on_threads(threads, [&] {
+        while (const auto t = queues.take(thread_number())) work(lists.tiles[*t]);
+    });
 }
 
 } // namespace quicksand

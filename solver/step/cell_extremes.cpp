@@ -143,25 +143,17 @@ double mixture_density(const Problem& problem, const Material& material, double 
 CellExtremes find_extremes(const Problem& problem, const Particles& particles)
 {
     const CellExtremes none{0.0, 0.0, std::vector<MaterialExtremes>(problem.materials.size())};
+    const std::size_t chunks = (particles.size() + chunk - 1) / chunk;
+    std::vector<CellExtremes> parts(chunks, none);
+    std::vector<ShearSums> shears(chunks);
+    for_each_chunk(particles.size(), [&](std::size_t first, std::size_t last) {
+        shears[first / chunk] = include_chunk(problem, particles, first, last, parts[first / chunk]);
+    });
     CellExtremes extremes = none;
-    const auto count = static_cast<std::int64_t>(particles.size());
-    constexpr auto length = static_cast<std::int64_t>(chunk);
-    std::vector<ShearSums> shears(static_cast<std::size_t>((count + length - 1) / length)); // by chunk
-#pragma omp parallel if (particles.size() > least_parallel_work)
-    {
-        CellExtremes own = none;
-#pragma omp for schedule(static) nowait
-        for (std::int64_t first = 0; first < count; first += length) {
-            shears[static_cast<std::size_t>(first / length)] =
-                include_chunk(problem, particles, static_cast<std::size_t>(first),
-                              static_cast<std::size_t>(std::min(count, first + length)), own);
-        }
-#pragma omp critical(extremes)
-        {
-            extremes.max_speed = std::max(extremes.max_speed, own.max_speed);
-            for (std::size_t m = 0; m < extremes.materials.size(); ++m)
-                include(own.materials[m], extremes.materials[m]);
-        }
+    for (const CellExtremes& part : parts) {
+        extremes.max_speed = std::max(extremes.max_speed, part.max_speed);
+        for (std::size_t m = 0; m < extremes.materials.size(); ++m)
+            include(part.materials[m], extremes.materials[m]);
     }
     ShearSums shear;
     for (const ShearSums& part : shears) shear += part;

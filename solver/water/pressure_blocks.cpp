@@ -1,6 +1,9 @@
 #include "solver/water/pressure_blocks.hpp"
 
+#include "solver/base/threads.hpp"
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -234,10 +237,11 @@ void scale_blocks(const Scalars& diagonal, PressureBlocks& blocks)
 
 void precondition(const Scalars& residual, PressureBlocks& blocks, Scalars& answer)
 {
-    const auto count = static_cast<std::int64_t>(blocks.blocks.size());
-#pragma omp parallel for schedule(dynamic, 1) if (count > 1)
-    for (std::int64_t b = 0; b < count; ++b)
-        solve_block(residual, blocks.blocks[static_cast<std::size_t>(b)]);
+    std::vector<CellBlock>& all = blocks.blocks;
+    std::atomic<std::size_t> next = 0;
+    on_threads(all.size() > 1 ? thread_count() : 1, [&] {
+        for (std::size_t b = next++; b < all.size(); b = next++) solve_block(residual, all[b]);
+    });
     std::fill(answer.begin(), answer.end(), 0.0);
     for (const CellBlock& block : blocks.blocks) add_answer(block, answer);
 }
