@@ -6,7 +6,7 @@
 #include "app/run/step_cost.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/csv_file.hpp"
-#include "solver/run/soil_column.hpp"
+#include "solver/columns/soil_column.hpp"
 
 #include <fmt/format.h>
 

@@ -239,10 +239,12 @@ std::string describe_cost(const Forecast& forecast)
 
 std::string describe_column(const SoilColumn& column)
 {
+    const std::string rows =
+        column.row_length > 1 ? fmt::format(", and one particle of {} in each row", column.row_length) : "";
     return fmt::format(
-        "One column of {} is computed: the soil repeats from cell to cell between tied sides, and "
+        "One column of {} is computed{}: the soil repeats from cell to cell between tied sides. "
         "{} particles stand for {}",
-        column.columns, grouped(static_cast<long long>(column.state.particles.size())),
+        column.columns, rows, grouped(static_cast<long long>(column.state.particles.size())),
         grouped(static_cast<long long>(column.source.size())));
 }
 
@@ -271,10 +273,15 @@ std::string describe_left_out(const Scene& scene, const StagedRun& run, const st
     leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),
               "meshing: the particles lie on a lattice");
     leave_out(scene.probes.empty(), "probes: none are named");
-    if (const SoilColumn* column = run.column())
+    if (const SoilColumn* column = run.column()) {
         text += fmt::format("  {} of {} columns of cells: the soil repeats from cell to cell between tied "
                             "sides, and one stands for all\n",
                             column->columns - 1, column->columns);
+        leave_out(column->row_length > 1,
+                  fmt::format("{} of {} particles of each row of a cell: nothing varies "
+                              "along it, and one stands for all",
+                              column->row_length - 1, column->row_length));
+    }
     if (!text.empty()) text = "Not needed, so left out\n" + text;
     if (run.obstacle().empty()) return text;
     return text + "All columns of cells between the tied sides are computed: " + run.obstacle() + '\n';

@@ -188,7 +188,8 @@ void tie_sides(const Particles& particles, const Strip& strip, Problem& column)
     }
     const Segment left{{strip.left, highest}, {strip.left, lowest}},
         right{{strip.right, lowest}, {strip.right, highest}};
-    column.tied_sides = TiedSides{"left of the column", "right of the column", strip.left, strip.right, true};
+    column.tied_sides = TiedSides{"left of the column", "right of the column", strip.left, strip.right,
+                                  strip.right - strip.left};
     column.boundaries.push_back({column.tied_sides->left, TiedSide{}, Impervious{}, {left}, {}});
     column.boundaries.push_back({column.tied_sides->right, TiedSide{}, Impervious{}, {right}, {}});
     column.rim.push_back(left);

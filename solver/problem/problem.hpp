@@ -55,7 +55,7 @@ struct TiedSides {
     std::string left, right; // names of the boundary curves
     double x_left = 0.0;     // [m], on a grid line
     double x_right = 0.0;    // [m], on a grid line
-    bool wraps = false;      // soil that leaves by one side comes in by the other
+    double period = 0.0;     // by which soil that leaves the middle comes back to it; 0: it does not [m]
 };
 
 /// How the equations follow the motion of the soil.

@@ -1,8 +1,8 @@
 // Observers of a body whose single column is computed.
 #pragma once
 
+#include "solver/columns/soil_column.hpp"
 #include "solver/run/observer.hpp"
-#include "solver/run/soil_column.hpp"
 
 #include <vector>
 

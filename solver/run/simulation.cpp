@@ -1,11 +1,11 @@
 #include "solver/run/simulation.hpp"
 
+#include "solver/columns/soil_column.hpp"
 #include "solver/free_field/free_field_steps.hpp"
 #include "solver/free_field/wave_steps.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/wrapping.hpp"
 #include "solver/run/held_reactions.hpp"
-#include "solver/run/soil_column.hpp"
 #include "solver/run/watchdog.hpp"
 #include "solver/step/scheme_choice.hpp"
 #include "solver/step/stepper.hpp"

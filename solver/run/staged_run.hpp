@@ -5,8 +5,8 @@
 //   const bool finished = run.shake(observers, stop);
 #pragma once
 
+#include "solver/columns/soil_column.hpp"
 #include "solver/run/simulation.hpp"
-#include "solver/run/soil_column.hpp"
 #include "solver/run/stage_start.hpp"
 
 #include <cstddef>

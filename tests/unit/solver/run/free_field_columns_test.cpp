@@ -45,7 +45,7 @@ TEST(FreeFieldColumns, HaveTheSoilBesideTheirSides)
     EXPECT_EQ(left.column.grid.cells_x, 1);
     EXPECT_EQ(left.column.grid.origin.x(), 0.0);
     EXPECT_EQ(problem.free_fields[0].column.grid.origin.x(), 11.5);
-    EXPECT_TRUE(left.column.tied_sides->wraps);
+    EXPECT_EQ(left.column.tied_sides->period, left.column.grid.cell_size);
     ASSERT_EQ(left.column.boundaries.size(), 4U); // base, top, both sides
     EXPECT_EQ(left.column.boundaries[0].pieces.size(), 2U);
     const Particles& particles = state.free_fields[1].column.particles;

@@ -158,7 +158,7 @@ TEST(StagedRun, ShowsTheBodyWhoseColumnIsComputed)
         EXPECT_EQ(witness->finished, 1);
     }
     EXPECT_EQ(&all.state_of_body(), &all.state());
-    EXPECT_EQ(one.state().particles.size(), 12u);
+    EXPECT_EQ(one.state().particles.size(), 6u);
     const State& wide = one.state_of_body();
     EXPECT_EQ(wide.particles.size(), 60u);
     EXPECT_EQ(wide.time, end_of_run);

@@ -1,6 +1,7 @@
-#include "solver/run/soil_column.hpp"
+#include "solver/columns/soil_column.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/columns/equal_columns.hpp"
 #include "solver/motion/body_part.hpp"
 
 #include <algorithm>
@@ -14,80 +15,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double close = 1e-9;       // places that are the same [cells or m]
-constexpr double same_value = 1e-10; // of the largest of an array
-
-/// A place within its column, in millionths of a cell: rounding does not tell two columns apart.
-using Place = std::pair<std::int64_t, std::int64_t>;
-
-/// How the particles of a body lie in its columns.
-struct Columns {
-    double left = 0.0;  // x of the first column [m]
-    double width = 0.0; // of a column, a cell [m]
-    int count = 0;
-    std::vector<int> column;            // of every particle
-    std::vector<std::size_t> source;    // of every particle: the one in the first column at its place
-    std::vector<std::size_t> particles; // of the first column
-
-    double shift(std::size_t p) const { return column[p] * width; }
-};
-
-Place place_in_column(const Problem& problem, const Columns& columns, const Vector2& x, int column)
-{
-    const double scale = 1e6 / columns.width;
-    return {std::llround((x.y() - problem.grid.origin.y()) * scale),
-            std::llround((x.x() - columns.left - column * columns.width) * scale)};
-}
-
-/// Whether every column has particles at the places of the first one; fills in what repeats where.
-bool match_particles(const Problem& problem, const Particles& particles, Columns& columns)
-{
-    const std::size_t count = particles.size();
-    columns.column.resize(count);
-    columns.source.resize(count);
-    std::map<Place, std::size_t> first_column;
-    for (std::size_t p = 0; p < count; ++p) {
-        const double cells = (particles.position.x[p] - columns.left) / columns.width;
-        if (!(cells > -close && cells < columns.count + close)) return false;
-        const int column = std::clamp(static_cast<int>(std::floor(cells + close)), 0, columns.count - 1);
-        columns.column[p] = column;
-        if (column > 0) continue;
-        columns.particles.push_back(p);
-        if (!first_column.emplace(place_in_column(problem, columns, particles.position[p], 0), p).second)
-            return false;
-    }
-    std::vector<int> repeats(count, 0);
-    for (std::size_t p = 0; p < count; ++p) {
-        const auto source =
-            first_column.find(place_in_column(problem, columns, particles.position[p], columns.column[p]));
-        if (source == first_column.end()) return false;
-        columns.source[p] = source->second;
-        ++repeats[source->second];
-    }
-    return std::all_of(columns.particles.begin(), columns.particles.end(),
-                       [&](std::size_t p) { return repeats[p] == columns.count; });
-}
-
-/// Whether every particle carries what its source does.
-bool values_repeat(const Particles& particles, const Columns& columns)
-{
-    bool repeat = true;
-    for_each_index_array(particles, [&](std::string_view name, const std::vector<std::int32_t>& values) {
-        if (name == "identifier") return;
-        for (std::size_t p = 0; p < values.size(); ++p)
-            repeat = repeat && values[p] == values[columns.source[p]];
-    });
-    for_each_array(particles, [&](std::string_view name, const Scalars& values) {
-        const bool is_place = name == "position_x" || name == "reference_position_x";
-        double size = is_place ? columns.width : 0.0;
-        for (const double value : values) size = std::max(size, is_place ? 0.0 : std::abs(value));
-        for (std::size_t p = 0; p < values.size(); ++p) {
-            const double expected = values[columns.source[p]] + (is_place ? columns.shift(p) : 0.0);
-            repeat = repeat && std::abs(values[p] - expected) <= same_value * size;
-        }
-    });
-    return repeat;
-}
+constexpr double close = 1e-9; // places that are the same [cells or m]
 
 bool is_tied_side(const TiedSides& sides, const Boundary& boundary)
 {
@@ -139,9 +67,11 @@ PieceShape shape_of(const BoundaryPiece& piece)
     return {piece.start.x(), piece.start.y(), piece.end.x(), piece.end.y(), piece.length};
 }
 
-/// The pieces of the first column, carried by its new numbers; none when those of another column differ.
+/// The pieces of the first column, carried by the new numbers of those that stand for its particles; none
+/// when those of another column differ.
 std::optional<std::vector<BoundaryPiece>> narrow_pieces(const std::vector<BoundaryPiece>& pieces,
-                                                        const Particles& particles, const Columns& columns)
+                                                        const Particles& particles,
+                                                        const EqualColumns& columns)
 {
     std::map<std::int32_t, std::size_t> index;
     for (std::size_t p = 0; p < particles.size(); ++p) index[particles.identifier[p]] = p;
@@ -157,7 +87,7 @@ std::optional<std::vector<BoundaryPiece>> narrow_pieces(const std::vector<Bounda
         shapes[column].emplace_back(columns.source[p], shape_of(piece));
         if (column > 0) continue;
         narrow.push_back(piece);
-        narrow.back().identifier = number.at(p);
+        narrow.back().identifier = number.at(columns.source[p]);
     }
     // beside one particle the pieces follow each other along the curve
     const auto by_source = [](const auto& a, const auto& b) { return a.first < b.first; };
@@ -188,15 +118,35 @@ std::string obstacle_of(const Problem& problem)
     return "";
 }
 
-void narrow_problem(Problem& problem)
+/// `length` particles side by side drift in and out of the column one by one.
+void narrow_problem(int length, Problem& problem)
 {
     for (Boundary& boundary : problem.boundaries)
         if (!boundary.segments.empty()) boundary = narrow_curve(problem, boundary);
     TiedSides& sides = *problem.tied_sides;
     sides.x_right = sides.x_left + problem.grid.cell_size;
-    sides.wraps = true;
+    sides.period = problem.grid.cell_size / length;
     problem.grid.origin.x() = sides.x_left;
     problem.grid.cells_x = 1;
+}
+
+/// Volumes and masses are those of all particles for which one stands: `factor` of them.
+void scale_amounts(double factor, Particles& particles)
+{
+    for (Scalars* amounts : {&particles.volume, &particles.mass_solid, &particles.water_volume})
+        for (double& amount : *amounts) amount *= factor;
+}
+
+/// The particles that stand for others, in the middle of those of the first column.
+Particles stand_ins(const Particles& particles, const EqualColumns& columns)
+{
+    Particles part = part_of(particles, columns.particles);
+    const double to_middle = 0.5 * columns.width * (1.0 - 1.0 / columns.row_length);
+    if (columns.row_length > 1)
+        for (Scalars* x : {&part.position.x, &part.reference_position.x})
+            for (double& place : *x) place += to_middle;
+    scale_amounts(columns.row_length, part);
+    return part;
 }
 
 } // namespace
@@ -205,21 +155,19 @@ ColumnSearch find_soil_column(const Problem& problem, const State& state)
 {
     ColumnSearch search;
     if (!problem.tied_sides) return search;
-    const double h = problem.grid.cell_size;
-    Columns columns;
-    columns.left = problem.tied_sides->x_left;
-    columns.width = h;
-    columns.count = static_cast<int>(std::lround((problem.tied_sides->x_right - columns.left) / h));
     search.obstacle = obstacle_of(problem);
     if (!search.obstacle.empty()) return search;
     const Particles& particles = state.particles;
-    if (!match_particles(problem, particles, columns) || !values_repeat(particles, columns)) {
+    std::optional<EqualColumns> columns = find_equal_columns(problem, particles);
+    if (!columns) {
         search.obstacle = "the soil does not repeat from cell to cell";
         return search;
     }
-    SoilColumn column{problem, state, columns.count, {}, particles.identifier, {}, {}};
+    if (problem.cut_domains.slivers.empty()) join_rows(particles, *columns);
+    SoilColumn column{
+        problem, state, columns->count, columns->row_length, {}, particles.identifier, particles.position.x};
     for (Boundary& boundary : column.problem.boundaries) {
-        auto pieces = narrow_pieces(boundary.pieces, particles, columns);
+        auto pieces = narrow_pieces(boundary.pieces, particles, *columns);
         if (!pieces) {
             search.obstacle = "what acts on the curve \"" + boundary.name + "\" differs from cell to cell";
             return search;
@@ -227,18 +175,15 @@ ColumnSearch find_soil_column(const Problem& problem, const State& state)
         boundary.pieces = std::move(*pieces);
         boundary.holders.clear(); // of particles that the column may not have
     }
-    if (!take_part(particles, columns.particles, column.problem.cut_domains)) {
+    if (!take_part(particles, columns->particles, column.problem.cut_domains)) {
         search.obstacle = "thin pieces of soil are carried by the column beside theirs";
         return search;
     }
-    narrow_problem(column.problem);
-    column.state.particles = part_of(particles, columns.particles);
-    column.drawn_x = column.state.particles.position.x;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const auto source =
-            std::lower_bound(columns.particles.begin(), columns.particles.end(), columns.source[p]);
-        column.source.push_back(static_cast<std::int32_t>(source - columns.particles.begin()));
-        column.shift.push_back(columns.shift(p));
+    narrow_problem(columns->row_length, column.problem);
+    column.state.particles = stand_ins(particles, *columns);
+    for (const std::size_t p : columns->source) {
+        const auto source = std::lower_bound(columns->particles.begin(), columns->particles.end(), p);
+        column.source.push_back(static_cast<std::int32_t>(source - columns->particles.begin()));
     }
     search.column = std::move(column);
     return search;
@@ -268,13 +213,10 @@ void widen(const SoilColumn& column, const State& narrow, State& wide)
     repeat(from.material, to.material);
     repeat(from.region, to.region);
     to.identifier = column.identifier;
-    const double width = column.problem.grid.cell_size;
-    for (std::size_t p = 0; p < count; ++p) {
-        // the reference moved with the soil whenever it came in by the other side
-        const double drawn = column.drawn_x[static_cast<std::size_t>(column.source[p])];
-        const double turns = std::round((to.reference_position.x[p] - drawn) / width);
-        to.position.x[p] += column.shift[p] - turns * width;
-        to.reference_position.x[p] += column.shift[p] - turns * width;
+    scale_amounts(1.0 / column.row_length, to);
+    for (std::size_t p = 0; p < count; ++p) { // the reference moved whenever soil came in by the other side
+        to.position.x[p] += column.drawn_x[p] - to.reference_position.x[p];
+        to.reference_position.x[p] = column.drawn_x[p];
     }
     wide.stage = narrow.stage;
     wide.time = narrow.time;

@@ -7,6 +7,8 @@
 // cell. Soil that leaves the column by one side comes in by the other. A run of all columns has the same
 // result until soil drifts over its sides; there its outermost cells are filled in part only, those of the
 // column never. It also lets differences of rounding between columns grow, which one column does not have.
+// Nothing varies along x in the column either, so that one particle stands for a row of equal ones
+// (equal_columns.hpp).
 #pragma once
 
 #include "solver/problem/problem.hpp"
@@ -21,14 +23,14 @@ namespace quicksand {
 
 /// The column, and how its particles repeat in the body.
 struct SoilColumn {
-    Problem problem; // one cell wide
-    State state;     // its particles are numbered anew
-    int columns = 1; // of the body [-]
+    Problem problem;    // one cell wide
+    State state;        // its particles are numbered anew
+    int columns = 1;    // of the body [-]
+    int row_length = 1; // particles side by side in a column of the body, for which one stands [-]
 
     std::vector<std::int32_t> source;     // of each particle of the body: its number in the column [-]
     std::vector<std::int32_t> identifier; // of each particle of the body [-]
-    Scalars shift;                        // of each particle of the body from its source [m]
-    Scalars drawn_x;                      // of each number in the column: x at the beginning [m]
+    Scalars drawn_x;                      // of each particle of the body: x at the beginning [m]
 };
 
 /// The column that represents the body, or the obstacle if there is none: empty for a body without tied

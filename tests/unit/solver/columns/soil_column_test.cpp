@@ -1,8 +1,8 @@
 #include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/columns/soil_column.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/motion/wrapping.hpp"
 #include "solver/run/column_observer.hpp"
-#include "solver/run/soil_column.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -38,7 +38,8 @@ TEST(SoilColumn, IsOneCellWideWithTheCurvesOfTheBody)
     EXPECT_EQ(search.obstacle, "");
     const SoilColumn& column = *search.column;
     EXPECT_EQ(column.columns, 5);
-    EXPECT_EQ(column.state.particles.size(), 12u);
+    EXPECT_EQ(column.row_length, 2);
+    EXPECT_EQ(column.state.particles.size(), 6u);
     EXPECT_EQ(column.problem.grid.cells_x, 1);
     EXPECT_EQ(column.problem.grid.cells_y, 5);
     EXPECT_EQ(column.problem.grid.origin, Vector2(0.0, 0.0));
@@ -73,6 +74,29 @@ TEST(SoilColumn, WidensToTheBodyItWasFoundIn)
         ++k;
     });
     EXPECT_NEAR(wide.balance_terms->opening_water_content, state.balance_terms->opening_water_content, 1e-12);
+}
+
+TEST(SoilColumn, OneParticleStandsForARowOfEqualOnes)
+{
+    const Problem body = tied_ground();
+    State state = level_state(body);
+    const SoilColumn column = *find_soil_column(body, state).column;
+    for (std::size_t p = 0; p < 6; ++p) {
+        EXPECT_EQ(column.state.particles.position.x[p], 0.5);
+        EXPECT_EQ(column.state.particles.reference_position.x[p], 0.5);
+        EXPECT_EQ(column.state.particles.volume[p], 0.5);
+        EXPECT_EQ(column.state.particles.half_edge_1.x[p], 0.25);
+        EXPECT_EQ(column.state.particles.mass_solid[p], 2.0 * state.particles.mass_solid[0]);
+    }
+    Particles& particles = state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) // left of the middle of cells
+        if (particles.position.x[p] - std::floor(particles.position.x[p]) < 0.5) particles.stress.xy[p] = 1e3;
+    const SoilColumn uneven = *find_soil_column(body, state).column;
+    EXPECT_EQ(uneven.row_length, 1);
+    EXPECT_EQ(uneven.state.particles.size(), 12u);
+    State wide;
+    widen(uneven, uneven.state, wide);
+    EXPECT_EQ(wide.particles.stress.xy, particles.stress.xy);
 }
 
 TEST(SoilColumn, KeepsBodiesWhoseColumnsDiffer)
@@ -134,8 +158,8 @@ TEST(SoilColumn, LetsSoilInByTheOtherSide)
         State wide;
         widen(column, column.state, wide);
         for (std::size_t p = 0; p < particles.size(); ++p) {
-            EXPECT_GE(particles.position.x[p], 0.0);
-            EXPECT_LT(particles.position.x[p], 1.0);
+            EXPECT_GE(particles.position.x[p], 0.25); // two of a row stand half a cell apart
+            EXPECT_LT(particles.position.x[p], 0.75);
             EXPECT_EQ(particles.position.x[p] - particles.reference_position.x[p], drift);
         }
         const State body_state = level_state(body);
@@ -185,7 +209,7 @@ TEST(SoilColumn, ObserversAreShownTheWholeBody)
     observer.finish();
     EXPECT_EQ(due.cells_x, 9);
     EXPECT_EQ(due.particles, 60u);
-    EXPECT_EQ(due.limited_domains, 10);
+    EXPECT_EQ(due.limited_domains, 20);
     EXPECT_EQ(later.particles, 0u);
     EXPECT_EQ(later.steps, 1);
     EXPECT_EQ(later.finished, 1);
