@@ -105,7 +105,9 @@ Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
     require_common(folder, before, now, origin.start.settles);
     origin.start.changed_soils = changed_soils(before, now, assembled.problem.region_names);
     origin.reached = read_checkpoint(results.checkpoint(), record.state_hash);
-    if (origin.start.settles)
+    const bool is_settled =
+        origin.reached.time == 0.0; // its pressures are those of its own still or steady water
+    if (origin.start.settles && !is_settled)
         origin.warning = warn_of_lost_pressure(assembled.state.particles, origin.reached.particles);
     return origin;
 }

@@ -97,7 +97,8 @@ constexpr std::array quantity_table = {
         .drawn = "%"},
     Quantity{.name = "porosity", .symbol = "n", .unit = "-", .label = "Porosity",
         .meaning = "volume of the pores over that of the soil", .of = QuantityOf::wet_soil, .places = on_particles | on_nodes,
-        .value = [](const Problem&, const Particles& particles, std::size_t p) { return QuantityValues{particles.porosity[p]}; },
+        .value = [](const Problem& problem, const Particles& particles, std::size_t p) {
+            return QuantityValues{has_pores(problem, particles, p) ? particles.porosity[p] : 0.0}; },
         .range = QuantityRange::not_negative},
 };
 // clang-format on

@@ -215,6 +215,16 @@ TEST_F(Stages, AStageThatSettlesTellsOfThePressuresThatAreLost)
     EXPECT_GT(told, outcome.output.find("Stage 3 of 3")) << outcome.output;
 }
 
+TEST_F(Stages, AStageOfOtherStillWaterLosesNoPressure)
+{
+    std::ofstream(folder / "column/lower.toml")
+        << "scene_version = 1\nbase = \"scene.toml\"\n[[stages]]\nname = \"rest\"\nkind = \"settle\"\n"
+           "[[stages]]\nname = \"lower\"\nkind = \"settle\"\n[stages.water]\nlevel = 0.25\n";
+    const Outcome outcome = run((folder / "column/lower.toml").string() + " -o " + results("lower"));
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_EQ(outcome.output.find("are lost"), std::string::npos) << outcome.output;
+}
+
 TEST_F(Stages, WhatIsWrongWithALaterStageIsToldBeforeTheFirstRuns)
 {
     std::ofstream(folder / "column/wrong.toml")

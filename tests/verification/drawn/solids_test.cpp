@@ -143,11 +143,10 @@ TEST(Solid, TakesNoShorterStepsWhileTheSoilSettles)
     EXPECT_LT(static_cast<double>(of_stiff.steps), 1.5 * static_cast<double>(of_soft.steps));
 }
 
-const std::string weightless_under_water = R"([gravity]
-acceleration = 0.0
-[water]
-level = 4.0
-)";
+std::string weightless_under_water(double level = 4.0)
+{
+    return "[gravity]\nacceleration = 0.0\n[water]\nlevel = " + std::to_string(level) + "\n";
+}
 
 std::string loaded_top(double ramp)
 {
@@ -155,9 +154,9 @@ std::string loaded_top(double ramp)
            std::to_string(ramp) + "\n";
 }
 
-std::string loaded(const std::string& scheme)
+std::string loaded(const std::string& scheme, double level = 4.0)
 {
-    return "[analysis]\nscheme = \"" + scheme + "\"\n" + weightless_under_water + loaded_top(0.2);
+    return "[analysis]\nscheme = \"" + scheme + "\"\n" + weightless_under_water(level) + loaded_top(0.2);
 }
 
 /// Mean excess pore pressure of the soil of a loaded column at an angle, after 1 s, over that which keeps all
@@ -200,12 +199,24 @@ TEST(Solid, SealsTheSoilAtAnyAngle)
                 << scheme << ' ' << degrees;
 }
 
+// The water may end where the lid begins, or within it.
+TEST(Solid, SealsTheSoilHoweverHighTheWaterStands)
+{
+    for (const double above : {0.0, 0.01, 0.6})
+        for (const double shift : {0.0, 0.37})
+            EXPECT_NEAR(pressure_beneath(assemble_column(loaded("semi_implicit", soil_top + above), shift)),
+                        1.0, 0.01)
+                << above << ' ' << shift;
+    for (const std::string scheme : {"explicit", "implicit"})
+        EXPECT_NEAR(pressure_beneath(assemble_column(loaded(scheme, soil_top))), 1.0, 0.01) << scheme;
+}
+
 // Of a lid as soft as 100 MPa a load takes load / M off the thickness: the water of its mixture stiffens
 // nothing.
 TEST(Solid, IsAsStiffAsItsLawUnderWater)
 {
     AssembledCase assembled =
-        assemble_column("[analysis]\nscheme = \"implicit\"\n" + weightless_under_water + loaded_top(0.2));
+        assemble_column("[analysis]\nscheme = \"implicit\"\n" + weightless_under_water() + loaded_top(0.2));
     Problem& problem = assembled.problem;
     for (Material& material : problem.materials)
         if (!material.has_pores) material.law = LinearElastic{40e6, 0.25}; // M = 120 MPa

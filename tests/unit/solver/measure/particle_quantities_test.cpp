@@ -1,5 +1,6 @@
 #include "solver/interpolation/cpdi2.hpp"
 #include "solver/measure/particle_quantities.hpp"
+#include "solver/measure/quantities.hpp"
 #include "solver/problem/solid_mixture.hpp"
 
 #include <gtest/gtest.h>
@@ -83,6 +84,11 @@ TEST(ParticleQuantities, RuIsUndefinedUnderHardlyAnyStress)
     make_solid(2400.0, Water{}, problem.materials[1]);
     particles.material[0] = 1;
     EXPECT_TRUE(std::isnan(excess_pressure_ratio(problem, particles, 0))) << "a solid has no ru";
+    particles.porosity = {0.2, 0.4};
+    const Quantity& porosity = quantity_named("porosity");
+    EXPECT_EQ(porosity.value(problem, particles, 0)[0], 0.0) << "nor pores";
+    particles.material[1] = 0;
+    EXPECT_EQ(porosity.value(problem, particles, 1)[0], 0.4);
 }
 
 } // namespace quicksand
