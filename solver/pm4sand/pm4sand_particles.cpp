@@ -87,7 +87,9 @@ double constrained_modulus(const Pm4Sand& law)
 
 double shear_modulus_at(const Pm4Sand& law, std::size_t p, const Particles& particles)
 {
-    return shear_modulus(law, state_of(p, particles));
+    const bool has_begun = particles.memory.size() >= memory.size(); // before that sand has no fabric
+    return has_begun ? shear_modulus(law, state_of(p, particles))
+                     : largest_shear_modulus(law, mean_stress(particles.stress, p));
 }
 
 ParticleModuli particle_moduli(const Pm4Sand& law, std::size_t first, std::size_t last,

@@ -7,6 +7,7 @@
 #include "solver/step/time_step_control.hpp"
 #include "tests/fixtures/restless_patch.hpp"
 #include "tests/fixtures/same_bits.hpp"
+#include "tests/fixtures/sand_box.hpp"
 
 #include <gtest/gtest.h>
 
@@ -145,6 +146,25 @@ TEST(WaveSteps, AreToldAsTheFirstOfARunThatBeginsWithThem)
     run(problem, 10.0 * first.dt, {&record}, state);
     EXPECT_EQ(record.reports.front().time_step.scheme, first.scheme);
     EXPECT_NEAR(record.reports.front().time_step.dt, first.dt, 1e-6 * first.dt);
+}
+
+// The first step is told before the run, when the sand has no memory yet.
+TEST(WaveSteps, AreToldOfSandsBeforeTheirMemoryBegins)
+{
+    Pm4Sand pm4sand;
+    pm4sand.relative_density = 0.5;
+    for (const SkeletonLaw& law :
+         {SkeletonLaw(make_ubcsand(sand_of_runs())), SkeletonLaw(complete(pm4sand))}) {
+        Problem problem = shaken_patch(true);
+        problem.materials[0].law = law;
+        State state = still(problem);
+        for (Scalars* stress :
+             {&state.particles.stress.xx, &state.particles.stress.yy, &state.particles.stress.zz})
+            std::fill(stress->begin(), stress->end(), -20e3);
+        const TimeStep told = first_time_step(problem, state);
+        begin_shaking(problem, state);
+        EXPECT_NEAR(first_time_step(problem, state).dt, told.dt, 1e-3 * told.dt) << law.index();
+    }
 }
 
 TEST(WaveSteps, TheRunSaysOfWhichKindItsStepsAre)
