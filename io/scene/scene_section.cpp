@@ -12,8 +12,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace quicksand {
 
@@ -116,6 +119,43 @@ Boundary drawn_along(const NamedCurve& curve, Boundary boundary)
         if (segment.start != segment.end) boundary.segments.push_back(segment);
     }
     return boundary;
+}
+
+/// The ends of a segment, whichever way it goes.
+using Ends = std::array<double, 4>;
+
+Ends ends_of(const Segment& segment)
+{
+    const Vector2 &a = segment.start, &b = segment.end;
+    const bool turned = std::pair(b.x(), b.y()) < std::pair(a.x(), a.y());
+    return turned ? Ends{b.x(), b.y(), a.x(), a.y()} : Ends{a.x(), a.y(), b.x(), b.y()};
+}
+
+/// The curves with a table that own segments; an error where two of them own one, which has one condition.
+std::map<Ends, const NamedCurve*> owners_of_segments(const Scene& scene, const Section& section,
+                                                     Diagnostics& findings)
+{
+    std::map<Ends, const NamedCurve*> owners;
+    for (const SceneBoundary& condition : scene.boundaries) {
+        const NamedCurve* curve = find_curve(section, condition.boundary.name);
+        if (curve == nullptr) continue;
+        const NamedCurve* other = nullptr;
+        for (const Segment& segment : curve->segments) {
+            const auto [owner, is_new] = owners.emplace(ends_of(segment), curve);
+            if (is_new || owner->second == curve || owner->second == other) continue;
+            other = owner->second;
+            findings.add(error_at(
+                condition.place, "shared-curve",
+                fmt::format(
+                    "\"{}\" and \"{}\" are the same line from ({:.5g}, {:.5g}) to ({:.5g}, {:.5g}) m, "
+                    "and both have conditions",
+                    other->name, curve->name, segment.start.x(), segment.start.y(), segment.end.x(),
+                    segment.end.y()),
+                "each line in one physical curve with a table",
+                "take it out of one of the physical curves, or remove one of the tables"));
+        }
+    }
+    return owners;
 }
 
 /// The parts of a curve that begin at the same x, as one curve may be both sides.
@@ -230,9 +270,13 @@ std::vector<Boundary> find_boundaries(const Scene& scene, const Section& section
         check_viscous_side(scene, condition, *curve, findings);
         check_long_absorption(scene, condition, findings);
     }
+    const auto owners = owners_of_segments(scene, section, findings);
     const auto written = names_of(scene.boundaries);
-    for (const NamedCurve& curve : section.curves) {
+    for (NamedCurve curve : section.curves) {
         if (contains(written, curve.name)) continue;
+        std::erase_if(curve.segments,
+                      [&](const Segment& segment) { return owners.contains(ends_of(segment)); });
+        if (curve.segments.empty()) continue; // a name for lines that have their conditions
         boundaries.push_back(drawn_along(curve, {}));
         const std::string path = join_path({"boundaries", curve.name});
         findings.add(
