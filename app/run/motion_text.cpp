@@ -87,6 +87,17 @@ std::string describe_motion_measures(const SampledMotion& motion, const std::str
     return text + describe_rest(measures) + line_of(object_to_end(measures, remedy));
 }
 
+std::string warn_of_coarse_rows(const BaseMotion& motion, double interval)
+{
+    constexpr double coarse = 0.25; // of a period: the mean of a sine over it is 0.9 of its peak
+    const double frequency = highest_frequency(motion);
+    if (!(interval * frequency > coarse)) return "";
+    return fmt::format(
+        "Warning: probes write a row every {} s, and the motion has frequencies of {} Hz: accelerations are "
+        "means from row to row and miss its peaks; output.probe_interval = {} would show them",
+        short_number(interval), short_number(frequency, 2), short_number(0.1 / frequency, 1));
+}
+
 std::string warn_of_drift(const BaseMotion& motion)
 {
     std::string left, objection;

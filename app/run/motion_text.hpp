@@ -19,6 +19,10 @@ std::string describe_sine(const SineMotion& sine);
 /// "" where all is well.
 std::string warn_of_drift(const BaseMotion& motion);
 
+/// For the journal of a run whose probes write rows so far apart [s] that the means between them miss peaks
+/// of the acceleration; "" where all is well.
+std::string warn_of_coarse_rows(const BaseMotion& motion, double interval);
+
 /// The largest pseudo-acceleration and its period, in one line. `damping` in per cent.
 std::string describe_spectrum(const std::vector<OscillatorPeaks>& spectrum, double damping);
 

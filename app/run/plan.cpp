@@ -54,12 +54,30 @@ std::string describe_laws(const AssembledCase& assembled)
     return text.empty() ? text : "Soil laws (their parameters are listed above)\n" + text;
 }
 
+namespace {
+
+std::string warn_of_coarse_rows(const Scene& scene)
+{
+    return scene.probes.empty() ? "" : warn_of_coarse_rows(scene.base_motion, scene.output.probe_interval);
+}
+
+} // namespace
+
+std::vector<std::string> warnings_of_motion(const Scene& scene)
+{
+    std::vector<std::string> warnings = {warn_of_drift(scene.base_motion), warn_of_coarse_rows(scene)};
+    std::erase(warnings, "");
+    return warnings;
+}
+
 std::string describe_motion(const AssembledCase& assembled)
 {
     const BaseMotion& motion = assembled.scene.base_motion;
+    const std::string rows = warn_of_coarse_rows(assembled.scene);
+    const std::string end = rows.empty() ? "" : "  " + rows + '\n';
     if (const auto* record = std::get_if<SampledMotion>(&motion))
-        return "Shaking\n" + describe_motion_measures(*record, "motion.baseline");
-    if (const auto* sine = std::get_if<SineMotion>(&motion)) return "Shaking\n" + describe_sine(*sine);
+        return "Shaking\n" + describe_motion_measures(*record, "motion.baseline") + end;
+    if (const auto* sine = std::get_if<SineMotion>(&motion)) return "Shaking\n" + describe_sine(*sine) + end;
     return "";
 }
 

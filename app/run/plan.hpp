@@ -33,7 +33,11 @@ std::string describe_laws(const AssembledCase& assembled);
 /// What the initial state leaves out of balance, and what becomes of it.
 std::string describe_initial_state(const AssembledCase& assembled);
 
-/// Peaks, intensity, duration and baseline of the shaking; nothing without any.
+/// What a run should be warned of about its shaking, for the journal.
+std::vector<std::string> warnings_of_motion(const Scene& scene);
+
+/// Peaks, intensity, duration and baseline of the shaking, and whether its peaks are seen; nothing without
+/// any.
 std::string describe_motion(const AssembledCase& assembled);
 
 /// Wave speeds, the first time step of the shaking and what limits it.

@@ -220,8 +220,8 @@ void introduce(Session& session)
         session.journal.say("  changed since the run began: " + change);
     if (!session.flow.empty()) session.journal.say(session.flow);
     const bool shakes = !scene.stage || scene.stage->kind == StageKind::shake;
-    if (const std::string drift = shakes ? warn_of_drift(scene.base_motion) : ""; !drift.empty())
-        session.journal.say(drift);
+    if (shakes)
+        for (const std::string& warning : warnings_of_motion(scene)) session.journal.say(warning);
     if (run.column()) session.journal.say(describe_column(*run.column()));
 }
 

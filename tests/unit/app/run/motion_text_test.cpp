@@ -28,5 +28,17 @@ TEST(DriftWarning, OfASineThatBeginsAtOnce)
     EXPECT_EQ(warn_of_drift(BaseMotion()), "");
 }
 
+TEST(CoarseRows, AreToldWhereTheirMeansMissPeaks)
+{
+    const SineMotion sine{1.0, 8.0, 8.0, 0.0};
+    EXPECT_EQ(warn_of_coarse_rows(sine, 0.08),
+              "Warning: probes write a row every 0.08 s, and the motion has frequencies of 8 Hz: "
+              "accelerations are means "
+              "from row to row and miss its peaks; output.probe_interval = 0.01 would show them");
+    EXPECT_EQ(warn_of_coarse_rows(sine, 0.03), "");
+    EXPECT_EQ(warn_of_coarse_rows(sine, 0.0), "") << "there are no probes";
+    EXPECT_EQ(warn_of_coarse_rows(BaseMotion(), 1.0), "");
+}
+
 } // namespace
 } // namespace quicksand
