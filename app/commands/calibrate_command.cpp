@@ -11,6 +11,8 @@ namespace quicksand {
 
 namespace {
 
+constexpr double poor_fit = 0.7; // ln of 2: twice or half the cycles
+
 /// "12.4", or ">49" where the test ended before.
 std::string cycles_text(double cycles, const StrengthObservation& point)
 {
@@ -47,8 +49,12 @@ ExitCode calibrate_sand(const CalibrateChoice& choice)
     const auto percent = [](double error) { return 100.0 * (std::exp(error) - 1.0); };
     std::cout << fmt::format(
         "Cycles differ by {:.0f} % before and {:.0f} % fitted (root mean square of ln N; {} "
-        "evaluations)\n\nFor the scene:\n",
-        percent(fit.error_before), percent(fit.error_after), fit.evaluations);
+        "evaluations)\n{}\nFor the scene:\n",
+        percent(fit.error_before), percent(fit.error_after), fit.evaluations,
+        fit.error_after > poor_fit
+            ? "Warning: no values of these keys give such points; look at the data, or "
+              "fit other keys\n"
+            : "");
     const std::string& path = fit.keys.front().path;
     std::cout << "[" << path.substr(0, path.rfind('.')) << "]\n";
     for (const FittedKey& key : fit.keys)

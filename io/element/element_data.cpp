@@ -81,6 +81,9 @@ std::optional<StrengthData> read_strength_data(const std::filesystem::path& file
         }
         const auto datum = read_row(cells, *columns);
         if (!datum) return refuse("line " + std::to_string(number) + " is no point: " + line.substr(0, 60));
+        if (datum->csr > largest_stress_ratio)
+            return refuse("line " + std::to_string(number) + ": a CSR of " +
+                          cells[static_cast<std::size_t>(columns->csr)] + no_ratio);
         data.points.push_back(*datum);
     }
     if (data.points.empty()) return refuse("it holds no points");

@@ -1,6 +1,7 @@
 #include "io/element/sand_calibration.hpp"
 
 #include "geometry/drawing/nearest_name.hpp"
+#include "io/element/element_data.hpp"
 #include "io/element/element_file.hpp"
 #include "io/element/element_keys.hpp"
 #include "io/files/csv_file.hpp"
@@ -69,6 +70,7 @@ StrengthObservation observation_of(const std::filesystem::path& file, const CsvR
         point.criterion = criterion_of(file, word);
     const bool good = point.csr > 0.0 && point.cycles > 0.0 && point.k0 > 0.0 && point.vertical_stress > 0.0;
     if (!good) refuse(file, "CSR, N, k0 and sigma_v must be positive");
+    if (point.csr > largest_stress_ratio) refuse(file, "a CSR of " + cell_of(names, cells, "CSR") + no_ratio);
     return point;
 }
 

@@ -100,6 +100,14 @@ std::optional<MotionRecord> read_columns(const std::filesystem::path& file, cons
                      "with at most one header line"));
         return std::nullopt;
     }
+    if (const std::string other = unknown_unit_of_column(table.header); !other.empty()) {
+        findings.add(error_at(place, "motion",
+                              "the header of '" + file.string() + "' says " + other +
+                                  ", which is no unit of acceleration that is known",
+                              "g, m/s2, cm/s2 or Gal",
+                              "convert the numbers, and name their unit in the header"));
+        return std::nullopt;
+    }
     const auto stated = unit_of_column(table.header);
     if (!stated && unit.word.empty()) {
         findings.add(error_at(place, "missing-key",

@@ -54,6 +54,11 @@ std::string_view in_brackets(std::string_view name)
     return begin == std::string_view::npos ? std::string_view() : name.substr(begin + 1, end - begin - 1);
 }
 
+std::string_view last_column(std::string_view header)
+{
+    return header.substr(header.find_last_of(",;") + 1);
+}
+
 } // namespace
 
 std::optional<RecordUnit> record_unit(std::string_view words)
@@ -66,7 +71,7 @@ std::optional<RecordUnit> record_unit(std::string_view words)
 
 std::optional<RecordUnit> unit_of_column(std::string_view header)
 {
-    const std::string_view name = header.substr(header.find_last_of(",;") + 1);
+    const std::string_view name = last_column(header);
     if (const auto unit = record_unit(in_brackets(name))) return unit;
     // "acc_cm_s2": what follows an underscore or a blank, the longest first; a_g is the ground's acceleration
     for (std::size_t k = 0; k < name.size(); ++k) {
@@ -75,6 +80,15 @@ std::optional<RecordUnit> unit_of_column(std::string_view header)
         if (unit && plain(unit->name) != "G") return unit;
     }
     return std::nullopt;
+}
+
+std::string unknown_unit_of_column(std::string_view header)
+{
+    const std::string_view words = in_brackets(last_column(header));
+    const std::string unit = plain(words);
+    const bool is_unit = unit.find_first_of("/%") != std::string::npos || unit == "MG" || unit == "MM" ||
+                         unit == "CM" || unit == "M";
+    return is_unit && !record_unit(words) ? std::string(words) : "";
 }
 
 } // namespace quicksand

@@ -19,4 +19,8 @@ std::optional<RecordUnit> record_unit(std::string_view words);
 /// The unit that the last column of a header states: "Acceleration [g]", "a (cm/s2)", "acceleration_m_s2".
 std::optional<RecordUnit> unit_of_column(std::string_view header);
 
+/// What stands in brackets after the name of the last column where it is a unit, though none of accelerations
+/// that is known: "ft/s2", "%g", "m/s"; empty otherwise.
+std::string unknown_unit_of_column(std::string_view header);
+
 } // namespace quicksand

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
 
 namespace quicksand {
 
@@ -28,6 +29,20 @@ TEST(ElementExample, OverlaysTheTriggeringCurveItself)
     }
     const PictureTable nevada = read_picture_table(example("element_dss") + "/nevada_triggering.csv");
     EXPECT_NEAR((*nevada.find("CSR"))[0], triggering_curve(13.915), 1e-4);
+}
+
+TEST(ElementExample, CalibrationTellsOfPointsThatNoSandHas)
+{
+    const WorkFolder folder;
+    std::ofstream(folder / "points.csv") << "CSR,N\n1.9,40\n";
+    const Outcome outcome = run_program("calibrate " + example("element_dss") + "/lateral_spread.toml " +
+                                        (folder / "points.csv").string() + " --fit secondary_factor");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(
+        outcome.output.find("Warning: no values of these keys give such points; look at the data, or fit "
+                            "other keys\n\nFor the scene:"),
+        std::string::npos)
+        << outcome.output;
 }
 
 TEST(ElementExample, TheReferencePageIsUpToDate)

@@ -14,9 +14,6 @@ TEST_P(ElementMistakes, AreReportedWithPlaceAndCure)
 {
     const SceneMistake& mistake = GetParam();
     const ElementFolder folder;
-    folder.write("no_columns.csv", "CSR;N\n0.1;15\n");
-    folder.write("words.csv", "CSR,N\n0.1,15\n0.2,many\n");
-    folder.write("empty.csv", "# nothing yet\nCSR,N\n");
     const std::string text = fixtures::replaced(fixtures::sound_tests, mistake.sound, mistake.mistaken);
     EXPECT_EQ(folder.message(text), mistake.message.substr(1)); // after the line break that opens it
 }
@@ -314,45 +311,6 @@ test.toml:14:10: error[type]: tests.strength.values is not a list of numbers
    14 | values = [true]
       |          ^~~~~~
 expected: a list of numbers, or of quantities in quotes
-)_"}
-), fixtures::name_of);
-
-INSTANTIATE_TEST_SUITE_P(Data, ElementMistakes, testing::Values(
-SceneMistake{"MissingFile",
-    "cycles = 30",
-    "data = \"none.csv\"",
-R"_(
-test.toml:13:8: error[file]: 'none.csv' does not exist
-   13 | data = "none.csv"
-      |        ^~~~~~~~~~
-hint: the path is relative to the file that names it
-)_"},
-SceneMistake{"NoColumns",
-    "cycles = 30",
-    "data = \"no_columns.csv\"",
-R"_(
-test.toml:13:8: error[data]: 'no_columns.csv': it has no columns CSR and N
-   13 | data = "no_columns.csv"
-      |        ^~~~~~~~~~~~~~~~
-expected: one line of column names with CSR and N, then rows of positive numbers, as 0.15,12
-)_"},
-SceneMistake{"WordsInARow",
-    "cycles = 30",
-    "data = \"words.csv\"",
-R"_(
-test.toml:13:8: error[data]: 'words.csv': line 3 is no point: 0.2,many
-   13 | data = "words.csv"
-      |        ^~~~~~~~~~~
-expected: one line of column names with CSR and N, then rows of positive numbers, as 0.15,12
-)_"},
-SceneMistake{"NoPoints",
-    "cycles = 30",
-    "data = \"empty.csv\"",
-R"_(
-test.toml:13:8: error[data]: 'empty.csv': it holds no points
-   13 | data = "empty.csv"
-      |        ^~~~~~~~~~~
-expected: one line of column names with CSR and N, then rows of positive numbers, as 0.15,12
 )_"}
 ), fixtures::name_of);
 // clang-format on

@@ -168,6 +168,28 @@ expected: motion.unit = "g" or "m/s2"
 )_");
 }
 
+TEST(SceneRecords, TwoColumnsOfAnUnknownUnitAreRefusedWhateverTheSceneSays)
+{
+    const std::string text =
+        fixtures::replaced(fixtures::column_scene, "kind = \"sine\"\namplitude = \"24 g\"\nfrequency = 180",
+                           "kind = \"file\"\nfile = \"record.csv\"\nunit = \"m/s2\"");
+    for (const std::string unit : {"ft/s2", "m/s", "%g", "mg"}) {
+        const fixtures::SceneFolder folder;
+        folder.write("record.csv", "time [s],a [" + unit + "]\n0,0.1\n0.01,0.2\n");
+        EXPECT_EQ(folder.message(text), "scene.toml:46:8: error[motion]: the header of 'record.csv' says " +
+                                            unit +
+                                            R"_(, which is no unit of acceleration that is known
+   46 | file = "record.csv"
+      |        ^~~~~~~~~~~~
+expected: g, m/s2, cm/s2 or Gal
+hint: convert the numbers, and name their unit in the header
+)_");
+    }
+    const fixtures::SceneFolder folder;
+    folder.write("record.csv", "time (s),a (E-W)\n0,0.1\n0.01,0.2\n");
+    EXPECT_EQ(folder.message(text).find("error"), std::string::npos);
+}
+
 std::string of_columns()
 {
     return fixtures::replaced(fixtures::column_scene,

@@ -67,6 +67,8 @@ TEST(SandCalibration, PointsThatAreNoneAreRefused)
               std::string::npos);
     EXPECT_NE(refusal_of(folder, "CSR,N,criterion\n0.2,10,ru\n").find("criterion ru is none of ru_95"),
               std::string::npos);
+    EXPECT_NE(refusal_of(folder, "CSR,N\n15,10\n").find("a CSR of 15 is no ratio of stresses, as 0.15"),
+              std::string::npos);
     EXPECT_THROW(read_observations(folder.folder().path() / "none.csv"), InputError);
 }
 
