@@ -72,6 +72,13 @@ void check_stage(const SceneReading& before, const SceneReading& now, Diagnostic
                        "a history"
                      : "give " + path + " for the whole scene"));
     }
+    for (const std::string& path : differing_paths(before.keys, now.keys))
+        if (path.starts_with("initial."))
+            findings.add(error_at(stage.place, "stage",
+                                  "the stage \"" + stage.name + "\" cannot change " + path +
+                                      ": it goes on from the end of the stage before",
+                                  "the table [initial] of the scene",
+                                  "of placed soil stress comes with its weight"));
     if (before.scene.water.has_value() != now.scene.water.has_value())
         findings.add(error_at(
             stage.place, "stage", "the stage \"" + stage.name + "\" cannot add or remove [water]",
@@ -102,7 +109,7 @@ void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings
         const SceneReading& now = stages[k];
         if (!now.scene.stage) return; // its keys are wrong and have been reported
         if (k > 0) check_stage(stages[k - 1], now, findings);
-        if (k == 0 && now.scene.stage->kind == StageKind::consolidate && !now.scene.water)
+        if (now.scene.stage->kind == StageKind::consolidate && !now.scene.water)
             findings.add(error_at(now.scene.stage->place, "stage", "dry soil does not consolidate",
                                   "a table [water], or kind = \"settle\""));
     }

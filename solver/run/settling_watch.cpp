@@ -14,6 +14,30 @@ namespace quicksand {
 
 namespace {
 
+/// Where a law keeps a mean stress that nothing gives the sand, as in water that rises through it; "" where
+/// hardly any sand has its least.
+std::string cause_of_least_stress(const Problem& problem, const Particles& particles)
+{
+    constexpr double at_floor = 1.01, hardly_any = 0.05;
+    double least = 0.0, volume = 0.0, all = 0.0;
+    StressFloor named;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        all += particles.volume[p];
+        const auto material = static_cast<std::size_t>(particles.material[p]);
+        const StressFloor floor = stress_floor_of(problem.materials[material].law);
+        const double mean = -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]);
+        if (floor.stress <= 0.0 || mean > at_floor * floor.stress) continue;
+        volume += particles.volume[p];
+        if (floor.stress > least) named = floor, least = floor.stress;
+    }
+    if (!(volume > hardly_any * all)) return "";
+    std::ostringstream text;
+    text.precision(3);
+    text << "the law gives " << 100.0 * volume / all
+         << " % of the soil more stress than there is: " << named.key << " is " << named.stress << " Pa; ";
+    return text.str();
+}
+
 /// The most likely first: where most of the weight is out of balance, nothing bears the soil.
 std::string causes_of_running_away(const UnbalancedForces& unbalanced)
 {
@@ -79,7 +103,8 @@ std::string describe(const UnbalancedForces& unbalanced)
 
 SettlingWatch::SettlingWatch(const Problem& problem, const RelaxationControls& controls,
                              const Particles& particles, double share)
-    : controls_(controls), share_(share), largest_displacement_(largest_settling(problem, particles)),
+    : problem_(&problem), controls_(controls), share_(share),
+      largest_displacement_(largest_settling(problem, particles)),
       least_of_slides_(0.5 * elastic_displacement_of_layers(problem, particles))
 {
 }
@@ -92,7 +117,8 @@ void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced,
     const auto fail_by_running_away = [&](const char* than_soil, double limit) {
         what << "the soil runs away instead of settling: it has moved " << moved << than_soil << limit
              << " m; " << describe(unbalanced);
-        fail(state, farthest_particle(state.particles), what.str(), causes_of_running_away(unbalanced), dt);
+        fail(state, farthest_particle(state.particles), what.str(),
+             cause_of_least_stress(*problem_, state.particles) + causes_of_running_away(unbalanced), dt);
     };
     if (!runaway_) {
         least_of_slides_ *= std::max(1.0, unbalanced.of_weight); // loads move soil as well as its weight does

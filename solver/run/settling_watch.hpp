@@ -14,8 +14,8 @@ namespace quicksand {
 /// particle that has moved farthest and that of the largest unbalanced force.
 class SettlingWatch {
 public:
-    /// `problem` is that of the settling, `particles` are those at its beginning. The body has moved as far
-    /// as more than a `share` of the particles have [-]; 0: as the farthest one.
+    /// `problem` is that of the settling and outlives the watch, `particles` are those at its beginning. The
+    /// body has moved as far as more than a `share` of the particles have [-]; 0: as the farthest one.
     SettlingWatch(const Problem& problem, const RelaxationControls& controls, const Particles& particles,
                   double share);
 
@@ -24,6 +24,7 @@ public:
     void look(const State& state, const UnbalancedForces& unbalanced, double dt);
 
 private:
+    const Problem* problem_;
     RelaxationControls controls_;
     double share_;                   // of the particles that have moved farther than the body [-]
     double largest_displacement_;    // of soil that comes to rest [m]

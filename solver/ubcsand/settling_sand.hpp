@@ -11,6 +11,7 @@
 
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
+#include "solver/soil/law_interface.hpp"
 #include "solver/ubcsand/ubcsand.hpp"
 
 #include <cstddef>
@@ -34,6 +35,11 @@ inline bool has_strength(const SettlingSand&)
 inline std::string_view name_of(const UbcSand&)
 {
     return "ubcsand";
+}
+
+inline StressFloor stress_floor_of(const SettlingSand& law)
+{
+    return {law.sand.s_min, "stress_floor"};
 }
 
 /// UBCSAND while it settles, and its strength, which is reduced in this form.

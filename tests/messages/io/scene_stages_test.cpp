@@ -124,6 +124,18 @@ hint: give grid.cell_size for the whole scene
 )_");
 }
 
+TEST(SceneStageMessages, StressGoesOnFromTheStageBefore)
+{
+    EXPECT_EQ(
+        column_message(settle_stage + shake + "[stages.initial]\nk0 = 0.8\n"),
+        R"_(scene.toml:57:1: error[stage]: the stage "shaking" cannot change initial.k0: it goes on from the end of the stage before
+   57 | [[stages]]
+      | ^~~~~~~~~~
+expected: the table [initial] of the scene
+hint: of placed soil stress comes with its weight
+)_");
+}
+
 TEST(SceneStageMessages, WaterFlowsWhereSoilConsolidates)
 {
     EXPECT_EQ(

@@ -1,5 +1,6 @@
 // The damped settling before the shaking.
 #include "solver/base/failure.hpp"
+#include "tests/fixtures/sand_box.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -81,6 +82,25 @@ TEST(Relaxation, EndsSoonWhereTheSoilRunsAway)
         EXPECT_LT(error.record.step, 2000);
         EXPECT_GE(error.record.identifier, 0);
         EXPECT_GT(error.record.position.x(), 0.3) << "the free side, not the held one";
+    }
+}
+
+// Sand that weighs next to nothing is pressed apart by the least stress that its law knows.
+TEST(Relaxation, NamesTheLeastStressOfALawWhereSandHasNoMore)
+{
+    Problem problem = block_problem(false);
+    problem.gravity = 0.01;
+    problem.materials[0].law = make_ubcsand(sand_of_runs());
+    State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 1.0; });
+    try {
+        relax(problem, RelaxationControls{0.7, 1e-6, 20'000}, state);
+        FAIL() << "no error";
+    } catch (const NumericalError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("likely causes: the law gives "), std::string::npos) << text;
+        EXPECT_NE(text.find(" of the soil more stress than there is: stress_floor is 500 Pa; "),
+                  std::string::npos)
+            << text;
     }
 }
 
