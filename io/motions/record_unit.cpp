@@ -6,28 +6,30 @@
 #include <array>
 #include <cctype>
 #include <utility>
+#include <vector>
 
 namespace quicksand {
 
 namespace {
 
-constexpr std::array<std::pair<std::string_view, double>, 9> unit_words = {{{"G", standard_gravity},
-                                                                            {"CM/S/S", 0.01},
-                                                                            {"CM/S2", 0.01},
-                                                                            {"CM/SEC/SEC", 0.01},
-                                                                            {"CM/SEC2", 0.01},
-                                                                            {"GAL", 0.01},
-                                                                            {"M/S/S", 1.0},
-                                                                            {"M/S2", 1.0},
-                                                                            {"M/SEC2", 1.0}}};
+constexpr std::array<std::pair<std::string_view, double>, 10> unit_words = {{{"G", standard_gravity},
+                                                                             {"CM/S/S", 0.01},
+                                                                             {"CM/S2", 0.01},
+                                                                             {"CM/SEC/SEC", 0.01},
+                                                                             {"CM/SEC2", 0.01},
+                                                                             {"GAL", 0.01},
+                                                                             {"M/S/S", 1.0},
+                                                                             {"M/S2", 1.0},
+                                                                             {"M/SEC/SEC", 1.0},
+                                                                             {"M/SEC2", 1.0}}};
 
-/// In upper case, without powers' signs and blanks; "m_s2" as "M/S2".
+/// In upper case, without signs of powers, braces and blanks; "m_s2" and "m/s**2" as "M/S2".
 std::string plain(std::string_view words)
 {
     std::string result;
     for (std::size_t k = 0; k < words.size(); ++k) {
         const char c = words[k];
-        if (c == '^' || c == ' ' || c == '\t') continue;
+        if (std::string_view("^* \t(){}").find(c) != std::string_view::npos) continue;
         if (words.substr(k).starts_with("\u00b2")) {
             result += '2';
             ++k; // of two bytes
@@ -45,13 +47,18 @@ std::string_view without_brackets(std::string_view words)
     return round || square ? words.substr(1, words.size() - 2) : words;
 }
 
-/// What stands in the last brackets of a column's name; empty without brackets.
-std::string_view in_brackets(std::string_view name)
+/// What stands in the brackets after a column's name, the last first.
+std::vector<std::string_view> in_brackets(std::string_view name)
 {
-    const std::size_t end = name.find_last_of(")]");
-    if (end == std::string_view::npos) return {};
-    const std::size_t begin = name.find_last_of(name[end] == ')' ? '(' : '[', end);
-    return begin == std::string_view::npos ? std::string_view() : name.substr(begin + 1, end - begin - 1);
+    std::vector<std::string_view> found;
+    for (std::size_t end = name.find_last_of(")]"); end != std::string_view::npos;
+         end = name.find_last_of(")]")) {
+        const std::size_t begin = name.find_last_of(name[end] == ')' ? '(' : '[', end);
+        if (begin == std::string_view::npos) break;
+        found.push_back(name.substr(begin + 1, end - begin - 1));
+        name = name.substr(0, begin);
+    }
+    return found;
 }
 
 std::string_view last_column(std::string_view header)
@@ -72,7 +79,8 @@ std::optional<RecordUnit> record_unit(std::string_view words)
 std::optional<RecordUnit> unit_of_column(std::string_view header)
 {
     const std::string_view name = last_column(header);
-    if (const auto unit = record_unit(in_brackets(name))) return unit;
+    for (const std::string_view words : in_brackets(name))
+        if (const auto unit = record_unit(words)) return unit;
     // "acc_cm_s2": what follows an underscore or a blank, the longest first; a_g is the ground's acceleration
     for (std::size_t k = 0; k < name.size(); ++k) {
         if (name[k] != '_' && name[k] != ' ') continue;
@@ -84,11 +92,16 @@ std::optional<RecordUnit> unit_of_column(std::string_view header)
 
 std::string unknown_unit_of_column(std::string_view header)
 {
-    const std::string_view words = in_brackets(last_column(header));
-    const std::string unit = plain(words);
-    const bool is_unit = unit.find_first_of("/%") != std::string::npos || unit == "MG" || unit == "MM" ||
-                         unit == "CM" || unit == "M";
-    return is_unit && !record_unit(words) ? std::string(words) : "";
+    constexpr std::array<std::string_view, 5> lengths = {"M", "CM", "MM", "FT", "IN"};
+    if (unit_of_column(header)) return "";
+    for (const std::string_view words : in_brackets(last_column(header))) {
+        const std::string unit = plain(words);
+        const std::string length = unit.substr(0, unit.find('/')), time = unit.substr(length.size());
+        const bool of_motion = std::find(lengths.begin(), lengths.end(), length) != lengths.end() &&
+                               (time.empty() || time.starts_with("/S"));
+        if (of_motion || unit == "%G" || unit == "MG") return std::string(words);
+    }
+    return "";
 }
 
 } // namespace quicksand

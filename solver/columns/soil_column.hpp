@@ -28,6 +28,12 @@ struct SoilColumn {
     int columns = 1;    // of the body [-]
     int row_length = 1; // particles side by side in a column of the body, for which one stands [-]
 
+    /// Particles of the body for which one stands.
+    std::size_t repeats() const
+    {
+        return static_cast<std::size_t>(columns) * static_cast<std::size_t>(row_length);
+    }
+
     std::vector<std::int32_t> source;     // of each particle of the body: its number in the column [-]
     std::vector<std::int32_t> identifier; // of each particle of the body [-]
     Scalars drawn_x;                      // of each particle of the body: x at the beginning [m]

@@ -27,7 +27,7 @@ ColumnObserver::ColumnObserver(const SoilColumn& column, const Problem& body,
 StepReport ColumnObserver::report_of_body(const StepReport& report) const
 {
     StepReport whole = report;
-    whole.limited_domains *= column_.columns * column_.row_length;
+    whole.limited_domains *= static_cast<std::int64_t>(column_.repeats());
     return whole;
 }
 

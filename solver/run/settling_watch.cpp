@@ -39,13 +39,14 @@ std::string cause_of_least_stress(const Problem& problem, const Particles& parti
 }
 
 /// The most likely first: where most of the weight is out of balance, nothing bears the soil.
-std::string causes_of_running_away(const UnbalancedForces& unbalanced)
+std::string causes_of_running_away(const UnbalancedForces& unbalanced, const std::string& floors)
 {
     const std::string slope = "the soil does not bear its weight, the loads and the pore pressures "
                               "(quicksand stability tells its factor of safety)";
     const std::string wall = "a wall is missing among the boundaries";
     const bool falls = unbalanced.of_weight > 0.5;
-    return (falls ? wall + "; " + slope : slope + "; " + wall) + "; the soil is far too soft for its weight";
+    const std::string soft = "the soil is far too soft for its weight";
+    return falls ? wall + "; " + slope + "; " + soft : floors + slope + "; " + wall + "; " + soft;
 }
 
 std::size_t farthest_particle(const Particles& particles)
@@ -118,7 +119,7 @@ void SettlingWatch::look(const State& state, const UnbalancedForces& unbalanced,
         what << "the soil runs away instead of settling: it has moved " << moved << than_soil << limit
              << " m; " << describe(unbalanced);
         fail(state, farthest_particle(state.particles), what.str(),
-             cause_of_least_stress(*problem_, state.particles) + causes_of_running_away(unbalanced), dt);
+             causes_of_running_away(unbalanced, cause_of_least_stress(*problem_, state.particles)), dt);
     };
     if (!runaway_) {
         least_of_slides_ *= std::max(1.0, unbalanced.of_weight); // loads move soil as well as its weight does

@@ -43,7 +43,8 @@ RelaxationReport StagedRun::settle(const RelaxationControls& relaxation, const S
                                    const StopRule& stop)
 {
     ENSURE(!is_shaking_);
-    const RelaxationReport report = relax(problem(), relaxation, computed(), progress, stop);
+    RelaxationReport report = relax(problem(), relaxation, computed(), progress, stop);
+    if (column()) report.at_failure *= column()->repeats();
     if (report.settled) enter_shaking();
     return report;
 }
@@ -53,7 +54,7 @@ std::size_t StagedRun::begin_shaking()
     ENSURE(!is_shaking_);
     const std::size_t limited = quicksand::begin_shaking(problem(), computed());
     enter_shaking();
-    return limited;
+    return column() ? limited * column()->repeats() : limited;
 }
 
 void StagedRun::enter_shaking()

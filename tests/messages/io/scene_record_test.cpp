@@ -185,9 +185,13 @@ expected: g, m/s2, cm/s2 or Gal
 hint: convert the numbers, and name their unit in the header
 )_");
     }
-    const fixtures::SceneFolder folder;
-    folder.write("record.csv", "time (s),a (E-W)\n0,0.1\n0.01,0.2\n");
-    EXPECT_EQ(folder.message(text).find("error"), std::string::npos);
+    for (const std::string sound :
+         {"a (E-W)", "acc (N/S)", "acc (17/10/1989)", "acc (5% damped)", "a (m/s**2)", "a (m/sec/sec)",
+          "a (m/s^{2})", "a [m/(s^2)]", "acc [m/s2] (N/S)", "a"}) {
+        const fixtures::SceneFolder folder;
+        folder.write("record.csv", "time (s)," + sound + "\n0,0.1\n0.01,0.2\n");
+        EXPECT_EQ(folder.message(text).find("error"), std::string::npos) << folder.message(text);
+    }
 }
 
 std::string of_columns()
