@@ -26,6 +26,7 @@ StageStart start_of(const Scene& scene)
     start.zero_pressures = true; // in a scene without stages the shaking begins here
     if (!scene.stage) return start;
     start.settles = settles(scene.stage->kind);
+    start.keeps_pressures = scene.stage->keeps_pressures;
     start.zero_pressures = scene.stage->zero_pressures;
     start.zero_displacements = scene.stage->zero_displacements;
     return start;
@@ -41,6 +42,14 @@ void require_common(const fs::path& folder, const std::vector<ResolvedKey>& befo
     for (const std::string& name : differing) names += (names.empty() ? "" : ", ") + name;
     throw InputError("the run cannot go on from " + folder.string() + ", which has other values of " + names +
                      "\nexpected: the same drawing, grid, sampling, gravity and still water");
+}
+
+/// Whether a stage has left the water in the pores bear what came at once.
+bool has_settled_undrained(const std::vector<ResolvedKey>& keys)
+{
+    return std::any_of(keys.begin(), keys.end(), [](const ResolvedKey& key) {
+        return key.path.starts_with("stages.") && key.path.ends_with(".drainage") && key.value == "undrained";
+    });
 }
 
 /// Soil settles drained: what its pores hold above the pressures of the stage's own water goes without a
@@ -105,9 +114,8 @@ Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
     require_common(folder, before, now, origin.start.settles);
     origin.start.changed_soils = changed_soils(before, now, assembled.problem.region_names);
     origin.reached = read_checkpoint(results.checkpoint(), record.state_hash);
-    const bool is_settled =
-        origin.reached.time == 0.0; // its pressures are those of its own still or steady water
-    if (origin.start.settles && !is_settled)
+    const bool has_excess = origin.reached.time > 0.0 || has_settled_undrained(before);
+    if (origin.start.settles && !origin.start.keeps_pressures && has_excess)
         origin.warning = warn_of_lost_pressure(assembled.state.particles, origin.reached.particles);
     return origin;
 }

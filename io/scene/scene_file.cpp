@@ -294,6 +294,8 @@ SceneReading read_scene(const std::filesystem::path& file, const DocumentNode& d
     scene.stage = read_stage(values);
     fill_geometry(values, file.parent_path(), scene);
     fill_ground(values, scene);
+    if (scene.water && scene.stage && scene.stage->keeps_pressures)
+        scene.water->while_settling = WaterFlow::undrained;
     fill_run(values, scene);
     scene.boundaries = read_boundaries(values, file.parent_path(), findings);
     scene.interfaces = read_interfaces(values, findings);

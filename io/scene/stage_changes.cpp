@@ -60,7 +60,7 @@ constexpr std::array<std::string_view, 3> still_water{"water.level", "water.phre
 void check_stage(const SceneReading& before, const SceneReading& now, Diagnostics& findings)
 {
     const SceneStage& stage = *now.scene.stage;
-    const bool is_settled = settles(stage.kind);
+    const bool is_settled = settles(stage.kind) && !stage.keeps_pressures;
     for (const std::string& path : uncommon_keys(before.keys, now.keys, is_settled)) {
         const bool is_water = begins_with_one_of(path, still_water);
         findings.add(error_at(
@@ -72,8 +72,10 @@ void check_stage(const SceneReading& before, const SceneReading& now, Diagnostic
                        "a history"
                      : "give " + path + " for the whole scene"));
     }
+    const Values old = values_of(before.keys), present = values_of(now.keys);
     for (const std::string& path : differing_paths(before.keys, now.keys))
-        if (path.starts_with("initial."))
+        if (path.starts_with("initial.") && old.contains(path) &&
+            present.contains(path)) // others come with a flow
             findings.add(error_at(stage.place, "stage",
                                   "the stage \"" + stage.name + "\" cannot change " + path +
                                       ": it goes on from the end of the stage before",
@@ -109,6 +111,12 @@ void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings
         const SceneReading& now = stages[k];
         if (!now.scene.stage) return; // its keys are wrong and have been reported
         if (k > 0) check_stage(stages[k - 1], now, findings);
+        const bool reacts = now.scene.water && now.scene.water->flow != WaterFlow::drained;
+        if (now.scene.stage->keeps_pressures && !reacts)
+            findings.add(error_at(now.scene.stage->place, "stage",
+                                  "no water reacts in the stage \"" + now.scene.stage->name +
+                                      "\", which settles undrained",
+                                  "a table [water], with flow = \"coupled\" or \"undrained\""));
         if (now.scene.stage->kind == StageKind::consolidate && !now.scene.water)
             findings.add(error_at(now.scene.stage->place, "stage", "dry soil does not consolidate",
                                   "a table [water], or kind = \"settle\""));

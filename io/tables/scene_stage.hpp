@@ -31,6 +31,7 @@ inline bool takes_time(StageKind kind)
 struct SceneStage {
     std::string name; // of its results folder, within that of the run
     StageKind kind = StageKind::shake;
+    bool keeps_pressures = false;        // settles undrained
     std::optional<double> flow_duration; // of seepage: the flow after it, none: the steady one [s]
     bool zero_displacements = false;     // displacements count from its start
     bool zero_pressures = false;         // ru and excess pore pressures count from its start

@@ -33,6 +33,7 @@ std::vector<SceneKey> stage_keys()
     const Condition in_time{"kind", {"shake", "consolidate"}};
     const Condition with_duration{"kind", {"shake", "consolidate", "seepage"}};
     const Condition in_search{"kind", {"stability"}};
+    const Condition settling{"kind", {"settle"}};
     const Condition at_rest{"kind", {"settle", "seepage"}};
     // One row, one key: the formatter would make it ten lines.
     // clang-format off
@@ -42,9 +43,11 @@ std::vector<SceneKey> stage_keys()
         {.pattern = "stages.*", .type = table,
          .doc = "One stage. Tables of the scene within it, as [stages.water] or [stages.boundaries.river], hold from it on."},
         {.pattern = "stages.*.kind", .type = word, .required = true, .words = {"settle", "seepage", "shake", "consolidate", "stability"},
-         .doc = "Settle under gravity, drained, with still water or in the steady flow between heads; shake; let excess pore pressures go in long steps; find the factor of safety."},
+         .doc = "Settle under gravity, with still water or in the steady flow between heads; shake; let excess pore pressures go in long steps; find the factor of safety."},
         {.pattern = "stages.*.duration", .dimension = Dimension::time, .default_note = "run.end_time; with seepage no time but the steady flow", .allowed = positive,
          .when = with_duration, .doc = "Length of the stage, whose time counts from its start; loads and walls that move go on where the stage leaves them as they were. With seepage the water flows for so long from where the stage before has left it, while heads rise and fall and pores fill and drain."},
+        {.pattern = "stages.*.drainage", .type = word, .default_value = "drained", .words = {"drained", "undrained"}, .when = settling,
+         .doc = "Whether water leaves the pores while soil settles, or stays and bears what weight and loads come at once: its excess pressure goes in a stage that consolidates."},
         {.pattern = "stages.*.place", .type = text_list, .default_note = "no soil is placed", .when = at_rest,
          .doc = "Regions whose soil is placed at the start of the stage: free of stress, up to the height drawn, on the ground as it has settled. Before that they have no soil."},
         {.pattern = "stages.*.remove", .type = text_list, .default_note = "no soil is removed", .when = at_rest,
@@ -75,6 +78,7 @@ std::optional<SceneStage> read_stage(const SceneValues& values)
     stage.place = table.place;
     stage.kind = word_of(stage_kind_words, values.text(table.path + ".kind"));
     if (stage.kind == StageKind::seepage) stage.flow_duration = values.find<double>(table.path + ".duration");
+    stage.keeps_pressures = values.text(table.path + ".drainage") == "undrained";
     stage.zero_displacements = values.text(table.path + ".displacements") == "zero";
     stage.residual_strength = values.number(table.path + ".residual_strength");
     stage.liquefied_ru = values.number(table.path + ".liquefied_ru");

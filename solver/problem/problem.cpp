@@ -37,6 +37,11 @@ bool is_partly_wet(const Problem& problem)
                                         [](const Material& material) { return !is_wet(material); });
 }
 
+bool settles_undrained(const Problem& problem)
+{
+    return problem.water && problem.water->while_settling == WaterFlow::undrained;
+}
+
 std::optional<WaterFlow> water_flow(const Problem& problem)
 {
     if (!problem.water) return std::nullopt;

@@ -47,6 +47,7 @@ struct Water {
     double level = 0.0;             // y of the still water surface [m]
     bool rises_above_level = false; // a phreatic line in the soil lies above the level somewhere
     WaterFlow flow = WaterFlow::coupled;
+    WaterFlow while_settling = WaterFlow::drained;  // or undrained: under weight that comes at once
     std::optional<double> cavitation_pressure = {}; // absolute; none: no limit of tension [Pa]
 };
 
@@ -121,6 +122,9 @@ inline bool is_wet(const Material& material)
 
 /// Whether any material is not wet in a scene with water.
 bool is_partly_wet(const Problem& problem);
+
+/// Whether the pores keep their water while the soil settles.
+bool settles_undrained(const Problem& problem);
 
 /// How water flows in the scene; none: the scene is dry.
 std::optional<WaterFlow> water_flow(const Problem& problem);

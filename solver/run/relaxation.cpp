@@ -79,6 +79,7 @@ namespace {
 Problem settling_problem(const Problem& problem, double cells)
 {
     Problem settling = problem;
+    if (settles_undrained(problem)) settling.water->flow = WaterFlow::undrained;
     for (Material& material : settling.materials) {
         const double buoyancy = water_of(problem, material) ? problem.water->density : 0.0;
         const double cell_weight = (1.0 - material.porosity) * (material.grain_density - buoyancy) *

@@ -21,7 +21,8 @@ bool is_drawn(std::string_view name, const StageStart& start)
 {
     constexpr std::string_view memory = "memory_";
     if (name == "mass_solid" || name.starts_with(memory)) return true;
-    return start.settles && (name == "pore_pressure" || name == "water_table" || name == "tension_deficit");
+    if (start.settles && name == "water_table") return true;
+    return start.settles && !start.keeps_pressures && (name == "pore_pressure" || name == "tension_deficit");
 }
 
 bool has_changed(const StageStart& start, const Particles& particles, std::size_t p)

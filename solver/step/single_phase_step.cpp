@@ -21,7 +21,8 @@ namespace {
 /// Whether the water takes part with a pressure that follows from the change of volume.
 bool is_undrained(const Problem& problem, const State& state)
 {
-    return state.stage == Stage::shaking && water_flow(problem) == WaterFlow::undrained;
+    return state.stage == Stage::shaking ? water_flow(problem) == WaterFlow::undrained
+                                         : settles_undrained(problem);
 }
 
 /// The velocities at the end of the step that the forces give.
@@ -78,12 +79,13 @@ WorkingVelocity solve_resisted(const Problem& problem, double dt, double velocit
 }
 
 /// Whether pore pressures act on the body: they follow from its motion, or are constant. While the soil
-/// settles with zero pore pressures everywhere, outer water does not act. It acts from the start of the
-/// shaking, when pore pressures react; before, the grains alone would carry it and settle.
-bool carries_pressure(const State& state)
+/// settles drained with zero pore pressures everywhere, outer water does not act. It acts from the start of
+/// the shaking, when pore pressures react; before, the grains alone would carry it and settle.
+bool carries_pressure(const Problem& problem, const State& state)
 {
     const Particles& particles = state.particles;
-    return !particles.pore_pressure.empty() && (state.stage == Stage::shaking || has_pressure(particles));
+    const bool reacts = state.stage == Stage::shaking || settles_undrained(problem);
+    return !particles.pore_pressure.empty() && (reacts || has_pressure(particles));
 }
 
 } // namespace
@@ -105,7 +107,7 @@ SinglePhaseWorkspace make_single_phase_workspace(const Problem& problem, Stage s
 void scatter_to_nodes(const Problem& problem, double dt, const State& state, SinglePhaseWorkspace& work)
 {
     const Particles& particles = state.particles;
-    const bool pressed = carries_pressure(state);
+    const bool pressed = carries_pressure(problem, state);
     const auto scatter = pressed ? scatter_total_stress : scatter_single_phase;
     compute_carried_masses(problem, state, work.masses);
     set_to_zero(work.sums);

@@ -176,10 +176,11 @@ TimeStep stable_relaxation_step(const Problem& problem, const Particles& particl
 {
     const CellExtremes extremes = find_extremes(problem, particles);
     const bool soil_alone = has_soil_and_solids(problem); // solids resist accelerations with their stiffness
-    const TimeStep wave = wave_limit(problem, extremes, relaxation_safety,
-                                     [&](const Material& material, const WaveSpeeds& speeds) {
-                                         return soil_alone && !material.has_pores ? 0.0 : speeds.skeleton;
-                                     });
+    const TimeStep wave = wave_limit(
+        problem, extremes, relaxation_safety, [&](const Material& material, const WaveSpeeds& speeds) {
+            if (soil_alone && !material.has_pores) return 0.0;
+            return settles_undrained(problem) ? fastest_speed(problem, speeds) : speeds.skeleton;
+        });
     return limit_motion(problem, extremes, wave);
 }
 

@@ -48,7 +48,7 @@ TEST(SceneStageMessages, AKindIsRequired)
               R"_(scene.toml:55:1: error[missing-key]: [stages.first] has no kind
    55 | [[stages]]
       | ^~~~~~~~~~
-expected: kind: Settle under gravity, drained, with still water or in the steady flow between heads; shake; let excess pore pressures go in long steps; find the factor of safety.
+expected: kind: Settle under gravity, with still water or in the steady flow between heads; shake; let excess pore pressures go in long steps; find the factor of safety.
 )_");
 }
 
@@ -133,6 +133,27 @@ TEST(SceneStageMessages, StressGoesOnFromTheStageBefore)
       | ^~~~~~~~~~
 expected: the table [initial] of the scene
 hint: of placed soil stress comes with its weight
+)_");
+}
+
+TEST(SceneStageMessages, UndrainedSoilHasWaterThatReacts)
+{
+    const std::string message = column_message("[[stages]]\nkind = \"settle\"\ndrainage = \"undrained\"\n"
+                                               "[stages.water]\nflow = \"drained\"\n");
+    EXPECT_NE(
+        message.find(
+            R"_(scene.toml:55:1: error[stage]: no water reacts in the stage "settle", which settles undrained
+   55 | [[stages]]
+      | ^~~~~~~~~~
+expected: a table [water], with flow = "coupled" or "undrained"
+)_"),
+        std::string::npos)
+        << message;
+    EXPECT_EQ(column_message(settle_stage + shake + "drainage = \"undrained\"\n"),
+              R"_(scene.toml:61:1: error[unused-key]: stages.shaking.drainage is not used with kind = "shake"
+   61 | drainage = "undrained"
+      | ^~~~~~~~
+hint: remove it, or set kind = "settle"
 )_");
 }
 
