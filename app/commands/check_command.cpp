@@ -79,7 +79,6 @@ void say_settling(const SceneSetup& setup, std::optional<State>& reached, Journa
     StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
     StageStart start;
     start.settles = true;
-    start.keeps_pressures = assembled.scene.stage && assembled.scene.stage->keeps_pressures;
     if (reached) run.go_on_from(std::move(*reached), start);
     journal.say(describe_settling_cost(forecast_settling(*assembled.scene.relaxation, run)));
     reached = run.state();

@@ -219,8 +219,7 @@ void introduce(Session& session)
     for (const std::string& change : session.changes)
         session.journal.say("  changed since the run began: " + change);
     if (!session.flow.empty()) session.journal.say(session.flow);
-    const bool shakes = !scene.stage || scene.stage->kind == StageKind::shake;
-    if (shakes)
+    if (!scene.stage || scene.stage->kind == StageKind::shake)
         for (const std::string& warning : warnings_of_motion(scene)) session.journal.say(warning);
     if (run.column()) session.journal.say(describe_column(*run.column()));
 }

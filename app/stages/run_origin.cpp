@@ -26,7 +26,6 @@ StageStart start_of(const Scene& scene)
     start.zero_pressures = true; // in a scene without stages the shaking begins here
     if (!scene.stage) return start;
     start.settles = settles(scene.stage->kind);
-    start.keeps_pressures = scene.stage->keeps_pressures;
     start.zero_pressures = scene.stage->zero_pressures;
     start.zero_displacements = scene.stage->zero_displacements;
     return start;
@@ -115,7 +114,7 @@ Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
     origin.start.changed_soils = changed_soils(before, now, assembled.problem.region_names);
     origin.reached = read_checkpoint(results.checkpoint(), record.state_hash);
     const bool has_excess = origin.reached.time > 0.0 || has_settled_undrained(before);
-    if (origin.start.settles && !origin.start.keeps_pressures && has_excess)
+    if (origin.start.settles && !settles_undrained(assembled.problem) && has_excess)
         origin.warning = warn_of_lost_pressure(assembled.state.particles, origin.reached.particles);
     return origin;
 }

@@ -42,9 +42,7 @@ std::string plain(std::string_view words)
 
 std::string_view without_brackets(std::string_view words)
 {
-    const bool round = words.starts_with('(') && words.ends_with(')'),
-               square = words.starts_with('[') && words.ends_with(']');
-    return round || square ? words.substr(1, words.size() - 2) : words;
+    return words.starts_with('[') && words.ends_with(']') ? words.substr(1, words.size() - 2) : words;
 }
 
 /// What stands in the brackets after a column's name, the last first.

@@ -1,13 +1,11 @@
 #include "solver/columns/soil_column.hpp"
 
-#include "solver/base/failure.hpp"
 #include "solver/columns/equal_columns.hpp"
 #include "solver/motion/body_part.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 

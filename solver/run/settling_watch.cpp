@@ -19,7 +19,7 @@ namespace {
 std::string cause_of_least_stress(const Problem& problem, const Particles& particles)
 {
     constexpr double at_floor = 1.01, hardly_any = 0.05;
-    double least = 0.0, volume = 0.0, all = 0.0;
+    double volume = 0.0, all = 0.0;
     StressFloor named;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         all += particles.volume[p];
@@ -28,7 +28,7 @@ std::string cause_of_least_stress(const Problem& problem, const Particles& parti
         const double mean = -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]);
         if (floor.stress <= 0.0 || mean > at_floor * floor.stress) continue;
         volume += particles.volume[p];
-        if (floor.stress > least) named = floor, least = floor.stress;
+        if (floor.stress > named.stress) named = floor;
     }
     if (!(volume > hardly_any * all)) return "";
     std::ostringstream text;

@@ -17,12 +17,13 @@ namespace quicksand {
 namespace {
 
 /// Whether the drawing gives this array, however the soil has moved.
-bool is_drawn(std::string_view name, const StageStart& start)
+bool is_drawn(std::string_view name, const Problem& problem, const StageStart& start)
 {
     constexpr std::string_view memory = "memory_";
     if (name == "mass_solid" || name.starts_with(memory)) return true;
     if (start.settles && name == "water_table") return true;
-    return start.settles && !start.keeps_pressures && (name == "pore_pressure" || name == "tension_deficit");
+    return start.settles && !settles_undrained(problem) &&
+           (name == "pore_pressure" || name == "tension_deficit");
 }
 
 bool has_changed(const StageStart& start, const Particles& particles, std::size_t p)
@@ -134,7 +135,7 @@ State begin_body(const Problem& problem, const State& initial, State reached, co
     for_each_array(particles, [&](const char* name, Scalars& values) {
         if (std::string_view(name).starts_with("memory_")) return;
         const Scalars& before = *former[next++];
-        if (!is_drawn(name, start) && !values.empty() && !before.empty())
+        if (!is_drawn(name, problem, start) && !values.empty() && !before.empty())
             std::copy(before.begin(), before.end(), values.begin()); // what is placed stays as drawn
     });
     if (!start.settles && !goes_on.water_table.empty()) particles.water_table = goes_on.water_table;

@@ -10,8 +10,8 @@ namespace quicksand {
 
 /// What of the stage before goes on, and what begins anew.
 struct StageStart {
-    bool settles = false;            // under the still water of the problem: pores have its pressure
-    bool keeps_pressures = false;    // but where soil settles undrained
+    bool settles = false;            // under the still water of the problem: pores have its pressure,
+                                     // or keep theirs where it settles undrained
     bool zero_displacements = false; // displacements count from here; after settling they do in any case
     bool zero_pressures = false;     // ru and excess pore pressures count from here
     std::vector<bool> changed_soils =

@@ -80,7 +80,7 @@ TEST_P(UndrainedSettling, LetsTheWaterBearWhatIsPlaced)
     problem.water->while_settling = WaterFlow::undrained;
     const RunControls controls{400.0 * 86400.0, ColumnsComputed::all, true};
     StagedRun run(problem, drawn_state(problem, clay_height + fill_height), controls);
-    run.go_on_from(clay, {.settles = true, .keeps_pressures = true});
+    run.go_on_from(clay, {.settles = true});
     ASSERT_TRUE(run.settle(precisely()).settled);
 
     const double weight = fill_weight(problem), water = problem.water->bulk_modulus / clay_porosity;
@@ -95,7 +95,7 @@ TEST_P(UndrainedSettling, LetsTheWaterBearWhatIsPlaced)
     for (std::size_t p = count; p < particles.size(); ++p) EXPECT_EQ(particles.pore_pressure[p], 0.0);
 
     StagedRun again(problem, drawn_state(problem, clay_height + fill_height), controls);
-    again.go_on_from(run.state(), {.settles = true, .keeps_pressures = true});
+    again.go_on_from(run.state(), {.settles = true});
     ASSERT_TRUE(again.settle(precisely()).settled);
     for (std::size_t p = 0; p < particles.size(); ++p)
         EXPECT_NEAR(again.state().particles.pore_pressure[p], particles.pore_pressure[p], 1e-3 * weight);
@@ -130,7 +130,7 @@ TEST(UndrainedSettling, EndsAsDrainedSettlingDoes)
     Problem keeping = problem;
     keeping.water->while_settling = WaterFlow::undrained;
     StagedRun run(keeping, drawn, controls);
-    run.go_on_from(clay, {.settles = true, .keeps_pressures = true});
+    run.go_on_from(clay, {.settles = true});
     ASSERT_TRUE(run.settle(precisely()).settled);
     const double weight = fill_weight(problem);
     EXPECT_GT(*std::max_element(run.state().particles.pore_pressure.begin(),
