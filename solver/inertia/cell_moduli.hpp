@@ -37,9 +37,8 @@ double eccentricity_factor(const StiffnessSums& cell);
 /// Sum them up from the particles, as they are expected after a step of dt: grains that meet are soft before
 /// and stiff after it. `resists` tells by material whose stiffness counts. A particle counts in every cell to
 /// whose opposite corners it gives weight, in proportion to their products: a node then has stiffness in
-/// proportion to its mass. A cell with a corner that no particle reaches has none. Where the particles of a
-/// cell lie at a side of it, the moduli are raised such that K bounds their stiffness
-/// (eccentricity_factor()).
+/// proportion to its mass. Where the particles of a cell lie at a side of it, the moduli are raised such that
+/// K bounds their stiffness (eccentricity_factor()).
 void sum_cell_moduli(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,
                      const std::vector<StencilStore>& stencils, const std::vector<std::uint8_t>& resists,
                      const NodeRows& rows, CellModuli& cells);

@@ -26,6 +26,22 @@ bool is_resisted(const InertiaSolve& solve, std::size_t node)
                        [&](std::size_t cell) { return solve.cells.constrained[cell] > 0.0; });
 }
 
+std::vector<ThreeNodeCell> take_incomplete_cells(std::vector<ThreeNodeCell> corners, CellModuli& cells)
+{
+    std::sort(corners.begin(), corners.end(),
+              [](const ThreeNodeCell& a, const ThreeNodeCell& b) { return a.place < b.place; });
+    std::vector<ThreeNodeCell> with_three_nodes;
+    for (std::size_t k = 0, end = 0; k < corners.size(); k = end) {
+        const std::size_t place = corners[k].place;
+        while (end < corners.size() && corners[end].place == place) ++end;
+        if (end == k + 1)
+            with_three_nodes.push_back(
+                {place, corners[k].missing, cells.constrained[place], cells.shear[place]});
+        cells.constrained[place] = cells.shear[place] = 0.0;
+    }
+    return with_three_nodes;
+}
+
 void multiply_stiffness(double factor, Vectors& field, InertiaSolve& solve)
 {
     for (const TiedPlaces& tie : solve.tied) {

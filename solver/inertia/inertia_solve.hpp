@@ -70,23 +70,30 @@ InertiaSolve make_inertia_solve(const Problem& problem, const NodeConditions& co
 /// Whether a node has stiffness: there is a cell beside it whose soil or solid resists.
 bool is_resisted(const InertiaSolve& solve, std::size_t node);
 
-/// Set up the stiffness from the moduli of the cells, on the nodes with is_active(node); a cell with a node
-/// that is not has none. Fields become zero.
+/// Give the cells around nodes without mass no stiffness of four nodes; returns those that have three nodes.
+/// `corners` are all cells and their corners without mass, in any order.
+std::vector<ThreeNodeCell> take_incomplete_cells(std::vector<ThreeNodeCell> corners, CellModuli& cells);
+
+/// Set up the stiffness from the moduli of the cells, on the nodes with is_active(node); a cell with two
+/// nodes that are not has none.
 template <class IsActive>
 void set_up_stiffness(IsActive&& is_active, InertiaSolve& solve)
 {
     std::vector<NodeSpan> spans;
     find_spans(solve.rows, is_active, spans);
     const std::size_t stride = solve.rows.stride;
+    std::vector<ThreeNodeCell> corners;
     for (std::size_t node = 0; node < solve.places.size(); ++node) {
         if (is_active(node)) continue;
-        const std::size_t place = solve.places[node];
-        for (const std::size_t before : {std::size_t{0}, std::size_t{1}, stride, stride + 1}) {
-            if (before > place) continue;
-            solve.cells.constrained[place - before] = solve.cells.shear[place - before] = 0.0;
+        for (const std::size_t corner : {0U, 1U, 2U, 3U}) {
+            const std::size_t before = corner % 2 + corner / 2 * stride, place = solve.places[node];
+            if (before > place || !(solve.cells.constrained[place - before] > 0.0)) continue;
+            corners.push_back({place - before, corner});
         }
     }
-    solve.stiffness.assemble(solve.rows, solve.cells, std::move(spans));
+    const std::vector<ThreeNodeCell> with_three_nodes =
+        take_incomplete_cells(std::move(corners), solve.cells);
+    solve.stiffness.assemble(solve.rows, solve.cells, with_three_nodes, std::move(spans));
     for (Vectors* field : {&solve.change, &solve.product, &solve.moving}) {
         field->x.assign(solve.rows.size(), 0.0);
         field->y.assign(solve.rows.size(), 0.0);

@@ -81,7 +81,8 @@ void multiply_span(std::size_t stride, const double* blocks, std::size_t first, 
 
 } // namespace
 
-void NodeStiffness::assemble(const NodeRows& rows, const CellModuli& cells, std::vector<NodeSpan> spans)
+void NodeStiffness::assemble(const NodeRows& rows, const CellModuli& cells,
+                             const std::vector<ThreeNodeCell>& with_three_nodes, std::vector<NodeSpan> spans)
 {
     rows_ = rows;
     spans_ = std::move(spans);
@@ -90,6 +91,31 @@ void NodeStiffness::assemble(const NodeRows& rows, const CellModuli& cells, std:
         assemble_span(rows_.stride, cells.constrained.data(), cells.shear.data(), spans_[k].first,
                       spans_[k].last, blocks_.data());
     });
+    for (const ThreeNodeCell& cell : with_three_nodes) add(cell);
+}
+
+/// With o the corner opposite to the missing one, the strains are those of the linear function of its nodes:
+/// u,x = s_x (u_x - u_o), u,y = s_y (u_y - u_o), u_x and u_y being those of the other nodes of its two sides.
+void NodeStiffness::add(const ThreeNodeCell& cell)
+{
+    const std::size_t opposite = 3 - cell.missing;
+    const double s_x = opposite % 2 == 0 ? 1.0 : -1.0, s_y = opposite / 2 == 0 ? 1.0 : -1.0;
+    struct {
+        std::size_t corner;
+        double x, y; // the derivatives of its function [1/cell]
+    } const nodes[] = {{opposite, -s_x, -s_y}, {opposite ^ 1U, s_x, 0.0}, {opposite ^ 2U, 0.0, s_y}};
+    const double M = cell.constrained, G = cell.shear, lambda = M - 2.0 * G;
+    for (const auto& a : nodes) {
+        const std::size_t place = cell.place + a.corner % 2 + a.corner / 2 * rows_.stride;
+        for (const auto& b : nodes) {
+            const std::size_t neighbour =
+                (1 + b.corner / 2 - a.corner / 2) * 3 + 1 + b.corner % 2 - a.corner % 2;
+            const double block[] = {M * a.x * b.x + G * a.y * b.y, lambda * a.x * b.y + G * a.y * b.x,
+                                    lambda * a.y * b.x + G * a.x * b.y, M * a.y * b.y + G * a.x * b.x};
+            for (std::size_t e = 0; e < entries; ++e)
+                blocks_[index_of(place, neighbour, e / 2, e % 2)] += block[e];
+        }
+    }
 }
 
 Eigen::Matrix2d NodeStiffness::block(std::size_t place, std::size_t a, std::size_t b) const
