@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <ostream>
 
@@ -22,7 +23,7 @@ struct Place {
     int per_cell;
     double cell;  // [m]
     double shift; // of the grid downwards [m]
-    double most;  // of the vertical stress from the weight above, rms [-]
+    double most;  // of the rows' mean vertical stresses from the weight above, rms [-]
 };
 
 std::ostream& operator<<(std::ostream& out, const Place& place)
@@ -79,17 +80,23 @@ TEST_P(ReconsolidationAt, BringsEveryRowBackToTheWeightAboveIt)
     run(problem, 3600.0, {}, state);
     const Particles& particles = state.particles;
     const std::size_t liquefied = column_of(memory_of(problem.materials[0].law), "liquefied_shear");
-    double squares = 0.0, count = 0.0, settled = 0.0;
+    struct Row {
+        double ratio = 0.0, particles = 0.0;
+    };
+    std::map<double, Row> rows; // by the height before the shaking
+    double squares = 0.0, settled = 0.0;
     std::size_t once = 0;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         once += particles.memory[liquefied][p] > 0.0 ? 1 : 0;
         settled = std::max(settled, particles.reference_position.y[p] - particles.position.y[p]);
         const double weight = particles.initial_vertical_effective_stress[p];
         if (weight < 4e3) continue; // half a metre, where the shape of the surface counts
-        squares += std::pow(-particles.stress.yy[p] / weight - 1.0, 2);
-        count += 1.0;
+        Row& row = rows[particles.reference_position.y[p]];
+        row.ratio += -particles.stress.yy[p] / weight;
+        row.particles += 1.0;
     }
-    const double error = std::sqrt(squares / count);
+    for (const auto& [height, row] : rows) squares += std::pow(row.ratio / row.particles - 1.0, 2);
+    const double error = std::sqrt(squares / static_cast<double>(rows.size()));
     RecordProperty("error", std::to_string(error));
     RecordProperty("settlement", std::to_string(settled));
     EXPECT_GT(static_cast<double>(once), 0.8 * static_cast<double>(particles.size()));
@@ -97,10 +104,11 @@ TEST_P(ReconsolidationAt, BringsEveryRowBackToTheWeightAboveIt)
     EXPECT_NEAR(settled, 0.107, 0.015);
 }
 
-// On cells of 0.25 m the shaking leaves columns of cells with lines that differ by more.
+// Columns of cells become unlike as rounding grows in liquefied sand; the means of rows do not. On cells of
+// 0.25 m the lowest row may be stiff while the others of its cells settle as liquefied: it then bears more.
 INSTANTIATE_TEST_SUITE_P(Places, ReconsolidationAt,
-                         testing::Values(Place{2, 0.5, 0.0, 0.04}, Place{3, 0.5, 0.0, 0.04},
-                                         Place{4, 0.5, 0.0, 0.04}, Place{3, 0.5, 0.13, 0.04},
+                         testing::Values(Place{2, 0.5, 0.0, 0.015}, Place{3, 0.5, 0.0, 0.015},
+                                         Place{4, 0.5, 0.0, 0.015}, Place{3, 0.5, 0.13, 0.015},
                                          Place{3, 0.25, 0.0, 0.1}));
 
 } // namespace
