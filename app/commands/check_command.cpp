@@ -60,9 +60,9 @@ void say_run(const SceneSetup& setup, const std::string& start, const ResultsFol
 {
     const AssembledCase& assembled = setup.assembled;
     if (const std::string shaking = describe_motion(assembled); !shaking.empty()) journal.say(shaking);
-    const TimeStep step = first_time_step(assembled.problem, assembled.state);
-    journal.say(describe_time_step(assembled, step));
     const StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
+    const TimeStep step = first_time_step(run.problem(), run.state());
+    journal.say(describe_time_step(assembled, step));
     journal.say(describe_cost(forecast_run(assembled, run, step.dt, folder.directory)));
     if (drains_sand(assembled))
         journal.say(

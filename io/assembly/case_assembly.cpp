@@ -293,7 +293,8 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     set_initial_state(assembled.scene, flow, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);
     if (!assembled.scene.scheme)
-        assembled.problem.scheme = fastest_scheme(assembled.problem, particles, assembled.scene.end_time);
+        assembled.problem.scheme =
+            fastest_scheme(assembled.problem, assembled.state, assembled.scene.end_time);
     check_probes(assembled);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
     cut_columns(assembled);

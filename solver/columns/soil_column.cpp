@@ -222,6 +222,7 @@ void widen(const SoilColumn& column, const State& narrow, State& wide)
     wide.last_step = narrow.last_step;
     wide.whole_step = narrow.whole_step;
     wide.step_scale = narrow.step_scale;
+    wide.implicit_cost = narrow.implicit_cost;
     wide.step_halvings = narrow.step_halvings;
     wide.times_halved = narrow.times_halved;
     wide.explicit_end = narrow.explicit_end;

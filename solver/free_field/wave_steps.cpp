@@ -2,6 +2,7 @@
 
 #include "solver/free_field/free_field_steps.hpp"
 #include "solver/step/accuracy_control.hpp"
+#include "solver/step/implicit_cost.hpp"
 #include "solver/step/scheme_choice.hpp"
 #include "solver/step/time_step_control.hpp"
 #include "solver/vibration/step_bound.hpp"
@@ -15,11 +16,13 @@ std::optional<TimeStep> step_replaced_by_waves(const Problem& problem, const Pro
         state.time >= end_of_motion(problem, crossing_time(problem, state.time, state.particles));
     const TimeStep accurate = shortest_time_step(problem, state);
     if (is_left_alone && accurate.limiter != TimeStepLimiter::flow) return std::nullopt; // steps grow
+    if (state.implicit_cost == 0.0) state.implicit_cost = implicit_cost(count_parts(problem, state));
+    const double cost = state.implicit_cost;
     // the bound costs as much as twenty steps: first whether it matters
-    if (!are_waves_cheaper(stable_time_step(wave_form, state), accurate)) return std::nullopt;
+    if (!are_waves_cheaper(stable_time_step(wave_form, state), accurate, cost)) return std::nullopt;
     if (state.step_scale == not_measured) measure_bounds(wave_form, state);
     const TimeStep by_waves = shortest_time_step(wave_form, state);
-    if (!are_waves_cheaper(by_waves, accurate)) return std::nullopt;
+    if (!are_waves_cheaper(by_waves, accurate, cost)) return std::nullopt;
     return accurate;
 }
 

@@ -16,7 +16,8 @@ namespace quicksand {
 /// waves, are to be taken; none where implicit steps are:
 ///   once nothing moves the soil any more and it does not flow: they grow, and damp vibrations
 ///   after a failure, to the next restart point
-/// Measures the bound of the steps of waves where it is considered for the first time since measure_bounds().
+/// Measures the bound of the steps of waves, and counts the cost of implicit ones, where they are considered
+/// for the first time since measure_bounds().
 /// Throws NumericalError.
 std::optional<TimeStep> step_replaced_by_waves(const Problem& problem, const Problem& wave_form,
                                                State& state);

@@ -81,6 +81,9 @@ struct State {
     double whole_step = 0.0;
     /// Part of the closed forms' step that the vibration of the nodes leaves (vibration/step_bound.hpp) [-].
     double step_scale = 1.0;
+    /// Of an implicit step over that of one that waves limit (step/implicit_cost.hpp); 0: not counted yet
+    /// [-].
+    double implicit_cost = 0.0;
     std::int64_t step_halvings = 0; // of this step, by the watchdog (run/watchdog.hpp) [-]
     std::int64_t times_halved = 0;  // by the watchdog since the shaking began [-]
     /// Steps before this one are explicit in a semi-implicit run (run/watchdog.hpp) [-].

@@ -17,7 +17,7 @@ Problem with_scheme(const Problem& problem, TimeScheme scheme)
     return form;
 }
 
-bool are_waves_cheaper(const TimeStep& by_waves, const TimeStep& accurate)
+bool are_waves_cheaper(const TimeStep& by_waves, const TimeStep& accurate, double implicit_cost)
 {
     return implicit_cost * by_waves.dt > accurate.dt;
 }

@@ -6,19 +6,15 @@
 
 namespace quicksand {
 
-/// Cost of an implicit step over that of a step that waves limit: 2.2 in instructions in columns of 700
-/// particles, saturated and dry alike; in time 2.3 in the sea dike of 14,000. A fixed number and not the time
-/// of the steps under way, which would choose other steps, and so other bits, in every run [-].
-inline constexpr double implicit_cost = 2.3;
-
 /// The scheme by which steps are taken that waves of the skeleton limit.
 TimeScheme scheme_of_waves(const Problem& problem);
 
 /// The problem, and the columns beyond its free-field sides, with steps of a scheme.
 Problem with_scheme(const Problem& problem, TimeScheme scheme);
 
-/// Whether the run goes on for less with steps of `by_waves` than with implicit ones of `accurate`.
-bool are_waves_cheaper(const TimeStep& by_waves, const TimeStep& accurate);
+/// Whether the run goes on for less with steps of `by_waves` than with implicit ones of `accurate`, each of
+/// which costs `implicit_cost` of them (implicit_cost.hpp).
+bool are_waves_cheaper(const TimeStep& by_waves, const TimeStep& accurate, double implicit_cost);
 
 /// The step that waves limit to `dt`, after one of `last_step`: forces act over the mean of both, and where
 /// that is more than dt the step is as much shorter [s].

@@ -1,6 +1,7 @@
 #include "solver/step/step_forecast.hpp"
 
 #include "solver/step/accuracy_control.hpp"
+#include "solver/step/implicit_cost.hpp"
 #include "solver/step/scheme_choice.hpp"
 #include "solver/step/time_step_control.hpp"
 
@@ -32,8 +33,9 @@ std::int64_t count_steps(const Problem& problem, const Particles& particles, dou
     return static_cast<std::int64_t>(steps);
 }
 
-TimeScheme fastest_scheme(const Problem& problem, const Particles& particles, double end_time)
+TimeScheme fastest_scheme(const Problem& problem, const State& state, double end_time)
 {
+    const Particles& particles = state.particles;
     if (water_flow(problem) == WaterFlow::undrained) return TimeScheme::explicit_steps;
     const auto steps_by = [&](TimeScheme scheme) {
         Problem trial = problem;
@@ -42,8 +44,8 @@ TimeScheme fastest_scheme(const Problem& problem, const Particles& particles, do
             count_steps(trial, particles, stable_time_step(trial, particles).dt, {end_time}));
     };
     const TimeScheme by_waves = scheme_of_waves(problem);
-    return implicit_cost * steps_by(TimeScheme::implicit) < steps_by(by_waves) ? TimeScheme::implicit
-                                                                               : by_waves;
+    const double cost = implicit_cost(count_parts(problem, state));
+    return cost * steps_by(TimeScheme::implicit) < steps_by(by_waves) ? TimeScheme::implicit : by_waves;
 }
 
 } // namespace quicksand

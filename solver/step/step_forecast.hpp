@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/problem/problem.hpp"
+#include "solver/problem/state.hpp"
 
 #include <cstdint>
 #include <vector>
@@ -14,9 +15,9 @@ namespace quicksand {
 std::int64_t count_steps(const Problem& problem, const Particles& particles, double dt,
                          const std::vector<double>& events);
 
-/// The scheme by which a run of the problem from these particles takes the least time, at errors that are
+/// The scheme by which a run of the problem from the state takes the least time, at errors that are
 /// about the same: the one whose steps waves of the skeleton limit, or implicit steps, which cost more each.
 /// Undrained water has explicit steps alone.
-TimeScheme fastest_scheme(const Problem& problem, const Particles& particles, double end_time);
+TimeScheme fastest_scheme(const Problem& problem, const State& state, double end_time);
 
 } // namespace quicksand

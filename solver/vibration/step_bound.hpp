@@ -25,7 +25,8 @@ inline constexpr double least_step_scale = 0.02;
 inline constexpr double not_measured = 0.0;
 
 /// Set the state's step_scale: 0.9 of the limit of the nodes' vibration over the step of the closed forms, at
-/// most 1 and at least least_step_scale; not_measured where steps are implicit. Throws NumericalError.
+/// most 1 and at least least_step_scale; not_measured where steps are implicit, and their cost not counted.
+/// Throws NumericalError.
 void measure_bound(const Problem& problem, State& state);
 
 /// The step from the state, with the bound that was last measured.

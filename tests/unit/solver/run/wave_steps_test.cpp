@@ -83,10 +83,11 @@ TEST(WaveSteps, AreTakenWhereImplicitOnesOfTheSameTimeCostMore)
 {
     TimeStep waves, accurate;
     waves.dt = 1.0;
-    accurate.dt = 0.99 * implicit_cost;
-    EXPECT_TRUE(are_waves_cheaper(waves, accurate));
-    accurate.dt = 1.01 * implicit_cost;
-    EXPECT_FALSE(are_waves_cheaper(waves, accurate));
+    const double cost = 2.5;
+    accurate.dt = 0.99 * cost;
+    EXPECT_TRUE(are_waves_cheaper(waves, accurate, cost));
+    accurate.dt = 1.01 * cost;
+    EXPECT_FALSE(are_waves_cheaper(waves, accurate, cost));
 }
 
 TEST(WaveSteps, AreTakenWhileAccuracyLeavesNoLongerImplicitOnes)
@@ -189,7 +190,7 @@ TEST(WaveSteps, TheRunSaysOfWhichKindItsStepsAre)
                 EXPECT_LT(step.dt * 0.5 * (last + step.dt), 1.01 * longest * longest) << report.time;
             }
             last = step.dt;
-            EXPECT_LT(step.replaced, 1.01 * implicit_cost * longest);
+            EXPECT_LT(step.replaced, 1.01 * state.implicit_cost * longest);
         }
     }
 }

@@ -22,9 +22,14 @@ Problem box_of_sand(bool saturated)
     return problem;
 }
 
+State state_of(const Problem& problem)
+{
+    return fill(problem, 2, [](const Vector2& x) { return x.y() < 2.0; });
+}
+
 Particles sand_of(const Problem& problem)
 {
-    return fill(problem, 2, [](const Vector2& x) { return x.y() < 2.0; }).particles;
+    return state_of(problem).particles;
 }
 
 SineMotion sine_of(double frequency, double cycles)
@@ -65,13 +70,13 @@ TEST(StepForecast, ImplicitStepsAreTakenWhereTheyAreFewEnough)
 {
     for (const bool saturated : {false, true}) {
         Problem problem = box_of_sand(saturated);
-        const Particles particles = sand_of(problem);
+        const State state = state_of(problem);
         const TimeScheme by_waves = saturated ? TimeScheme::semi_implicit : TimeScheme::explicit_steps;
         problem.base_motion = sine_of(1.0, 10.0);
-        EXPECT_EQ(fastest_scheme(problem, particles, 1e3), TimeScheme::implicit);
+        EXPECT_EQ(fastest_scheme(problem, state, 1e3), TimeScheme::implicit);
         problem.base_motion = sine_of(100.0, 10.0); // 1/200 of a period is shorter than what waves allow
-        EXPECT_EQ(fastest_scheme(problem, particles, 0.1), by_waves);
-        EXPECT_EQ(fastest_scheme(problem, particles, 1e4), TimeScheme::implicit) << "consolidation";
+        EXPECT_EQ(fastest_scheme(problem, state, 0.1), by_waves);
+        EXPECT_EQ(fastest_scheme(problem, state, 1e4), TimeScheme::implicit) << "consolidation";
     }
 }
 
@@ -79,7 +84,7 @@ TEST(StepForecast, UndrainedSoilIsComputedByExplicitSteps)
 {
     Problem problem = box_of_sand(true);
     problem.water->flow = WaterFlow::undrained;
-    EXPECT_EQ(fastest_scheme(problem, sand_of(problem), 1e4), TimeScheme::explicit_steps);
+    EXPECT_EQ(fastest_scheme(problem, state_of(problem), 1e4), TimeScheme::explicit_steps);
 }
 
 } // namespace quicksand
