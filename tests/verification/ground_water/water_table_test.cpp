@@ -1,11 +1,13 @@
-// Steps with sound in the water where a water table lies within cells, close above a bent base that cuts
-// them.
+// Water tables that lie within cells, with dry soil above them.
+#include "solver/verification/solutions/terzaghi.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 #include "tests/fixtures/grain_speed.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 namespace quicksand {
 namespace {
@@ -123,6 +125,71 @@ hydraulic_conductivity = 1e-3
     const RelaxationReport report = relax(ground.problem, controls, ground.state);
     EXPECT_TRUE(report.settled);
     EXPECT_LT(report.unbalanced.of_weight, controls.tolerance);
+}
+
+/// Ground of 5.13 m that consolidates from an excess pressure of 5 kPa, with water up to a level [m].
+AssembledCase consolidating_ground(const std::string& scheme, double level)
+{
+    const std::string text = R"(scene_version = 1
+[geometry]
+file = "drawing.geo"
+[grid]
+cell_size = 0.5
+[run]
+end_time = 1000.0
+[sampling]
+particles_per_cell = [2, 2]
+[analysis]
+scheme = ")" + scheme +
+                             "\"\n[water]\nlevel = " + std::to_string(level) + R"(
+[initial]
+excess_pore_pressure = "5 kPa"
+[boundaries.base]
+soil = "fixed"
+[boundaries.left]
+soil = "roller"
+[boundaries.right]
+soil = "roller"
+[relaxation]
+[materials.soil]
+hydraulic_conductivity = 2e-4
+)" + elastic.substr(elastic.find("]") + 1);
+    return assemble(
+        text,
+        polygon_section(
+            {{{0.0, 0.0}, "base"}, {{2.0, 0.0}, "right"}, {{2.0, 5.13}, "surface"}, {{0.0, 5.13}, "left"}}));
+}
+
+// Explicit steps gave all particles of the cells at the table their mean: 0.66 for 1.02, 0.49 and 0.11 kPa.
+TEST(WaterTable, WithinCellsLeavesTheirParticlesTheSlopeOfTheExcessPressure)
+{
+    for (const std::string scheme : {"explicit", "semi_implicit", "implicit"})
+        for (const double level : {4.1, 4.4, 4.5}) {
+            AssembledCase ground = consolidating_ground(scheme, level);
+            SaturatedSoil soil; // that of `elastic`
+            soil.constrained_modulus = 24e6;
+            soil.porosity = 0.4;
+            soil.hydraulic_conductivity = 2e-4;
+            relax(ground.problem, RelaxationControls(), ground.state);
+            // the mean over two periods of the wave that the sudden drainage of the table has set off
+            const double per_time = time_factor(soil, level, 1.0), middle = 0.1 / per_time;
+            constexpr int samples = 40;
+            const Particles& particles = ground.state.particles;
+            std::map<std::int32_t, double> errors; // [Pa]
+            for (int k = 0; k < samples; ++k) {
+                const double time = middle + 0.4 * (static_cast<double>(k) / samples - 0.5);
+                run(ground.problem, time, {}, ground.state);
+                for (std::size_t p = 0; p < particles.size(); ++p) {
+                    const double depth = level - particles.position.y[p];
+                    if (depth < 0.0) continue;
+                    const double exact = 5e3 * terzaghi_pressure_ratio(depth / level, time * per_time);
+                    errors[particles.identifier[p]] += (excess_pore_pressure(particles, p) - exact) / samples;
+                }
+            }
+            double largest = 0.0;
+            for (const auto& [particle, error] : errors) largest = std::max(largest, std::abs(error));
+            EXPECT_LT(largest, 80.0) << scheme << ", " << level << " m"; // [Pa]
+        }
 }
 
 } // namespace
