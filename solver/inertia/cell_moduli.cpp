@@ -25,7 +25,15 @@ Moduli mean_moduli(const Material& material, double dt, const Particles& particl
         material.law);
 }
 
-void add_to_cell(double fraction, const Moduli& moduli, double x, double y, StiffnessSums& cell)
+/// Of a domain: 1 of a square, (a/b + b/a) / 2 of a rectangle with the sides a and b [-].
+double elongation(const Vector2& half_edge_1, const Vector2& half_edge_2)
+{
+    const double area = std::abs(half_edge_1.x() * half_edge_2.y() - half_edge_1.y() * half_edge_2.x());
+    return 0.5 * (half_edge_1.squaredNorm() + half_edge_2.squaredNorm()) / area;
+}
+
+void add_to_cell(double fraction, const Moduli& moduli, double x, double y, double elongation,
+                 StiffnessSums& cell)
 {
     const double M = fraction * moduli.constrained, Mx = M * x, My = M * y;
     cell.constrained += M;
@@ -35,6 +43,8 @@ void add_to_cell(double fraction, const Moduli& moduli, double x, double y, Stif
     cell.xx += Mx * x;
     cell.xy += Mx * y;
     cell.yy += My * y;
+    cell.filled += fraction;
+    cell.elongation += M * elongation;
 }
 
 /// From the middle of a cell to that of what a domain has in it, along an axis.
@@ -45,7 +55,8 @@ double place_within(double from_rim, int cell)
 
 /// Give the cells of a stencil their parts of a volume with the moduli; its middle lies `from_rim` [cells].
 void add_volume(const StoredStencil& stencil, const double* phi, const Vector2& from_rim, double fraction,
-                const Moduli& moduli, const NodeRows& rows, std::vector<StiffnessSums>& cells)
+                const Moduli& moduli, double elongation, const NodeRows& rows,
+                std::vector<StiffnessSums>& cells)
 {
     constexpr int most = NodeStencil::max_width;
     const int width = stencil.width, height = stencil.height;
@@ -66,7 +77,7 @@ void add_volume(const StoredStencil& stencil, const double* phi, const Vector2& 
     for (int b = 0, k = 0; b + 1 < height; ++b, row += rows.stride) {
         const double y = place_within(from_rim.y(), stencil.row + b);
         for (int a = 0; a + 1 < width; ++a, ++k)
-            if (parts[k] > 0.0) add_to_cell(scale * parts[k], moduli, x[a], y, row[a]);
+            if (parts[k] > 0.0) add_to_cell(scale * parts[k], moduli, x[a], y, elongation, row[a]);
     }
 }
 
@@ -105,7 +116,7 @@ void add_tile(const Problem& problem, double dt, const Particles& particles, con
                 const StoredStencil& stencil = store.stencils[k - first_entry];
                 add_volume(stencil, store.value.data() + stencil.first,
                            problem.grid.cells_from_rim(position[q]), per_cell * particles.volume[q], moduli,
-                           rows, cells);
+                           elongation(particles.half_edge_1[q], particles.half_edge_2[q]), rows, cells);
             }
         }
     }
@@ -127,6 +138,13 @@ double eccentricity_factor(const StiffnessSums& cell)
     return std::max(1.0, 0.5 * (1.0 + q + std::sqrt(square(1.0 - q) + 4.0 * c * M * r2)));
 }
 
+double elongation_factor(const StiffnessSums& cell)
+{
+    constexpr double enough = 0.5; // of the cell
+    const double empty = std::max(0.0, 1.0 - cell.filled / enough);
+    return 1.0 + empty * (cell.elongation / cell.constrained - 1.0);
+}
+
 void sum_cell_moduli(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,
                      const std::vector<StencilStore>& stencils, const std::vector<std::uint8_t>& resists,
                      const NodeRows& rows, CellModuli& cells)
@@ -140,7 +158,8 @@ void sum_cell_moduli(const Problem& problem, double dt, const Particles& particl
     cells.shear.resize(rows.size());
     for_each_index(rows.size(), [&](std::size_t k) {
         const StiffnessSums& sums = cells.sums[k];
-        const double factor = sums.constrained > 0.0 ? eccentricity_factor(sums) : 0.0;
+        const double factor =
+            sums.constrained > 0.0 ? eccentricity_factor(sums) * elongation_factor(sums) : 0.0;
         cells.constrained[k] = factor * sums.constrained;
         cells.shear[k] = factor * sums.shear;
     });

@@ -97,11 +97,12 @@ TEST(NodeStiffness, HoldsAGrainWhoseDomainPassesANodeTogether)
     const double density = (1.0 - sand.porosity) * sand.grain_density, wave = std::sqrt(M / density);
     std::mt19937 generator(5);
     std::uniform_real_distribution<double> offset(-0.1, 0.1), part(-1.0, 1.0);
-    for (int k = 0; k < 200; ++k) {
+    for (int k = 0; k < 800; ++k) {
         SCOPED_TRACE(k);
         State state = fill(problem, 1, [](const Vector2& x) { return x.x() < 1.0 && x.y() < 1.0; });
         Particles& grain = state.particles;
-        const double length = 0.17 * (1.0 + (k % 4)), width = 0.5 * length, angle = 3.0 * part(generator);
+        const double length = 0.17 * (1.0 + (k % 4)), angle = 3.0 * part(generator);
+        const double width = std::vector{1.0, 0.5, 0.2, 0.1}[static_cast<std::size_t>(k / 4 % 4)] * length;
         grain.position.set(0, Vector2(3.0 + offset(generator), 3.0 + offset(generator)));
         grain.half_edge_1.set(0, length * Vector2(std::cos(angle), std::sin(angle)));
         grain.half_edge_2.set(0, width * Vector2(-std::sin(angle), std::cos(angle)));
