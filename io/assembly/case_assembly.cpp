@@ -13,8 +13,10 @@
 #include "io/tables/scene_boundaries.hpp"
 #include "solver/base/failure.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/columns/soil_column.hpp"
 #include "solver/free_field/free_field_columns.hpp"
 #include "solver/motion/slivers.hpp"
+#include "solver/step/scheme_choice.hpp"
 #include "solver/step/step_forecast.hpp"
 
 #include <fmt/format.h>
@@ -186,6 +188,18 @@ void cut_columns(AssembledCase& assembled)
     throw_errors(assembled.warnings, assembled.scene);
 }
 
+/// The scheme that takes the least time, for the one column of cells that a run computes where all are equal.
+void choose_scheme(AssembledCase& assembled)
+{
+    const ColumnSearch search = assembled.scene.columns == ColumnsComputed::one
+                                    ? find_soil_column(assembled.problem, assembled.state)
+                                    : ColumnSearch();
+    const Problem& computed = search.column ? search.column->problem : assembled.problem;
+    const State& state = search.column ? search.column->state : assembled.state;
+    assembled.problem =
+        with_scheme(assembled.problem, fastest_scheme(computed, state, assembled.scene.end_time));
+}
+
 /// What a flow in time begins with after the flows of these stages.
 FlowStart start_after(const std::vector<Scene>& stages, const std::vector<std::optional<InitialFlow>>& flows,
                       const Problem& problem)
@@ -292,12 +306,10 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not
     set_initial_state(assembled.scene, flow, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);
-    if (!assembled.scene.scheme)
-        assembled.problem.scheme =
-            fastest_scheme(assembled.problem, assembled.state, assembled.scene.end_time);
     check_probes(assembled);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
     cut_columns(assembled);
+    if (!assembled.scene.scheme) choose_scheme(assembled);
     return assembled;
 }
 

@@ -38,7 +38,7 @@ double eccentricity_factor(const StiffnessSums& cell);
 
 /// The same for domains that are longer than wide, whose gradients grow with 1 / b across their length, alone
 /// in a cell: their mean elongation in an empty cell, 1 where half of the cell is filled, whose particles
-/// bear each other's [own]. Single domains of half edges up to .35 cells are then at most 2.2 times stiffer
+/// bear each other's [own]. Single domains of half edges up to .35 cells are then at most 2.5 times stiffer
 /// than K, where 4 beta = 2 are borne; up to 10 times without it.
 double elongation_factor(const StiffnessSums& cell);
 

@@ -41,6 +41,8 @@ StepParts count_parts(const Problem& problem, const State& state)
     const Problem form = with_scheme(problem, scheme_of_waves(problem));
     State copy = state;
     copy.balance_terms.reset();
+    copy.free_fields.clear(); // their rows are not in checkpoints, and forces do not count
+    copy.stage = Stage::shaking;
     const double dt = stable_time_step(form, copy).dt;
     if (water_flow(form) == WaterFlow::coupled) {
         TwoPhaseWorkspace work = make_two_phase_workspace(form);

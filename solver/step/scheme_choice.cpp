@@ -17,9 +17,9 @@ Problem with_scheme(const Problem& problem, TimeScheme scheme)
     return form;
 }
 
-bool are_waves_cheaper(const TimeStep& by_waves, const TimeStep& accurate, double implicit_cost)
+bool are_waves_cheaper(const TimeStep& by_waves, const TimeStep& accurate, double cost)
 {
-    return implicit_cost * by_waves.dt > accurate.dt;
+    return cost * by_waves.dt > accurate.dt;
 }
 
 double step_after(double last_step, double dt)

@@ -13,8 +13,8 @@ TimeScheme scheme_of_waves(const Problem& problem);
 Problem with_scheme(const Problem& problem, TimeScheme scheme);
 
 /// Whether the run goes on for less with steps of `by_waves` than with implicit ones of `accurate`, each of
-/// which costs `implicit_cost` of them (implicit_cost.hpp).
-bool are_waves_cheaper(const TimeStep& by_waves, const TimeStep& accurate, double implicit_cost);
+/// which costs `cost` of them (implicit_cost.hpp).
+bool are_waves_cheaper(const TimeStep& by_waves, const TimeStep& accurate, double cost);
 
 /// The step that waves limit to `dt`, after one of `last_step`: forces act over the mean of both, and where
 /// that is more than dt the step is as much shorter [s].

@@ -1,7 +1,6 @@
 #include "solver/water/pore_pressure.hpp"
 
 #include "solver/base/slope_fit.hpp"
-#include "solver/motion/grid_to_particle.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,19 +76,12 @@ std::optional<Neighbour> find_image(const Problem& problem, const CellLists& lis
     return std::nullopt;
 }
 
-/// Slope of the pressure in a cell [Pa/m].
-struct PressureSlope {
-    Vector2 slope;
-    bool at_rim = false; // beside a cell without wet soil
-};
-
-PressureSlope pressure_slope(const Problem& problem, const CellLists& lists, const CellMeans& means,
-                             const Scalars& pressure, std::size_t slot)
+Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const CellMeans& means,
+                       const Scalars& pressure, std::size_t slot)
 {
     const std::int32_t cell = lists.cell_of_slot[slot], columns = problem.grid.all_cells_x();
     const Vector2 centre = means.centre[slot];
     SlopeFit fit;
-    bool at_rim = false;
     for (std::int32_t b = -1; b <= 1; ++b) {
         for (std::int32_t a = -1; a <= 1; ++a) {
             // centres never lie in the outermost cells of the rim, so that the neighbours exist
@@ -105,23 +97,9 @@ PressureSlope pressure_slope(const Problem& problem, const CellLists& lists, con
             if (image)
                 fit.add(means.centre[image->slot] + Vector2(image->shift, 0.0) - centre,
                         pressure[image->slot] - pressure[slot]);
-            else
-                at_rim = true;
         }
     }
-    return {fit.slope(problem.grid.cell_size), at_rim};
-}
-
-/// The mean pressure that the particles of a cell have before the step [Pa].
-double mean_before(const CellLists& lists, std::size_t first, std::size_t last, const Particles& particles)
-{
-    double volume = 0.0, sum = 0.0;
-    for (std::size_t k = first; k < last; ++k) {
-        const auto p = static_cast<std::size_t>(lists.order[k]);
-        volume += particles.volume[p];
-        sum += particles.volume[p] * particles.pore_pressure[p];
-    }
-    return sum / volume;
+    return fit.slope(problem.grid.cell_size);
 }
 
 /// Whether a cell beside a solid has so much soil of others besides its own that its pressure must be flat:
@@ -318,31 +296,20 @@ void follow_solved_pressure(double dt, const CellLists& lists, const Tile& tile,
     });
 }
 
-double part_of_slopes_at_rim(const Problem& problem, double dt)
-{
-    return is_partly_wet(problem) ? dt / (dt + null_space_time(problem)) : 1.0;
-}
-
 void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
-                               const CellMeans& means, const Scalars& sloping, double part_at_rim,
-                               Particles& particles)
+                               const CellMeans& means, const Scalars& sloping, Particles& particles)
 {
     const Vectors& place = place_in_equations(problem, particles);
     const bool cavitates = problem.water->cavitation_pressure.has_value();
     const bool has_solids = has_soil_and_solids(problem);
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
         const Vector2 centre = means.centre[slot];
-        const PressureSlope sloped = has_solids && is_enlarged(problem, means.volume[slot])
-                                         ? PressureSlope{Vector2::Zero()}
-                                         : pressure_slope(problem, lists, means, sloping, slot);
-        const double part = sloped.at_rim ? part_at_rim : 1.0;
-        const double before = part < 1.0 ? mean_before(lists, first, last, particles) : 0.0;
+        const Vector2 slope = has_solids && is_enlarged(problem, means.volume[slot])
+                                  ? Vector2::Zero()
+                                  : pressure_slope(problem, lists, means, sloping, slot);
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
-            const double own = sloped.slope.dot(place[p] - centre);
-            particles.pore_pressure[p] =
-                means.pore_pressure[slot] +
-                (part < 1.0 ? part * own + (1.0 - part) * (particles.pore_pressure[p] - before) : own);
+            particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre);
             if (cavitates)
                 cavitate(lowest_excess(problem, place.y[p]), means.tension_deficit[slot], p, particles);
         }

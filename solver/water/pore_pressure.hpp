@@ -108,18 +108,9 @@ void follow_solved_pressure(double dt, const CellLists& lists, const Tile& tile,
                             Particles& particles, CellMeans& means);
 
 /// Give the particles of a tile a plane through their cell's mean, with the slope that `sloping` has by least
-/// squares to the up to eight neighbours that hold soil. Beside a cell without wet soil the slope follows by
-/// `part_at_rim` [-].
+/// squares to the up to eight neighbours that hold soil.
 void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
-                               const CellMeans& means, const Scalars& sloping, double part_at_rim,
-                               Particles& particles);
-
-/// The part by which slopes of cells beside soil without water follow in an explicit step [-]. Where a water
-/// table lies in the soil, cells that it cuts, walls below it and cells that share a pressure come together,
-/// and slopes that follow sound make energy there at any length of the step, for the means do not answer to
-/// their work. So they follow over the time in which the fastest wave crosses twenty cells; over a twentieth
-/// of it they would be stable as well.
-double part_of_slopes_at_rim(const Problem& problem, double dt);
+                               const CellMeans& means, const Scalars& sloping, Particles& particles);
 
 /// Advance the pressure of all cells; set_increments(tile) sets the increments of a tile.
 template <class SetIncrements>
@@ -131,9 +122,8 @@ void advance_pore_pressure(const Problem& problem, double dt, const CellLists& l
         set_increments(tile);
         apply_increments(problem, dt, lists, tile, increment, particles, means);
     });
-    const double part_at_rim = part_of_slopes_at_rim(problem, dt);
     for_each_tile(lists, [&](const Tile& tile) {
-        reconstruct_pore_pressure(problem, lists, tile, means, means.pore_pressure, part_at_rim, particles);
+        reconstruct_pore_pressure(problem, lists, tile, means, means.pore_pressure, particles);
     });
 }
 
@@ -146,7 +136,7 @@ inline void advance_solved_pressure(const Problem& problem, double dt, const Cel
         follow_solved_pressure(dt, lists, tile, solved, particles, means);
     });
     for_each_tile(lists, [&](const Tile& tile) {
-        reconstruct_pore_pressure(problem, lists, tile, means, means.sloping_pressure, 1.0, particles);
+        reconstruct_pore_pressure(problem, lists, tile, means, means.sloping_pressure, particles);
     });
 }
 

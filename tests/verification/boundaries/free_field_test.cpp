@@ -1,6 +1,8 @@
 // Free-field sides: level ground moves as its column, a dike stays symmetric, unlike sides move as their own
 // columns, waves leave, rest stays rest.
 #include "solver/base/threads.hpp"
+#include "solver/free_field/wave_steps.hpp"
+#include "solver/step/implicit_cost.hpp"
 #include "tests/fixtures/free_field_ground.hpp"
 #include "tests/fixtures/same_bits.hpp"
 #include "tests/fixtures/sand_box.hpp"
@@ -68,6 +70,20 @@ TEST(FreeField, LevelGroundMovesAsItsColumnInEveryScheme)
         EXPECT_LT(found.shear_stress.relative(), 5e-3); // 2e-3
         EXPECT_LT(found.pressure.most, 2e-3 * found.vertical_stress.size);
         EXPECT_LT(std::abs(energy_balance(problem, state).error()), 1e-6);
+    }
+}
+
+// A run that goes on from a checkpoint has no rows of the columns before its first step.
+TEST(FreeField, PartsOfAStepAreCountedBeforeTheColumnsHaveRows)
+{
+    for (const Case& one : cases) {
+        if (one.scheme != TimeScheme::implicit) continue;
+        SCOPED_TRACE(one.name);
+        Problem problem = layered_ground(FreeFieldSide{}, one.flow, one.scheme);
+        State state = level_ground_state(problem);
+        for (FreeFieldState& field : state.free_fields) field.rows = FreeFieldRows();
+        EXPECT_EQ(count_parts(problem, state).particles, static_cast<double>(state.particles.size()));
+        EXPECT_GT(first_time_step(problem, state).dt, 0.0);
     }
 }
 

@@ -1,4 +1,5 @@
 // Water tables that lie within cells, with dry soil above them.
+#include "solver/measure/balances.hpp"
 #include "solver/verification/solutions/terzaghi.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 #include "tests/fixtures/grain_speed.hpp"
@@ -125,6 +126,51 @@ hydraulic_conductivity = 1e-3
     const RelaxationReport report = relax(ground.problem, controls, ground.state);
     EXPECT_TRUE(report.settled);
     EXPECT_LT(report.unbalanced.of_weight, controls.tolerance);
+}
+
+// Slopes that followed the means slowly made 12 to 19 % of the energy put in, whatever the step.
+TEST(WaterTable, WithinCellsMakesNoEnergyOverManyCycles)
+{
+    for (const std::string scheme : {"explicit", "semi_implicit"}) {
+        const std::string text = R"(scene_version = 1
+[geometry]
+file = "drawing.geo"
+[grid]
+cell_size = 1.0
+[run]
+end_time = 1.0
+[sampling]
+particles_per_cell = [2, 2]
+[analysis]
+scheme = ")" + scheme + R"("
+[water]
+level = 6.4
+bulk_modulus = 1e8
+[boundaries.base]
+soil = "fixed"
+[boundaries.left]
+soil = "roller"
+[boundaries.right]
+soil = "roller"
+[motion]
+kind = "sine"
+amplitude = 0.5
+frequency = 3
+cycles = 5
+[relaxation]
+[materials.soil]
+hydraulic_conductivity = 1e-6
+)" + elastic.substr(elastic.find("]") + 1);
+        AssembledCase ground = assemble(text, polygon_section({{{0.0, 0.0}, "base"},
+                                                               {{6.0, 0.0}, "right"},
+                                                               {{6.0, 7.5}, "surface"},
+                                                               {{0.0, 7.5}, "left"}}));
+        relax(ground.problem, RelaxationControls(), ground.state);
+        begin_shaking(ground.problem, ground.state);
+        open_balances(ground.problem, ground.state);
+        run(ground.problem, 6.0, {}, ground.state);
+        EXPECT_LT(std::abs(energy_balance(ground.problem, ground.state).error()), 0.02) << scheme;
+    }
 }
 
 /// Ground of 5.13 m that consolidates from an excess pressure of 5 kPa, with water up to a level [m].
