@@ -25,11 +25,11 @@ Moduli mean_moduli(const Material& material, double dt, const Particles& particl
         material.law);
 }
 
-/// Of a domain: 1 of a square, (a/b + b/a) / 2 of a rectangle with the sides a and b [-].
+/// Of a domain: 1 of a square, a/b + b/a - 1 of a rectangle with the sides a and b [-].
 double elongation(const Vector2& half_edge_1, const Vector2& half_edge_2)
 {
     const double area = std::abs(half_edge_1.x() * half_edge_2.y() - half_edge_1.y() * half_edge_2.x());
-    return 0.5 * (half_edge_1.squaredNorm() + half_edge_2.squaredNorm()) / area;
+    return (half_edge_1.squaredNorm() + half_edge_2.squaredNorm()) / area - 1.0;
 }
 
 void add_to_cell(double fraction, const Moduli& moduli, double x, double y, double elongation,
@@ -140,9 +140,8 @@ double eccentricity_factor(const StiffnessSums& cell)
 
 double elongation_factor(const StiffnessSums& cell)
 {
-    constexpr double enough = 0.5; // of the cell
-    const double empty = std::max(0.0, 1.0 - cell.filled / enough);
-    return 1.0 + empty * (cell.elongation / cell.constrained - 1.0);
+    const double alone = std::clamp(1.5 - 2.0 * cell.filled, 0.0, 1.0);
+    return 1.0 + alone * (cell.elongation / cell.constrained - 1.0);
 }
 
 void sum_cell_moduli(const Problem& problem, double dt, const Particles& particles, const CellLists& lists,

@@ -15,7 +15,7 @@ namespace quicksand {
 /// in cells, and elongations [Pa].
 struct StiffnessSums {
     double constrained = 0.0, shear = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
-    double elongation = 0.0; // (a/b + b/a) / 2 of domains with the sides a and b, 1 of squares
+    double elongation = 0.0; // a/b + b/a - 1 of domains with the sides a and b, 1 of squares
     double filled = 0.0;     // part of the cell [-]
 };
 
@@ -37,9 +37,9 @@ struct CellModuli {
 double eccentricity_factor(const StiffnessSums& cell);
 
 /// The same for domains that are longer than wide, whose gradients grow with 1 / b across their length, alone
-/// in a cell: their mean elongation in an empty cell, 1 where half of the cell is filled, whose particles
-/// bear each other's [own]. Single domains of half edges up to .35 cells are then at most 2.5 times stiffer
-/// than K, where 4 beta = 2 are borne; up to 10 times without it.
+/// in a cell: their mean elongation where a quarter of the cell is filled, 1 from three quarters on, whose
+/// particles bear each other's [own]. Single domains of half edges up to .35 cells would be up to 10 times
+/// stiffer than K without it. 4 beta = 2 are borne, and needed for moduli that grow within a step.
 double elongation_factor(const StiffnessSums& cell);
 
 /// Sum them up from the particles, as they are expected after a step of dt: grains that meet are soft before
