@@ -16,7 +16,7 @@ std::optional<TimeStep> step_replaced_by_waves(const Problem& problem, const Pro
         state.time >= end_of_motion(problem, crossing_time(problem, state.time, state.particles));
     const TimeStep accurate = shortest_time_step(problem, state);
     if (is_left_alone && accurate.limiter != TimeStepLimiter::flow) return std::nullopt; // steps grow
-    if (state.implicit_cost == 0.0) state.implicit_cost = implicit_cost(count_parts(problem, state));
+    if (state.implicit_cost == not_measured) state.implicit_cost = implicit_cost(count_parts(problem, state));
     const double cost = state.implicit_cost;
     // the bound costs as much as twenty steps: first whether it matters
     if (!are_waves_cheaper(stable_time_step(wave_form, state), accurate, cost)) return std::nullopt;

@@ -4,6 +4,7 @@
 #include "solver/base/threads.hpp"
 #include "solver/particles/background_grid.hpp"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -27,6 +28,23 @@ inline NodeRows make_node_rows(const BackgroundGrid& grid)
     const auto nodes_x = static_cast<std::size_t>(grid.nodes_x());
     return {nodes_x, static_cast<std::size_t>(grid.nodes_y()),
             (nodes_x + NodeRows::lanes - 1) / NodeRows::lanes * NodeRows::lanes};
+}
+
+/// The smallest rectangle of nodes around those with soil.
+struct Extent {
+    std::size_t x0, x1, y0, y1; // [x0, x1) x [y0, y1)
+};
+
+template <class IsActive>
+Extent extent_of(const NodeRows& grid, IsActive&& is_active)
+{
+    Extent extent{grid.nodes_x, 0, grid.nodes_y, 0};
+    for (std::size_t y = 0; y < grid.nodes_y; ++y)
+        for (std::size_t x = 0; x < grid.nodes_x; ++x) {
+            if (!is_active(y * grid.nodes_x + x)) continue;
+            extent = {std::min(extent.x0, x), std::max(extent.x1, x + 1), std::min(extent.y0, y), y + 1};
+        }
+    return extent;
 }
 
 /// The places [first, last) of a row, multiples of four.

@@ -30,23 +30,6 @@ void solve_with(const BandedFactor<Number>& factor, Scalars& values)
     std::copy_n(vector.begin(), values.size(), values.begin());
 }
 
-/// The smallest rectangle of nodes around those with soil.
-struct Extent {
-    std::size_t x0, x1, y0, y1; // [x0, x1) x [y0, y1)
-};
-
-template <class IsActive>
-Extent extent_of(const NodeRows& grid, IsActive&& is_active)
-{
-    Extent extent{grid.nodes_x, 0, grid.nodes_y, 0};
-    for (std::size_t y = 0; y < grid.nodes_y; ++y)
-        for (std::size_t x = 0; x < grid.nodes_x; ++x) {
-            if (!is_active(y * grid.nodes_x + x)) continue;
-            extent = {std::min(extent.x0, x), std::max(extent.x1, x + 1), std::min(extent.y0, y), y + 1};
-        }
-    return extent;
-}
-
 /// [0, count) from the first to the last, or by turns from both ends, so that the ends become neighbours.
 std::vector<std::size_t> sequence(std::size_t count, bool folded)
 {

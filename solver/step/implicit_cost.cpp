@@ -1,5 +1,6 @@
 #include "solver/step/implicit_cost.hpp"
 
+#include "solver/inertia/node_rows.hpp"
 #include "solver/step/scheme_choice.hpp"
 #include "solver/step/single_phase_step.hpp"
 #include "solver/step/time_step_control.hpp"
@@ -20,17 +21,11 @@ StepParts count(const BackgroundGrid& grid, const State& state, const std::vecto
     parts.particles = static_cast<double>(state.particles.size());
     parts.rows = static_cast<double>(walls.rows.size());
     parts.rows_repeat = walls.rows.repeat();
-    const auto nodes_x = static_cast<std::size_t>(grid.nodes_x());
-    std::size_t left = nodes_x, right = 0, low = sums.size(), high = 0;
-    for (std::size_t i = 0; i < sums.size(); ++i) {
-        if (!sums[i].active()) continue;
-        parts.nodes += 1.0;
-        left = std::min(left, i % nodes_x);
-        right = std::max(right, i % nodes_x);
-        low = std::min(low, i / nodes_x);
-        high = std::max(high, i / nodes_x);
-    }
-    if (parts.nodes > 0.0) parts.height = static_cast<double>(std::min(right - left, high - low) + 1);
+    const auto has_soil = [&](std::size_t i) { return sums[i].active(); };
+    for (std::size_t i = 0; i < sums.size(); ++i) parts.nodes += has_soil(i) ? 1.0 : 0.0;
+    if (parts.nodes == 0.0) return parts;
+    const Extent extent = extent_of(make_node_rows(grid), has_soil);
+    parts.height = static_cast<double>(std::min(extent.x1 - extent.x0, extent.y1 - extent.y0));
     return parts;
 }
 

@@ -57,7 +57,7 @@ double part_left(const Problem& problem, double scale)
 void measure_bound(const Problem& problem, State& state)
 {
     state.step_scale = measure_scale(problem, state);
-    if (problem.scheme == TimeScheme::implicit) state.implicit_cost = 0.0; // to be counted when it matters
+    if (problem.scheme == TimeScheme::implicit) state.implicit_cost = not_measured; // until it matters
 }
 
 TimeStep bounded_time_step(const Problem& problem, const State& state)

@@ -21,7 +21,8 @@ inline constexpr std::int64_t steps_between_bounds = 2048;
 /// by sqrt(M/G): 0.2 for Poisson's ratio of 0.49, 0.03 for 0.4999 [-].
 inline constexpr double least_step_scale = 0.02;
 
-/// step_scale of a run of implicit steps, until it is measured for the steps that waves limit in it [-].
+/// step_scale of a run of implicit steps, until it is measured for the steps that waves limit in it; and
+/// implicit_cost, until it is counted [-].
 inline constexpr double not_measured = 0.0;
 
 /// Set the state's step_scale: 0.9 of the limit of the nodes' vibration over the step of the closed forms, at

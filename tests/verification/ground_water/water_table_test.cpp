@@ -128,43 +128,31 @@ hydraulic_conductivity = 1e-3
     EXPECT_LT(report.unbalanced.of_weight, controls.tolerance);
 }
 
+/// Ground from the origin on, on a fixed base between rollers; `water` are keys of its water, `tables`
+/// others.
+AssembledCase box_of_ground(double cell, const Vector2& size, const std::string& scheme,
+                            const std::string& water, double conductivity, const std::string& tables)
+{
+    const auto cells = [&](double side) { return static_cast<int>(std::ceil(side / cell)); };
+    const std::string soil = "[materials.soil]\nhydraulic_conductivity = " + std::to_string(conductivity) +
+                             elastic.substr(elastic.find("]") + 1);
+    return assemble(scene_with(cell, {0.0, 0.0}, cells(size.x()), cells(size.y()),
+                               "[sampling]\nparticles_per_cell = [2, 2]\n[analysis]\nscheme = \"" + scheme +
+                                   "\"\n[water]\n" + water + base_and_sides + tables + "[relaxation]\n" +
+                                   soil),
+                    polygon_section({{{0.0, 0.0}, "base"},
+                                     {{size.x(), 0.0}, "right"},
+                                     {size, "surface"},
+                                     {{0.0, size.y()}, "left"}}));
+}
+
 // Slopes that followed the means slowly made 12 to 19 % of the energy put in, whatever the step.
 TEST(WaterTable, WithinCellsMakesNoEnergyOverManyCycles)
 {
     for (const std::string scheme : {"explicit", "semi_implicit"}) {
-        const std::string text = R"(scene_version = 1
-[geometry]
-file = "drawing.geo"
-[grid]
-cell_size = 1.0
-[run]
-end_time = 1.0
-[sampling]
-particles_per_cell = [2, 2]
-[analysis]
-scheme = ")" + scheme + R"("
-[water]
-level = 6.4
-bulk_modulus = 1e8
-[boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "roller"
-[boundaries.right]
-soil = "roller"
-[motion]
-kind = "sine"
-amplitude = 0.5
-frequency = 3
-cycles = 5
-[relaxation]
-[materials.soil]
-hydraulic_conductivity = 1e-6
-)" + elastic.substr(elastic.find("]") + 1);
-        AssembledCase ground = assemble(text, polygon_section({{{0.0, 0.0}, "base"},
-                                                               {{6.0, 0.0}, "right"},
-                                                               {{6.0, 7.5}, "surface"},
-                                                               {{0.0, 7.5}, "left"}}));
+        AssembledCase ground =
+            box_of_ground(1.0, {6.0, 7.5}, scheme, "level = 6.4\nbulk_modulus = 1e8\n", 1e-6,
+                          "[motion]\nkind = \"sine\"\namplitude = 0.5\nfrequency = 3\ncycles = 5\n");
         relax(ground.problem, RelaxationControls(), ground.state);
         begin_shaking(ground.problem, ground.state);
         open_balances(ground.problem, ground.state);
@@ -173,45 +161,14 @@ hydraulic_conductivity = 1e-6
     }
 }
 
-/// Ground of 5.13 m that consolidates from an excess pressure of 5 kPa, with water up to a level [m].
-AssembledCase consolidating_ground(const std::string& scheme, double level)
-{
-    const std::string text = R"(scene_version = 1
-[geometry]
-file = "drawing.geo"
-[grid]
-cell_size = 0.5
-[run]
-end_time = 1000.0
-[sampling]
-particles_per_cell = [2, 2]
-[analysis]
-scheme = ")" + scheme +
-                             "\"\n[water]\nlevel = " + std::to_string(level) + R"(
-[initial]
-excess_pore_pressure = "5 kPa"
-[boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "roller"
-[boundaries.right]
-soil = "roller"
-[relaxation]
-[materials.soil]
-hydraulic_conductivity = 2e-4
-)" + elastic.substr(elastic.find("]") + 1);
-    return assemble(
-        text,
-        polygon_section(
-            {{{0.0, 0.0}, "base"}, {{2.0, 0.0}, "right"}, {{2.0, 5.13}, "surface"}, {{0.0, 5.13}, "left"}}));
-}
-
 // Explicit steps gave all particles of the cells at the table their mean: 0.66 for 1.02, 0.49 and 0.11 kPa.
 TEST(WaterTable, WithinCellsLeavesTheirParticlesTheSlopeOfTheExcessPressure)
 {
     for (const std::string scheme : {"explicit", "semi_implicit", "implicit"})
         for (const double level : {4.1, 4.4, 4.5}) {
-            AssembledCase ground = consolidating_ground(scheme, level);
+            AssembledCase ground =
+                box_of_ground(0.5, {2.0, 5.13}, scheme, "level = " + std::to_string(level) + "\n", 2e-4,
+                              "[initial]\nexcess_pore_pressure = \"5 kPa\"\n");
             SaturatedSoil soil; // that of `elastic`
             soil.constrained_modulus = 24e6;
             soil.porosity = 0.4;
