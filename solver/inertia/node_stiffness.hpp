@@ -56,24 +56,19 @@ public:
     /// K(row, column) of that block, with a + 3 b = `neighbour`.
     double entry(std::size_t place, std::size_t neighbour, std::size_t row, std::size_t column) const
     {
-        return value(index_of(place, neighbour, row, column));
+        return blocks_[index_of(place, neighbour, row, column)];
     }
 
+    /// The block of the node at a place and of that to the right by a - 1 and up by b - 1.
+    Eigen::Matrix2d block(std::size_t place, std::size_t a, std::size_t b) const;
+
+private:
     /// Where that number stands among all of them.
     static std::size_t index_of(std::size_t place, std::size_t neighbour, std::size_t row, std::size_t column)
     {
         return place / lanes * lanes * per_node + (neighbour * entries + row * 2 + column) * lanes +
                place % lanes;
     }
-    double value(std::size_t index) const { return blocks_[index]; }
-
-    /// The nodes that have a row.
-    const std::vector<NodeSpan>& spans() const { return spans_; }
-
-    /// The block of the node at a place and of that to the right by a - 1 and up by b - 1.
-    Eigen::Matrix2d block(std::size_t place, std::size_t a, std::size_t b) const;
-
-private:
     void add(const ThreeNodeCell& cell);
 
     NodeRows rows_;

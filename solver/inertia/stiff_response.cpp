@@ -85,9 +85,9 @@ void StiffResponse::note_parts(const VelocityRows& rows)
     if (!parts_.empty()) parts_.resize(last + 1);
 }
 
-StiffResponse::Pattern StiffResponse::present_pattern(std::size_t rows, const NodeStiffness& stiffness) const
+StiffResponse::Pattern StiffResponse::present_pattern(std::size_t rows) const
 {
-    Pattern pattern{std::vector<std::uint8_t>(shares_.size()), {}, rows, stiffness.spans()};
+    Pattern pattern{std::vector<std::uint8_t>(shares_.size()), {}, rows};
     for (std::size_t k = 0; k < shares_.size(); ++k) pattern.moves[k] = shares_[k].mass > 0.0 ? 1 : 0;
     pattern.row_nodes.reserve(parts_.size());
     for (const Part& part : parts_) pattern.row_nodes.emplace_back(part.row, part.node);
@@ -122,6 +122,11 @@ void StiffResponse::number_equations(const NodeConditions& conditions, const Nod
     }
     for (; next < ends.size(); ++next) multipliers_[ends[next].second] = equations++;
     for (const TiedNodes& tie : conditions.tied) unknowns_[tie.node] = unknowns_[tie.master];
+    equations_ = unknowns_;
+    for (std::array<std::int32_t, 2>& of_node : equations_)
+        for (std::int32_t& of_axis : of_node)
+            if (of_axis >= 0)
+                of_axis = static_cast<std::int32_t>(list_[static_cast<std::size_t>(of_axis)].equation);
 }
 
 /// Call visit(row, column, value) for the numbers that the masses have in the matrix.
@@ -147,32 +152,29 @@ void StiffResponse::for_each_of_dashpots(double velocity_dt, const std::vector<D
     }
 }
 
-/// The entries of the stiffness on and below the diagonal; nodes that are tied to one have several in one
-/// place.
-void StiffResponse::list_stiffness(const NodeRows& grid, const NodeStiffness& stiffness)
+/// The same of K, of which the blocks of a node with itself and with those before it are read: it is
+/// symmetric. Both blocks of two nodes that are tied to one are on its diagonal.
+template <class Visit>
+void StiffResponse::for_each_of_stiffness(const NodeRows& grid, const NodeStiffness& stiffness,
+                                          Visit&& visit) const
 {
-    entries_.clear();
-    diagonal_entries_.clear();
+    constexpr std::size_t own = 4; // of the 3 x 3 blocks
     stiffness.for_each_node([&](std::size_t i, std::size_t place) {
-        const std::array<std::int32_t, 2>& of = unknowns_[i];
+        const std::array<std::int32_t, 2>& of = equations_[i];
         if (of[0] < 0 && of[1] < 0) return;
         const std::size_t first = i - grid.nodes_x - 1;
-        for (std::size_t k = 0; k < 9; ++k) {
-            const std::array<std::int32_t, 2>& other = unknowns_[first + k / 3 * grid.nodes_x + k % 3];
+        for (std::size_t k = 0; k <= own; ++k) {
+            const std::array<std::int32_t, 2>& other = equations_[first + k / 3 * grid.nodes_x + k % 3];
             for (std::size_t row = 0; row < 2; ++row)
-                for (std::size_t column = 0; column < 2; ++column) {
-                    if (other[column] < 0 || of[row] < other[column]) continue;
-                    if (of[row] == other[column]) diagonal_entries_.push_back(entries_.size());
-                    entries_.push_back({list_[static_cast<std::size_t>(of[row])].equation,
-                                        list_[static_cast<std::size_t>(other[column])].equation,
-                                        NodeStiffness::index_of(place, k, row, column)});
+                for (std::size_t column = 0; column < (k == own ? row + 1 : 2); ++column) {
+                    const std::int32_t a = of[row], b = other[column];
+                    if (a < 0 || b < 0) continue;
+                    const double value = stiffness.entry(place, k, row, column);
+                    visit(static_cast<std::size_t>(std::max(a, b)), static_cast<std::size_t>(std::min(a, b)),
+                          k != own && a == b ? 2.0 * value : value);
                 }
         }
     });
-    first_columns_.resize(list_.size() + multipliers_.size());
-    std::iota(first_columns_.begin(), first_columns_.end(), std::size_t{0});
-    for (const StiffnessEntry& entry : entries_)
-        first_columns_[entry.row] = std::min(first_columns_[entry.row], entry.column);
 }
 
 /// The same of the rows at walls and of followers.
@@ -206,13 +208,13 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
                               const NodeRows& grid, const NodeStiffness& stiffness)
 {
     note_parts(walls);
-    if (Pattern present = present_pattern(walls.size(), stiffness); present != pattern_) {
+    if (Pattern present = present_pattern(walls.size()); present != pattern_) {
         pattern_ = std::move(present);
         number_equations(conditions, grid);
-        list_stiffness(grid, stiffness);
     }
     const std::size_t equations = list_.size() + multipliers_.size();
-    std::vector<std::size_t> first_columns = first_columns_;
+    std::vector<std::size_t> first_columns(equations);
+    std::iota(first_columns.begin(), first_columns.end(), std::size_t{0});
     Scalars diagonal(equations, 0.0);
     const auto sum_diagonal = [&](std::size_t row, std::size_t column, double value) {
         first_columns[row] = std::min(first_columns[row], column);
@@ -220,8 +222,9 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
     };
     for_each_of_masses(sum_diagonal);
     for_each_of_dashpots(velocity_dt, dashpots, sum_diagonal);
-    for (const std::size_t k : diagonal_entries_)
-        diagonal[entries_[k].row] += std::abs(factor * stiffness.value(entries_[k].index));
+    for_each_of_stiffness(grid, stiffness, [&](std::size_t row, std::size_t column, double value) {
+        sum_diagonal(row, column, factor * value);
+    });
     for_each_of_rows(sum_diagonal);
     // a row has the scale of what its nodes answer
     std::vector<std::uint8_t> is_multiplier(equations, 0);
@@ -256,8 +259,9 @@ void StiffResponse::factorise(const NodeConditions& conditions, double velocity_
             };
             for_each_of_masses(fill);
             for_each_of_dashpots(velocity_dt, dashpots, fill);
-            for (const StiffnessEntry& entry : entries_)
-                fill(entry.row, entry.column, factor * stiffness.value(entry.index));
+            for_each_of_stiffness(grid, stiffness, [&](std::size_t row, std::size_t column, double value) {
+                fill(row, column, factor * value);
+            });
             for_each_of_rows(fill);
             for (std::size_t row = 0; row < multipliers_.size(); ++row) {
                 const std::size_t m = multipliers_[row];

@@ -107,17 +107,11 @@ private:
         NodeVelocities coefficients;
     };
 
-    /// A number of K in the matrix.
-    struct StiffnessEntry {
-        std::size_t row = 0, column = 0; // equations
-        std::size_t index = 0;           // among the numbers of K
-    };
-    /// What the order of the equations and the places of K's numbers follow from.
+    /// What the order of the equations follows from.
     struct Pattern {
         std::vector<std::uint8_t> moves; // two of each node
         std::vector<std::pair<std::size_t, std::size_t>> row_nodes;
         std::size_t rows = 0;
-        std::vector<NodeSpan> spans;
 
         bool operator==(const Pattern&) const = default;
     };
@@ -146,9 +140,10 @@ private:
     }
 
     void note_parts(const VelocityRows& rows);
-    Pattern present_pattern(std::size_t rows, const NodeStiffness& stiffness) const;
-    void list_stiffness(const NodeRows& grid, const NodeStiffness& stiffness);
+    Pattern present_pattern(std::size_t rows) const;
     void number_equations(const NodeConditions& conditions, const NodeRows& grid);
+    template <class Visit>
+    void for_each_of_stiffness(const NodeRows& grid, const NodeStiffness& stiffness, Visit&& visit) const;
     template <class Visit>
     void for_each_of_rows(Visit&& visit) const;
     template <class Visit>
@@ -162,19 +157,17 @@ private:
         return u < 0 ? nullptr : &list_[static_cast<std::size_t>(u)];
     }
 
-    std::vector<AxisShare> shares_;                     // two of each node
-    std::vector<MixedShare> mixed_;                     // of some nodes, in their order
-    std::vector<std::array<std::int32_t, 2>> unknowns_; // of each node, those of ties; -1: held, no soil
-    std::vector<Unknown> list_;                         // in the order of the equations
-    std::vector<Part> parts_;                           // node by node, each row once
-    std::vector<std::size_t> multipliers_;              // equations of the rows
-    Pattern pattern_;                     // for which the following hold, and the numbers of the equations
-    std::vector<StiffnessEntry> entries_; // node by node
-    std::vector<std::size_t> diagonal_entries_; // those on the diagonal
-    std::vector<std::size_t> first_columns_;    // of the equations, by the stiffness
-    std::vector<double> scale_;                 // of the equations; 0: a row that acts on nothing
-    Scalars porosities_;                        // of the nodes [-]
-    Scalars own_x_, own_y_;                     // n^2 q: flux of the water alone per force [m/kg]
+    std::vector<AxisShare> shares_;                      // two of each node
+    std::vector<MixedShare> mixed_;                      // of some nodes, in their order
+    std::vector<std::array<std::int32_t, 2>> unknowns_;  // of each node, those of ties; -1: held, no soil
+    std::vector<std::array<std::int32_t, 2>> equations_; // the same
+    std::vector<Unknown> list_;                          // in the order of the equations
+    std::vector<Part> parts_;                            // node by node, each row once
+    std::vector<std::size_t> multipliers_;               // equations of the rows
+    Pattern pattern_;                                    // for which the numbers of the equations hold
+    std::vector<double> scale_;                          // of the equations; 0: a row that acts on nothing
+    Scalars porosities_;                                 // of the nodes [-]
+    Scalars own_x_, own_y_;                              // n^2 q: flux of the water alone per force [m/kg]
     /// Single precision, or double where rows nearly repeat each other and in long steps.
     std::variant<BandedFactor<float>, BandedFactor<double>> factor_;
     Scalars vector_; // impulses by equation, then the solution, both scaled

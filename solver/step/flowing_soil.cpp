@@ -1,5 +1,6 @@
 #include "solver/step/flowing_soil.hpp"
 
+#include "solver/base/threads.hpp"
 #include "solver/inertia/inertia_solve.hpp"
 #include "solver/problem/material_runs.hpp"
 #include "solver/step/cell_extremes.hpp"
@@ -27,64 +28,93 @@ double borne_stress(const Law& law, const Particles& particles, std::size_t p)
 struct RatesOfWork {
     double borne = 0.0;   // of the soil's stress
     double elastic = 0.0; // of the stress that its strain in a second would cause, were it elastic
+
+    RatesOfWork& operator+=(const RatesOfWork& other)
+    {
+        borne += other.borne;
+        elastic += other.elastic;
+        return *this;
+    }
 };
 
-/// Twice the energies of the present motion, per length [J/m].
-struct MotionEnergies {
+/// The same, and twice the energies of the present motion of all soil, per length [J/m].
+struct RatesOfMotion {
+    RatesOfWork work;
     double kinetic = 0.0; // relative to the base
     double strain = 0.0;  // of the elastic strain of a second [J/(m s2)]
+
+    RatesOfMotion& operator+=(const RatesOfMotion& other)
+    {
+        work += other.work;
+        kinetic += other.kinetic;
+        strain += other.strain;
+        return *this;
+    }
 };
 
-MotionEnergies energies_of_motion(const Problem& problem, const Particles& particles)
+/// The sum of add(material, law, p, sum) over the particles.
+template <class Sum, class Add>
+Sum sum_over_particles(const Problem& problem, const Particles& particles, Add&& add)
 {
-    MotionEnergies sum;
-    const Vectors& v = particles.velocity_solid;
-    const Gradients& L = particles.affine_velocity_solid;
-    const auto add = [&](const Material& material, const auto& law, std::size_t first, std::size_t last) {
-        const double density = mixture_density(problem, material, material.porosity);
-        const double lambda_of_G = constrained_modulus(law) / shear_modulus(law) - 2.0;
-        for (std::size_t p = first; p < last; ++p) {
-            const double volume = particles.volume[p], expansion = L.xx[p] + L.yy[p];
-            sum.kinetic += volume * density * (v.x[p] * v.x[p] + v.y[p] * v.y[p]);
-            sum.strain += volume * shear_modulus_at(law, p, particles) *
-                          (2.0 * rate_squared(L, p) + lambda_of_G * expansion * expansion);
-        }
-    };
-    for_each_material_run(problem, particles, 0, particles.size(),
-                          [&](const Material& material, std::size_t first, std::size_t last) {
-                              std::visit([&](const auto& law) { add(material, law, first, last); },
-                                         material.law);
-                          });
-    return sum;
+    return ordered_sum(particles.size(), Sum{}, [&](std::size_t begin, std::size_t end) {
+        Sum sum;
+        for_each_material_run(problem, particles, begin, end,
+                              [&](const Material& material, std::size_t first, std::size_t last) {
+                                  std::visit(
+                                      [&](const auto& law) {
+                                          for (std::size_t p = first; p < last; ++p)
+                                              add(material, law, p, sum);
+                                      },
+                                      material.law);
+                              });
+        return sum;
+    });
+}
+
+/// `G` is the particle's present shear modulus [Pa], `squared` that of the rate of its strain [1/s2].
+template <class Law>
+void add_rates_of_work(const Law& law, const Particles& particles, std::size_t p, double G, double squared,
+                       RatesOfWork& sum)
+{
+    if (!yields(law)) return;
+    sum.borne += particles.volume[p] * borne_stress(law, particles, p) * std::sqrt(squared);
+    sum.elastic += particles.volume[p] * 2.0 * G * squared;
+}
+
+double step_of_flow(const RatesOfWork& sum)
+{
+    return sum.elastic > 0.0 ? elastic_change * sum.borne / sum.elastic
+                             : std::numeric_limits<double>::infinity();
 }
 
 } // namespace
 
 double step_of_shaken_flow(const Problem& problem, const Particles& particles)
 {
-    const MotionEnergies sum = energies_of_motion(problem, particles);
+    const Vectors& v = particles.velocity_solid;
+    const Gradients& L = particles.affine_velocity_solid;
+    const auto add = [&](const Material& material, const auto& law, std::size_t p, RatesOfMotion& sum) {
+        const double volume = particles.volume[p], expansion = L.xx[p] + L.yy[p];
+        const double G = shear_modulus_at(law, p, particles), squared = rate_squared(L, p);
+        const double lambda_of_G = constrained_modulus(law) / shear_modulus(law) - 2.0;
+        sum.kinetic += volume * mixture_density(problem, material, material.porosity) *
+                       (v.x[p] * v.x[p] + v.y[p] * v.y[p]);
+        sum.strain += volume * G * (2.0 * squared + lambda_of_G * expansion * expansion);
+        add_rates_of_work(law, particles, p, G, squared, sum.work);
+    };
+    const auto sum = sum_over_particles<RatesOfMotion>(problem, particles, add);
     if (!(sum.strain > 0.0)) return std::numeric_limits<double>::infinity();
     const double of_inertia = std::sqrt(added_inertia * sum.kinetic / (inertia_fraction * sum.strain));
-    return std::max(step_of_flow(problem, particles), of_inertia);
+    return std::max(step_of_flow(sum.work), of_inertia);
 }
 
 double step_of_flow(const Problem& problem, const Particles& particles)
 {
-    RatesOfWork sum;
-    const auto add = [&](const auto& law, std::size_t first, std::size_t last) {
-        if (!yields(law)) return;
-        for (std::size_t p = first; p < last; ++p) {
-            const double squared = rate_squared(particles.affine_velocity_solid, p);
-            sum.borne += particles.volume[p] * borne_stress(law, particles, p) * std::sqrt(squared);
-            sum.elastic += particles.volume[p] * 2.0 * shear_modulus_at(law, p, particles) * squared;
-        }
+    const auto add = [&](const Material&, const auto& law, std::size_t p, RatesOfWork& sum) {
+        add_rates_of_work(law, particles, p, shear_modulus_at(law, p, particles),
+                          rate_squared(particles.affine_velocity_solid, p), sum);
     };
-    for_each_material_run(problem, particles, 0, particles.size(),
-                          [&](const Material& material, std::size_t first, std::size_t last) {
-                              std::visit([&](const auto& law) { add(law, first, last); }, material.law);
-                          });
-    return sum.elastic > 0.0 ? elastic_change * sum.borne / sum.elastic
-                             : std::numeric_limits<double>::infinity();
+    return step_of_flow(sum_over_particles<RatesOfWork>(problem, particles, add));
 }
 
 } // namespace quicksand

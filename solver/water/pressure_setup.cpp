@@ -30,7 +30,7 @@ void add_cavities(PressureSolve& solve)
 
 void choose_blocks(double dt, PressureSolve& solve)
 {
-    constexpr double alike = 0.05;              // of dt
+    constexpr double alike = 0.5;               // of dt: the diagonal, by which blocks are scaled, follows it
     constexpr std::int32_t worth_a_set_up = 16; // iterations: their instructions are those of new blocks
     if (std::abs(dt - solve.dt_of_blocks) > alike * dt || solve.iterations_lost > worth_a_set_up)
         solve.blocks_are_due = true;
