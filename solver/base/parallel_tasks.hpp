@@ -1,19 +1,21 @@
 // Tasks of unlike length on all threads, of which some may fail.
 #pragma once
 
+#include "solver/base/threads.hpp"
+
 #include <cstddef>
 #include <exception>
 #include <vector>
 
 namespace quicksand {
 
-/// Call task(k) for k < count, a thread that is done taking the next one. What the tasks throw, by k; null
-/// where nothing was thrown.
+/// Call task(k) for k < count on so many threads, one that is done taking the next one. What the tasks throw,
+/// by k; null where nothing was thrown.
 template <class Task>
-std::vector<std::exception_ptr> attempt_each(std::size_t count, Task&& task)
+std::vector<std::exception_ptr> attempt_each(std::size_t count, Task&& task, int threads = thread_count())
 {
     std::vector<std::exception_ptr> failures(count);
-#pragma omp parallel for schedule(dynamic)
+#pragma omp parallel for schedule(dynamic) num_threads(threads)
     for (std::size_t k = 0; k < count; ++k) {
         try {
             task(k);

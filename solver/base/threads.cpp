@@ -58,7 +58,7 @@ int thread_count()
 
 int threads_for(std::size_t count)
 {
-    return count > least_parallel_work ? thread_count() : 1;
+    return count > least_parallel_work && omp_in_parallel() == 0 ? thread_count() : 1;
 }
 
 int thread_number()

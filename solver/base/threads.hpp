@@ -25,7 +25,7 @@ inline constexpr std::size_t least_parallel_work = 2000;
 /// Particles or nodes that a thread takes at a time [-].
 inline constexpr std::size_t chunk = 256;
 
-/// Threads for work on so many particles or nodes.
+/// Threads for work on so many particles or nodes; one where several work already.
 int threads_for(std::size_t count);
 
 /// Number of the thread that calls, from 0 on.

@@ -164,11 +164,12 @@ double missing_inertia(double dt, SemiImplicitWorkspace& work)
     double missing = 0.0, largest = 0.0;
     for (std::size_t i = 0; i < work.sums.size(); ++i) {
         if (work.conditions.master[i] != i || !work.sums[i].active()) continue;
-        const Vector2 force = inertia_force(work.sums[i]), product = inertia.product[inertia.places[i]];
+        const std::size_t place = inertia.places[i];
+        const Vector2 force = inertia_force(work.sums[i]), product = inertia.product[place];
         for (const int axis : {0, 1}) {
             if (inertia.response.is_light(i, static_cast<std::size_t>(axis))) continue;
-            missing = std::max(missing, std::abs(product[axis] - force[axis]));
-            largest = std::max(largest, std::abs(force[axis]));
+            missing = std::max(missing, dt * std::abs(product[axis] - force[axis]) / mass_of(work.sums[i]));
+            largest = std::max(largest, std::abs(inertia.change[place][axis]));
         }
     }
     return missing > 0.0 ? missing / largest : 0.0;

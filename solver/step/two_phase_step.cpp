@@ -1,7 +1,7 @@
 #include "solver/step/two_phase_step.hpp"
 
 #include "solver/base/failure.hpp"
-#include "solver/boundaries/boundary_compliance.hpp"
+#include "solver/base/parallel_tasks.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/outer_forces.hpp"
 #include "solver/boundaries/solid_seals.hpp"
@@ -16,10 +16,6 @@
 #include "solver/step/accuracy_control.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace quicksand {
@@ -81,81 +77,10 @@ void expect_growth_of_turns(const Problem& problem, double dt, const Particles& 
     for_each_tile(lists, [&](const Tile& tile) { sum_growth_of_turns(dt, lists, tile, particles, growth); });
 }
 
-/// The solve ends before its last iteration only where it meets what is not a number.
-[[noreturn]] void fail_to_solve(const PressureSolve& pressure, const PressureSolveControls& controls,
-                                double dt, const State& state)
-{
-    const bool is_number = pressure.iterations >= controls.max_iterations;
-    FailureRecord record = failure_at(dt, state, fastest_particle(state.particles));
-    record.phase = "pressure";
-    record.what = is_number ? "the pressure of the cells is not found within " +
-                                  std::to_string(pressure.iterations) + " iterations"
-                            : "the pressure of the cells is not a number, nor is the motion it follows from";
-    record.what += "; the particle below is the fastest";
-    record.causes = causes_of_instability;
-    throw NumericalError(record);
-}
-
-/// Deficits and limits of the cells; soil without water has neither.
-void set_up_cavities(const Problem& problem, const Particles& particles, SemiImplicitWorkspace& work)
-{
-    CavitySolve& cavity = work.pressure.cavity;
-    if (cavity.cavities.empty()) return;
-    std::fill(cavity.deficit.begin(), cavity.deficit.end(), 0.0);
-    std::fill(cavity.lowest_increment.begin(), cavity.lowest_increment.end(),
-              -std::numeric_limits<double>::infinity());
-    const CellLists& lists = work.lists_with_pressure();
-    for_each_tile(lists, [&](const Tile& tile) {
-        prepare_cavities(problem, lists, tile, particles, work.pressure.expected, cavity.deficit,
-                         cavity.lowest_increment);
-    });
-}
-
-/// Divergence and storage of the cells, and compliances of the nodes with their boundaries.
-void set_up_pressure(const Problem& problem, double dt, double velocity_dt, const Particles& particles,
-                     SemiImplicitWorkspace& work)
-{
-    PressureSolve& pressure = work.pressure;
-    if (work.partly_wet) {
-        // soil without water gives cells no divergence, and cells of such soil alone an equation dp = 0
-        set_wet_volumes(problem, particles, work.wet_volume);
-        std::fill(pressure.storage.begin(), pressure.storage.end(), 1.0);
-        std::fill(pressure.expected.begin(), pressure.expected.end(), 0.0);
-    }
-    std::fill(pressure.increment.begin(), pressure.increment.end(), 0.0);
-    const Scalars& volume = work.partly_wet ? work.wet_volume : particles.volume;
-    const CellLists& lists = work.lists_with_pressure();
-    for_each_tile(work.lists, [&](const Tile& tile) {
-        assemble_divergence(problem.grid, volume, work.lists, tile, work.stencils_of(tile),
-                            pressure.divergence[static_cast<std::size_t>(tile.number)]);
-        prepare_increments(problem, dt, lists, tile, particles, pressure.storage, pressure.expected);
-    });
-    set_up_cavities(problem, particles, work);
-    set_pressure_compliances(problem, work.conditions, velocity_dt, work.sums, pressure.compliance);
-    include_dashpots(problem, work.conditions, velocity_dt, work.dashpots, work.sums, pressure.compliance);
-    Scalars porosities;
-    for (const std::size_t i : work.walls.rows.nodes())
-        porosities.push_back(node_porosity(problem, work.sums[i]));
-    set_row_response(porosities, work.walls.rows, pressure);
-    if (work.walls.any) aggregate_pressures(work.walls.shared_pressures(), pressure);
-}
-
-/// Solve for the increments with the fluxes of the motion, the equations being set up, and add their forces.
-void find_increments(const Problem& problem, double dt, double velocity_dt, const State& state,
-                     SemiImplicitWorkspace& work)
-{
-    PressureSolve& pressure = work.pressure;
-    const double step = set_fluxes(dt, velocity_dt, work);
-    if (!solve_increments(problem.grid, work.lists, work.conditions, step, work.controls, pressure))
-        fail_to_solve(pressure, work.controls, dt, state);
-    set_changes(work.lists, pressure);
-    add_increment_forces(problem, work);
-}
-
-/// Velocities and pressures of a step.
+/// Velocities and pressures of a step, from equations that are ready.
 void answer(const Problem& problem, double dt, double velocity_dt, State& state, SemiImplicitWorkspace& work)
 {
-    timed(work.timers, Phase::pore_pressure, [&] { solve_pressure(problem, dt, velocity_dt, state, work); });
+    timed(work.timers, Phase::pore_pressure, [&] { find_increments(problem, dt, velocity_dt, state, work); });
     timed(work.timers, Phase::momentum,
           [&] { solve_two_phase_velocities(problem, velocity_dt, state, work); });
 }
@@ -188,7 +113,13 @@ void answer_with_inertia(const Problem& problem, double dt, double velocity_dt, 
               [&] { solve_two_phase_velocities(problem, velocity_dt, state, work); });
     };
     timed(work.timers, Phase::inertia, [&] {
-        set_up_inertia(problem, dt, velocity_dt, work);
+        const auto set_up = [&](std::size_t equations) {
+            if (equations == 0)
+                set_up_inertia(problem, dt, velocity_dt, work);
+            else
+                prepare_pressure(problem, dt, velocity_dt, state.particles, work);
+        };
+        rethrow_first(attempt_each(2, set_up, threads_for(state.particles.size())));
         set_stiffness_of_cells(problem.grid, work);
     });
     work.pressure.stiff_response = [&](const Scalars& force_x, const Scalars& force_y, Scalars& flux_x,
@@ -198,12 +129,11 @@ void answer_with_inertia(const Problem& problem, double dt, double velocity_dt, 
     resist();
     answer(problem, dt, velocity_dt, state, work);
     resist();
-    resist(); // what single precision has left of the pressure's large forces on nearly empty nodes
-    // rows that nearly repeat each other yield less in the balance of momentum than in the factor
+    // What single precision has left of the pressure's large forces on nearly empty nodes; and rows that
+    // nearly repeat each other yield less in the balance of momentum than in the factor.
     constexpr double enough = 1e-4;
     constexpr int most_corrections = 8;
-    if (work.walls.rows.repeat())
-        for (int k = 0; k < most_corrections && missing_inertia(dt, work) > enough; ++k) resist();
+    for (int k = 0; k < most_corrections && missing_inertia(dt, work) > enough; ++k) resist();
     work.pressure.stiff_response = nullptr;
 }
 
@@ -290,37 +220,6 @@ void scatter_to_nodes(const Problem& problem, double dt, double time, const Stat
     set_drag(problem, particles, work.lists, work.stencils, work.conditions, work.sums, work.layered_drag);
 }
 
-double set_fluxes(double dt, double velocity_dt, SemiImplicitWorkspace& work)
-{
-    // the flux changes over velocity_dt and fills cells over dt: dt velocity_dt in the place of dt^2
-    const double step = std::sqrt(dt * velocity_dt);
-    PressureSolve& pressure = work.pressure;
-    for_each_index(work.motion.size(), [&](std::size_t i) {
-        pressure.flux_x[i] = dt / step * work.motion[i].flux_x;
-        pressure.flux_y[i] = dt / step * work.motion[i].flux_y;
-    });
-    return step;
-}
-
-void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work)
-{
-    PressureSolve& pressure = work.pressure;
-    set_increment_forces(problem.grid, work.lists, work.conditions, pressure);
-    for_each_index(work.sums.size(), [&](std::size_t i) {
-        work.sums[i].pressure_force_x += pressure.force_x[i];
-        work.sums[i].pressure_force_y += pressure.force_y[i];
-        pressure.force_x[i] = pressure.force_y[i] = 0.0;
-    });
-}
-
-void solve_pressure(const Problem& problem, double dt, double velocity_dt, const State& state,
-                    SemiImplicitWorkspace& work)
-{
-    choose_blocks(std::sqrt(dt * velocity_dt), work.pressure);
-    set_up_pressure(problem, dt, velocity_dt, state.particles, work);
-    find_increments(problem, dt, velocity_dt, state, work);
-}
-
 void advance_two_phase_step(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
 {
     Particles& particles = state.particles;
@@ -372,10 +271,13 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     } else {
         timed(work.timers, Phase::momentum,
               [&] { solve_two_phase_velocities(problem, velocity_dt, state, work); });
-        if (work.inertia)
+        if (work.inertia) {
             answer_with_inertia(problem, dt, velocity_dt, state, work);
-        else
+        } else {
+            timed(work.timers, Phase::pore_pressure,
+                  [&] { prepare_pressure(problem, dt, velocity_dt, particles, work); });
             answer(problem, dt, velocity_dt, state, work);
+        }
     }
     timed(work.timers, Phase::momentum, [&] {
         const bool is_quiet = together && work.inertia->kept < 1.0; // vibrations are damped, not followed

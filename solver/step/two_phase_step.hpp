@@ -56,18 +56,6 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
 
 SemiImplicitWorkspace make_semi_implicit_workspace(const Problem& problem);
 
-/// Give the pressure's equations the fluxes of the motion, which change over `velocity_dt` and fill cells
-/// over `dt`. Returns the one time that stands for both in them, sqrt(dt velocity_dt) [s].
-double set_fluxes(double dt, double velocity_dt, SemiImplicitWorkspace& work);
-
-/// Add the forces of the pressure's increments to those on the nodes.
-void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work);
-
-/// Add the pressure's increments, solved with the fluxes in work.motion, to the forces on the nodes; the flux
-/// changes over `velocity_dt` and fills cells over `dt`. Throws NumericalError.
-void solve_pressure(const Problem& problem, double dt, double velocity_dt, const State& state,
-                    SemiImplicitWorkspace& work);
-
 /// The same step with the water's pressure implicit: between 3 and 4 the increments of the cells' pressure
 /// are solved for with drag and walls inside (pressure_solve.hpp), and the momentum balances again with their
 /// force; 5 takes these increments. Waves of the water no longer limit dt.
@@ -79,6 +67,24 @@ void solve_pressure(const Problem& problem, double dt, double velocity_dt, const
 /// Pre: dt <= stable_time_step(...).dt. Throws NumericalError.
 void advance_semi_implicit_step(const Problem& problem, double dt, State& state, SemiImplicitWorkspace& work);
 
+/// Divergence and storage of the cells, and compliances of the nodes with their boundaries
+/// (implicit_pressure.cpp).
+void set_up_pressure(const Problem& problem, double dt, double velocity_dt, const Particles& particles,
+                     SemiImplicitWorkspace& work);
+
+/// The same, and the preconditioner of their solution. Of a step's motion it reads nothing.
+void prepare_pressure(const Problem& problem, double dt, double velocity_dt, const Particles& particles,
+                      SemiImplicitWorkspace& work);
+
+/// Add the forces of the pressure's increments to those on the nodes.
+void add_increment_forces(const Problem& problem, SemiImplicitWorkspace& work);
+
+/// Solve the equations of prepare_pressure() with the fluxes in work.motion, and add the forces of the
+/// increments to those on the nodes; the flux changes over `velocity_dt` and fills cells over `dt`. Throws
+/// NumericalError.
+void find_increments(const Problem& problem, double dt, double velocity_dt, const State& state,
+                     SemiImplicitWorkspace& work);
+
 /// Factorise the response of nodes whose stiffness resists accelerations, from the moduli of the cells and
 /// the sums, tied nodes gathered (skeleton_inertia.cpp).
 void set_up_inertia(const Problem& problem, double dt, double velocity_dt, SemiImplicitWorkspace& work);
@@ -86,8 +92,9 @@ void set_up_inertia(const Problem& problem, double dt, double velocity_dt, SemiI
 /// Set the inertia forces of work.sums to those of the velocities that the sums' other forces give with them.
 /// work.motion has the velocities that the sums, with the former inertia forces, give over `velocity_dt`.
 void resist_acceleration(double dt, double velocity_dt, SemiImplicitWorkspace& work);
-/// What these forces miss of those of the change of velocity in work.motion, over the largest force [-];
-/// light nodes, which have theirs from the balance of momentum, excepted.
+/// The largest velocity that would follow from what these forces miss of those of the change of velocity in
+/// work.motion, over the largest change [-]; light nodes, which have their forces from the balance of
+/// momentum, excepted.
 double missing_inertia(double dt, SemiImplicitWorkspace& work);
 
 } // namespace quicksand

@@ -109,7 +109,8 @@ void TwoPhaseEquations::solve_velocities()
     solve();
     if (!is_semi_implicit()) return;
     // dp with n V / K_w where the step solves for x with n V / (b K_w)
-    solve_pressure(problem_, half_step_ / acting_weight, half_step_, state_, work_);
+    prepare_pressure(problem_, half_step_ / acting_weight, half_step_, state_.particles, work_);
+    find_increments(problem_, half_step_ / acting_weight, half_step_, state_, work_);
     solve();
 }
 

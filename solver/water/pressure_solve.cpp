@@ -333,24 +333,31 @@ void aggregate_pressures(const std::vector<AggregatedCell>& aggregated, Pressure
     copy_from_roots(solve, solve.increment);
 }
 
+void set_up_preconditioner(const BackgroundGrid& grid, const CellLists& lists,
+                           const NodeConditions& conditions, double dt, PressureSolve& solve)
+{
+    set_diagonal(grid, lists, dt, solve);
+    if (std::exchange(solve.blocks_are_due, false)) {
+        set_up_blocks(grid, lists, conditions, dt, solve, solve.blocks);
+        solve.iterations_when_new.reset();
+    }
+    scale_blocks(solve.diagonal, solve.blocks);
+}
+
 bool solve_increments(const BackgroundGrid& grid, const CellLists& lists, const NodeConditions& conditions,
                       double dt, const PressureSolveControls& controls, PressureSolve& solve)
 {
-    set_diagonal(grid, lists, dt, solve);
-    const bool new_blocks = std::exchange(solve.blocks_are_due, false);
-    if (new_blocks) set_up_blocks(grid, lists, conditions, dt, solve, solve.blocks);
-    scale_blocks(solve.diagonal, solve.blocks);
     const auto known = [&](std::size_t c) { return known_inflow(solve, c); };
     const double scale = set_right_hand_side(grid, lists, dt, known, solve);
     sum_to_roots(solve, solve.right_hand_side);
     solve.iterations = 0;
     const bool converged = converge(grid, lists, conditions, dt,
                                     controls.tolerance * controls.tolerance * scale, controls, solve);
-    if (new_blocks) {
+    if (!solve.iterations_when_new) {
         solve.iterations_when_new = solve.iterations;
         solve.iterations_lost = 0;
     }
-    solve.iterations_lost += std::max(0, solve.iterations - solve.iterations_when_new);
+    solve.iterations_lost += std::max(0, solve.iterations - *solve.iterations_when_new);
     return converged;
 }
 

@@ -33,6 +33,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace quicksand {
@@ -53,11 +54,11 @@ using FluxResponse =
 /// Unknowns and work arrays, by slot of the cell lists (only cells with soil are touched) and by node.
 struct PressureSolve : PressureEquations {
     PressureBlocks blocks;
-    bool blocks_are_due = true;                  // to be set up anew in the next solve
-    double dt_of_blocks = 0.0;                   // for which they were set up [s]
-    std::int32_t iterations_when_new = 0;        // of the first solve with the blocks [-]
-    std::int32_t iterations_lost = 0;            // of all since, beyond those [-]
-    const VelocityRows* rows = nullptr;          // of walls and followers, none without
+    bool blocks_are_due = true;                      // to be set up anew in the next solve
+    double dt_of_blocks = 0.0;                       // for which they were set up [s]
+    std::optional<std::int32_t> iterations_when_new; // of the first solve with the blocks [-]
+    std::int32_t iterations_lost = 0;                // of all since, beyond those [-]
+    const VelocityRows* rows = nullptr;              // of walls and followers, none without
     FluxResponse stiff_response;                 // in the place of compliance and rows, none without inertia
     std::vector<Vector2> row_forces, row_fluxes; // at the nodes of the rows
     Scalars stiffness;        // of the cells against a change of volume, with the former; else empty [Pa/m2]
@@ -107,6 +108,10 @@ void set_row_response(const Scalars& porosities, VelocityRows& rows, PressureSol
 /// Let badly filled cells have the pressure of their roots. After storage and increments of the roots have
 /// been set.
 void aggregate_pressures(const std::vector<AggregatedCell>& aggregated, PressureSolve& solve);
+
+/// Set up the diagonal, and the blocks where they are due. After all else that the equations consist of.
+void set_up_preconditioner(const BackgroundGrid& grid, const CellLists& lists,
+                           const NodeConditions& conditions, double dt, PressureSolve& solve);
 
 /// Solve for `increment`, from its present value as guess, with `flux_x, flux_y` = flux*; with a limit of
 /// tension for `cavity` as well. Returns whether it converged.
