@@ -318,6 +318,18 @@ void StiffResponse::set_porosities(Scalars porosities)
     }
 }
 
+FluxParts StiffResponse::flux_parts(std::size_t node) const
+{
+    FluxParts parts{own_x_[node] + own_y_[node]};
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+        const Unknown* u = unknown(node, axis);
+        if (u == nullptr || u->node != node) continue; // held, or tied to another
+        const double mobility = 1.0 / share(node, axis).mass;
+        parts += {0.0, u->gain * u->gain * mobility, mobility};
+    }
+    return parts;
+}
+
 void StiffResponse::answer_pressure(const Scalars& force_x, const Scalars& force_y, Scalars& flux_x,
                                     Scalars& flux_y)
 {

@@ -47,6 +47,21 @@ struct MixedShare {
     AxisShare share;
 };
 
+/// Fluxes per force of the pressure [m/kg].
+struct FluxParts {
+    double of_water = 0.0;  // n^2 q: of the water beside held grains
+    double of_grains = 0.0; // (1-n + n e)^2 / M: of the grains and the water that they carry
+    double mobility = 0.0;  // 1 / M
+
+    FluxParts& operator+=(const FluxParts& other)
+    {
+        of_water += other.of_water;
+        of_grains += other.of_grains;
+        mobility += other.mobility;
+        return *this;
+    }
+};
+
 class StiffResponse {
 public:
     /// Find the shares of the nodes with is_active(node) from sums with tied nodes gathered; `velocity_dt` is
@@ -90,6 +105,8 @@ public:
 
     /// Porosities of the nodes with soil, for answer_pressure(); zero without water.
     void set_porosities(Scalars porosities);
+    /// What a force of the pressure moves at a node without b K, both axes together.
+    FluxParts flux_parts(std::size_t node) const;
     /// flux = that of the nodes per time by forces of the pressure on the mixture; tied nodes excepted.
     void answer_pressure(const Scalars& force_x, const Scalars& force_y, Scalars& flux_x, Scalars& flux_y);
 

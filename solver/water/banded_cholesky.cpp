@@ -179,14 +179,20 @@ VECTOR_KERNEL std::size_t solve_lower_blocks(const FactorBlock* blocks, std::siz
 }
 
 template <class Number>
-VECTOR_KERNEL void solve_blocks(const FactorBlock* blocks, std::size_t count, const Number* signs,
-                                const Number* lower, Number* vector)
+VECTOR_KERNEL void solve_all_lower_blocks(const FactorBlock* blocks, std::size_t count, const Number* lower,
+                                          Number* vector)
 {
-    for (std::size_t block = 0; block < count; ++block) // L y = b
+    for (std::size_t block = 0; block < count; ++block)
         solve_lower_block(rows_of(blocks[block], lower), block * lanes, vector);
+}
+
+template <class Number>
+VECTOR_KERNEL void solve_upper_blocks(const FactorBlock* blocks, std::size_t count, const Number* signs,
+                                      const Number* lower, Number* vector)
+{
     for (std::size_t d = 0; d < count * lanes; d += lanes)
         store<Number>(load(vector + d) * load(signs + d), vector + d);
-    for (std::size_t d = count * lanes; d > 0;) { // L^T x = J y
+    for (std::size_t d = count * lanes; d > 0;) {
         d -= lanes;
         const RowBlock<const Number> block = rows_of(blocks[d / lanes], lower);
         Number* own = vector + d;
@@ -234,9 +240,15 @@ void BandedFactor<Number>::factorise(Number least_pivot)
 }
 
 template <class Number>
-void BandedFactor<Number>::solve(Number* vector) const
+void BandedFactor<Number>::solve_lower(Number* vector) const
 {
-    solve_blocks(blocks_.data(), blocks_.size(), signs_.data(), lower_.data(), vector);
+    solve_all_lower_blocks(blocks_.data(), blocks_.size(), lower_.data(), vector);
+}
+
+template <class Number>
+void BandedFactor<Number>::solve_upper(Number* vector) const
+{
+    solve_upper_blocks(blocks_.data(), blocks_.size(), signs_.data(), lower_.data(), vector);
 }
 
 template <class Number>

@@ -39,11 +39,17 @@ public:
     /// are set to it.
     void factorise(Number least_pivot);
 
-    /// Of the vectors of solve(): the rows, and zeros to whole blocks.
+    /// Of the vectors of the solves: the rows, and zeros to whole blocks.
     std::size_t vector_length() const { return blocks_.size() * lanes; }
 
-    /// Solve A x = b in place.
-    void solve(Number* vector) const;
+    /// Solve A x = b in place: L y = b, then L^T x = J y.
+    void solve(Number* vector) const
+    {
+        solve_lower(vector);
+        solve_upper(vector);
+    }
+    void solve_lower(Number* vector) const;
+    void solve_upper(Number* vector) const;
 
     /// Solve L y = b in place for a b that is zero but in rows [first, last). Ends where as many numbers of y
     /// in turn as the band has are below `least`: what follows is smaller still. Returns the row behind the

@@ -12,14 +12,23 @@ namespace quicksand {
 
 namespace {
 
-/// Rows that touch a block: their numbers, and what scales them to a diagonal of P of ones.
-using ScaledRows = std::vector<std::pair<std::size_t, double>>;
+/// A number of G.
+struct Part {
+    std::size_t row; // of the block
+    float value;
+};
 
-ScaledRows find_rows(double dt, const std::vector<HeldRow>& held, const NodeTouches& touches,
-                     const std::vector<double>& scale_of_cells, BlockRows& rows)
+/// A row that touches a block.
+struct ScaledRow {
+    std::size_t number = 0;
+    double scale = 0.0;      // to a diagonal of P of ones
+    std::vector<Part> parts; // scaled
+};
+
+std::vector<ScaledRow> find_rows(double dt, const std::vector<HeldRow>& held, const NodeTouches& touches,
+                                 const std::vector<double>& scale_of_cells)
 {
-    ScaledRows scaled;
-    rows.parts.clear();
+    std::vector<ScaledRow> scaled;
     for (std::size_t r = 0; r < held.size(); ++r) {
         double own = held[r].compliance;
         std::map<std::size_t, double> cells; // by row of the block
@@ -31,53 +40,38 @@ ScaledRows find_rows(double dt, const std::vector<HeldRow>& held, const NodeTouc
         }
         if (cells.empty() || own <= 0.0) continue;
         const double scale = 1.0 / std::sqrt(own);
-        scaled.emplace_back(r, scale);
-        std::vector<BlockRows::Part>& parts = rows.parts.emplace_back();
+        ScaledRow& scaled_row = scaled.emplace_back(r, scale);
         for (const auto& [row, value] : cells)
-            parts.push_back({row, static_cast<float>(dt * scale * value * scale_of_cells[row])});
+            scaled_row.parts.push_back({row, static_cast<float>(dt * scale * value * scale_of_cells[row])});
     }
     return scaled;
 }
 
 /// P of the rows, scaled.
-Eigen::MatrixXf row_products(const std::vector<HeldRow>& held, const ScaledRows& rows)
+Eigen::MatrixXf row_products(const std::vector<HeldRow>& held, const std::vector<ScaledRow>& rows)
 {
     std::map<std::size_t, std::vector<std::pair<std::size_t, const HeldNode*>>> by_node;
     for (std::size_t k = 0; k < rows.size(); ++k)
-        for (const HeldNode& node : held[rows[k].first].nodes) by_node[node.node].emplace_back(k, &node);
+        for (const HeldNode& node : held[rows[k].number].nodes) by_node[node.node].emplace_back(k, &node);
     const auto index = [](std::size_t k) { return static_cast<Eigen::Index>(k); };
     Eigen::MatrixXf products = Eigen::MatrixXf::Zero(index(rows.size()), index(rows.size()));
     for (const auto& [node, parts] : by_node)
         for (const auto& [a, first] : parts)
             for (const auto& [b, second] : parts)
                 products(index(a), index(b)) += static_cast<float>(
-                    rows[a].second * rows[b].second * first->coefficients.dot(second->velocities));
+                    rows[a].scale * rows[b].scale * first->coefficients.dot(second->velocities));
     for (std::size_t k = 0; k < rows.size(); ++k)
         products(index(k), index(k)) +=
-            static_cast<float>(rows[k].second * rows[k].second * held[rows[k].first].compliance);
+            static_cast<float>(rows[k].scale * rows[k].scale * held[rows[k].number].compliance);
     return products;
 }
 
-/// G of a row times values of the cells, counted from the block's first row.
-float product(const std::vector<BlockRows::Part>& parts, const float* values)
-{
-    float sum = 0.0f;
-    for (const BlockRows::Part& part : parts) sum += part.value * values[part.row];
-    return sum;
-}
-
-/// y of L y = G^T for one row: numbers [first, first + y.size()); those behind are next to nothing.
-struct Response {
-    std::size_t first = 0;
-    std::vector<float> y;
-};
-
-Response response_to(const BandedCholesky& factor, const std::vector<BlockRows::Part>& parts,
-                     std::vector<float>& work)
+RowResponse response_to(const BandedCholesky& factor, const std::vector<Part>& parts,
+                        std::vector<float>& work)
 {
     constexpr float least = 1e-5f; // of a row scaled to one: a mirrored drawing has mirrored answers
-    for (const BlockRows::Part& part : parts) work[part.row] = part.value;
-    Response response;
+    for (const Part& part : parts) work[part.row] = part.value;
+    RowResponse response;
     response.first = parts.front().row / BandedCholesky::lanes * BandedCholesky::lanes;
     const std::size_t end = factor.solve_lower(parts.front().row, parts.back().row + 1, least, work.data());
     const auto first = work.begin() + static_cast<std::ptrdiff_t>(response.first),
@@ -89,13 +83,13 @@ Response response_to(const BandedCholesky& factor, const std::vector<BlockRows::
 
 /// Take G F^-1 G^T from the lower half of P; it is the products of the rows' responses.
 VECTOR_KERNEL
-void subtract_products(const std::vector<Response>& responses, Eigen::MatrixXf& matrix)
+void subtract_products(const std::vector<RowResponse>& responses, Eigen::MatrixXf& matrix)
 {
     for (std::size_t k = 0; k < responses.size(); ++k) {
-        const Response& a = responses[k];
+        const RowResponse& a = responses[k];
         float* column = matrix.data() + k * responses.size();
         for (std::size_t m = k; m < responses.size(); ++m) {
-            const Response& b = responses[m];
+            const RowResponse& b = responses[m];
             const std::size_t first = std::max(a.first, b.first);
             const std::size_t last = std::min(a.first + a.y.size(), b.first + b.y.size());
             if (first < last)
@@ -105,20 +99,36 @@ void subtract_products(const std::vector<Response>& responses, Eigen::MatrixXf& 
     }
 }
 
+/// Y^T vector, or vector += Y multipliers.
+VECTOR_KERNEL
+void project(const RowResponse* responses, std::size_t count, const float* vector, float* products)
+{
+    for (std::size_t k = 0; k < count; ++k)
+        products[k] = dot(responses[k].y.data(), vector + responses[k].first, responses[k].y.size());
+}
+VECTOR_KERNEL
+void add(const RowResponse* responses, std::size_t count, const float* multipliers, float* vector)
+{
+    for (std::size_t k = 0; k < count; ++k) {
+        const float* y = responses[k].y.data();
+        float* part = vector + responses[k].first;
+        for (std::size_t i = 0; i < responses[k].y.size(); ++i) part[i] += multipliers[k] * y[i];
+    }
+}
+
 } // namespace
 
 void set_up_rows(double dt, const std::vector<HeldRow>& held, const NodeTouches& touches,
-                 const std::vector<double>& scale, const BandedCholesky& factor, std::vector<float>& solution,
+                 const std::vector<double>& scale, const BandedCholesky& factor, std::vector<float>& work,
                  BlockRows& rows)
 {
-    const ScaledRows scaled = find_rows(dt, held, touches, scale, rows);
+    rows.responses.clear();
+    const std::vector<ScaledRow> scaled = find_rows(dt, held, touches, scale);
     if (scaled.empty()) return;
     Eigen::MatrixXf matrix = row_products(held, scaled);
-    std::fill(solution.begin(), solution.end(), 0.0f);
-    std::vector<Response> responses;
-    for (const std::vector<BlockRows::Part>& parts : rows.parts)
-        responses.push_back(response_to(factor, parts, solution));
-    subtract_products(responses, matrix);
+    std::fill(work.begin(), work.end(), 0.0f);
+    for (const ScaledRow& row : scaled) rows.responses.push_back(response_to(factor, row.parts, work));
+    subtract_products(rows.responses, matrix);
     // rows may repeat each other at corners; a preconditioner may have softer ones
     for (float softness = 1e-3f;; softness *= 10.0f) {
         matrix.diagonal().array() += softness;
@@ -128,17 +138,13 @@ void set_up_rows(double dt, const std::vector<HeldRow>& held, const NodeTouches&
     rows.multipliers.resize(static_cast<Eigen::Index>(scaled.size()));
 }
 
-void hold_rows(const BandedCholesky& factor, const std::vector<float>& given, BlockRows& rows,
-               std::vector<float>& solution)
+void hold_rows(BlockRows& rows, std::vector<float>& vector)
 {
-    for (std::size_t k = 0; k < rows.parts.size(); ++k)
-        rows.multipliers[static_cast<Eigen::Index>(k)] = product(rows.parts[k], solution.data());
+    const std::size_t count = rows.responses.size();
+    if (count == 0) return;
+    project(rows.responses.data(), count, vector.data(), rows.multipliers.data());
     rows.factor.solveInPlace(rows.multipliers);
-    solution = given;
-    for (std::size_t k = 0; k < rows.parts.size(); ++k)
-        for (const BlockRows::Part& part : rows.parts[k])
-            solution[part.row] += part.value * rows.multipliers[static_cast<Eigen::Index>(k)];
-    factor.solve(solution.data());
+    add(rows.responses.data(), count, rows.multipliers.data(), vector.data());
 }
 
 } // namespace quicksand

@@ -194,9 +194,9 @@ void solve_block(const Scalars& residual, CellBlock& block)
         const auto slot = static_cast<std::size_t>(block.slots[row]);
         block.solution[row] = static_cast<float>(residual[slot] * static_cast<double>(block.scale[row]));
     }
-    if (!block.rows.parts.empty()) block.given = block.solution;
-    block.factor.solve(block.solution.data());
-    if (!block.rows.parts.empty()) hold_rows(block.factor, block.given, block.rows, block.solution);
+    block.factor.solve_lower(block.solution.data());
+    hold_rows(block.rows, block.solution);
+    block.factor.solve_upper(block.solution.data());
 }
 
 void add_answer(const CellBlock& block, Scalars& answer)

@@ -38,7 +38,6 @@ struct CellBlock {
     std::vector<float> scale;        // of the rows: 1 / sqrt(diagonal), and 1 / sqrt(blocks with this cell)
     BandedCholesky factor;           // of the equations scaled to a diagonal of ones
     std::vector<float> solution;     // work array of factor
-    std::vector<float> given;        // another
     BlockRows rows;
 };
 

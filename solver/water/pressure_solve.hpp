@@ -61,7 +61,7 @@ struct PressureSolve : PressureEquations {
     const VelocityRows* rows = nullptr;              // of walls and followers, none without
     FluxResponse stiff_response;                 // in the place of compliance and rows, none without inertia
     std::vector<Vector2> row_forces, row_fluxes; // at the nodes of the rows
-    Scalars stiffness;        // of the cells against a change of volume, with the former; else empty [Pa/m2]
+    Scalars stiffness;        // what the preconditioner answers besides, with the former; else empty [Pa/m2]
     Scalars expected;         // b dt r [Pa]
     Scalars increment;        // x: the guess, then the solution [Pa]
     Scalars change;           // dp, of pressure and deficit together with a limit [Pa]
