@@ -30,7 +30,7 @@ enum class Held { grains, water, water_against_grains };
 /// A node's part in a hat of a chain.
 struct HatPart {
     const WallPart* wall;
-    double value; // psi_m g_i / h [-]
+    double value; // psi_m g_i / h, times the porosity in rows of water [-]
 };
 using ChainHats = std::vector<std::vector<HatPart>>;
 
@@ -90,23 +90,32 @@ void add_grain_rows(const Problem& problem, WallRows& walls)
     }
 }
 
-void add_water_rows(const Problem& problem, const NodeConditions& conditions, WallRows& walls)
+/// Nothing but the flux of the grains passes a sealed wall: sum_i psi_m g_i n_i n . (v_w,i - v_s,i) = 0, n_i
+/// being the porosity of the node's flux. With the row of the grains the force of a constant pressure p,
+/// (1-n_i) p a_i on the grains and n_i p a_i on the water, then is one of the multipliers' wherever layers of
+/// unlike porosity meet the wall. Where the wall does not hold the grains the row is that of the water alone.
+void add_water_rows(const Problem& problem, const NodeConditions& conditions,
+                    const std::vector<TwoPhaseSums>& sums, WallRows& walls)
 {
     const Vectors& normal = walls.divides_water ? walls.wet_normal : walls.normal;
     const std::vector<WallPart> parts =
         divide_normals(walls.edges, walls.contacts, walls.active_nodes, normal);
     std::vector<ChainHats> hats = by_hats(problem, walls, parts);
-    // where all water of a row moves with the grains, their row holds it
-    for (ChainHats& chain : hats)
+    for (ChainHats& chain : hats) {
+        // where all water of a row moves with the grains, their row holds it
         std::erase_if(chain, [&](const std::vector<HatPart>& hat) {
             return std::all_of(hat.begin(), hat.end(), [&](const HatPart& part) {
                 return is_sealed(conditions.of_node[part.wall->contact->node]);
             });
         });
+        for (std::vector<HatPart>& hat : chain)
+            for (HatPart& part : hat) part.value *= node_porosity(problem, sums[part.wall->contact->node]);
+    }
     for (std::size_t c = 0; c < hats.size(); ++c) {
-        const WaterHold hold = walls.edges.chains[c].hold.water;
-        if (hold == WaterHold::sealed) add_rows(hats[c], Held::water, false, walls.rows);
-        if (hold == WaterHold::with_grains) add_rows(hats[c], Held::water_against_grains, false, walls.rows);
+        const WallHold& hold = walls.edges.chains[c].hold;
+        const bool alone = hold.water == WaterHold::sealed && hold.grains == GrainHold::none;
+        if (hold.water != WaterHold::none)
+            add_rows(hats[c], alone ? Held::water : Held::water_against_grains, false, walls.rows);
         walls.chain_of_row.resize(walls.rows.size(), c);
     }
 }
@@ -297,7 +306,7 @@ void assemble_wall_rows(const Problem& problem, const NodeConditions& conditions
     walls.rows.clear(sums.size());
     find_active(sums, walls);
     add_grain_rows(problem, walls);
-    add_water_rows(problem, conditions, walls);
+    add_water_rows(problem, conditions, sums, walls);
     add_followers(problem, conditions, sums, walls);
     factorise(problem, conditions, dt, dashpots, sums, walls);
 }

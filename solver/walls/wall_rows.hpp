@@ -8,8 +8,9 @@
 //   sum_i psi_m(s_i) g_i n . v_i = sum_i psi_m(s_i) g_i n . V_i
 // with g_i the part of a_i that belongs to the wall: at a corner a_i is divided among the curves that meet
 // there. The multipliers of these rows make any force p a_i, so that constant pressure is at rest whatever
-// the particles' shapes; rows that are not proportional to a_i leak. Nodes without a well filled cell follow
-// one (cell_roots.hpp).
+// the particles' shapes; rows that are not proportional to a_i leak. A sealed wall holds the flux of the
+// water against the grains, n_i (v_w,i - v_s,i), in the place of v_i: constant pressure acts with n_i p a_i
+// on the water. Nodes without a well filled cell follow one (cell_roots.hpp).
 #pragma once
 
 #include "solver/boundaries/boundary_conditions.hpp"
