@@ -29,23 +29,30 @@ double static_gradient(const Problem& problem)
     return problem.strain == StrainForm::large ? problem.water->density * problem.gravity : 0.0;
 }
 
+/// What makes the excess pressure smooth where water stands above the level: it refers to a static pressure
+/// that is none there, so that still water of another level has a kink in it at the level [Pa].
+double lift_above_level(const Problem& problem, double y)
+{
+    return problem.water->density * problem.gravity * std::max(0.0, y - problem.water->level);
+}
+
 /// Sums over the particles of one cell.
 struct CellSums {
     double volume = 0.0;              // [m3/m]
-    double pressure = 0.0;            // [Pa m3/m]
+    double pressure = 0.0;            // lifted [Pa m3/m]
     double rise = 0.0;                // volume times v_y [m4/s per metre]
     Vector2 moment = Vector2::Zero(); // volume times position [m4/m]
 };
 
-CellSums sum_cell(const CellLists& lists, std::size_t first, std::size_t last, const Particles& particles,
-                  const Vectors& place)
+CellSums sum_cell(const Problem& problem, const CellLists& lists, std::size_t first, std::size_t last,
+                  const Particles& particles, const Vectors& place)
 {
     CellSums sums;
     for (std::size_t k = first; k < last; ++k) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const double V = particles.volume[p];
         sums.volume += V;
-        sums.pressure += V * particles.pore_pressure[p];
+        sums.pressure += V * (particles.pore_pressure[p] + lift_above_level(problem, place.y[p]));
         if (!particles.tension_deficit.empty()) sums.pressure += V * particles.tension_deficit[p];
         sums.rise += V * particles.velocity_solid.y[p];
         sums.moment += V * place[p];
@@ -261,14 +268,16 @@ void apply_increments(const Problem& problem, double dt, const CellLists& lists,
     for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c)
         means.volume[static_cast<std::size_t>(c)] = 0.0;
     for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
-        const CellSums sums = sum_cell(lists, first, last, particles, place);
+        const CellSums sums = sum_cell(problem, lists, first, last, particles, place);
         means.volume[slot] = sums.volume;
         means.centre.set(slot, sums.moment / sums.volume);
         const double slope = means.centre.y[slot] < problem.water->level ? weight_density : 0.0;
         means.pore_pressure[slot] = (sums.pressure + dt * slope * sums.rise) / sums.volume + increment[slot];
         if (problem.water->cavitation_pressure) {
             const double wanted = means.pore_pressure[slot];
-            means.pore_pressure[slot] = std::max(wanted, lowest_excess(problem, means.centre.y[slot]));
+            const double y = means.centre.y[slot];
+            means.pore_pressure[slot] =
+                std::max(wanted, lowest_excess(problem, y) + lift_above_level(problem, y));
             means.tension_deficit[slot] = wanted - means.pore_pressure[slot];
         }
     });
@@ -309,7 +318,8 @@ void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, c
                                   : pressure_slope(problem, lists, means, sloping, slot);
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
-            particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre);
+            particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre) -
+                                         lift_above_level(problem, place.y[p]);
             if (cavitates)
                 cavitate(lowest_excess(problem, place.y[p]), means.tension_deficit[slot], p, particles);
         }

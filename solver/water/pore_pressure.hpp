@@ -5,9 +5,10 @@
 //   dp = - dt K_w  sum V_p div[(1-n) v_s + n v_w] / sum n_p V_p
 // and, since the excess pressure refers to a static pressure that decreases with height, below the water
 // level also by dt rho_w g v_y (not in small strain, where heights stay). Within the cell the pressure is a
-// plane through the mean with the gradient of the neighbours' means. It is of second order at the particles,
-// where the mean alone would be of first order; in a filled cell it exerts no force on the volume mode of the
-// cell, so that the means keep the balance of energy with the velocities.
+// plane through the mean with the gradient of the neighbours' means, both of the excess pressure with
+// rho_w g (y - level) besides above the water level: it has no kink there. It is of second order at the
+// particles, where the mean alone would be of first order; in a filled cell it exerts no force on the volume
+// mode of the cell, so that the means keep the balance of energy with the velocities.
 //
 // With cavitation the absolute pressure (atmosphere, static and excess pressure together) does not fall below
 // a limit. The part of the increment below the limit is stored as a deficit, the volume of cavities; they
@@ -39,7 +40,7 @@ inline constexpr double new_part_of_long_slopes = -0.5;
 /// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
 struct CellMeans {
     Scalars volume;           // of soil [m3/m]
-    Scalars pore_pressure;    // [Pa]
+    Scalars pore_pressure;    // above the level with rho_w g (y - level) besides: smooth there [Pa]
     Scalars sloping_pressure; // whose slopes the particles get after a semi-implicit step [Pa]
     Vectors centre;           // of the soil in the cell [m]
     Scalars tension_deficit;  // of the cell's water, none without a cavitation limit [Pa]
