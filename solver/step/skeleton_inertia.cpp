@@ -162,17 +162,28 @@ double missing_inertia(double dt, SemiImplicitWorkspace& work)
     set_change(work);
     multiply_stiffness(-inertia.resistance * dt, inertia.change, inertia);
     double missing = 0.0, largest = 0.0;
-    for (std::size_t i = 0; i < work.sums.size(); ++i) {
-        if (work.conditions.master[i] != i || !work.sums[i].active()) continue;
-        const std::size_t place = inertia.places[i];
-        const Vector2 force = inertia_force(work.sums[i]), product = inertia.product[place];
-        for (const int axis : {0, 1}) {
-            if (inertia.response.is_light(i, static_cast<std::size_t>(axis))) continue;
-            missing = std::max(missing, dt * std::abs(product[axis] - force[axis]) / mass_of(work.sums[i]));
-            largest = std::max(largest, std::abs(inertia.change[place][axis]));
-        }
+    for (const std::size_t axis : {0U, 1U}) {
+        const auto d = static_cast<int>(axis);
+        const auto lacking = [&](std::size_t i) {
+            return inertia.product[inertia.places[i]][d] - inertia_force(work.sums[i])[d];
+        };
+        const auto for_each_moved = [&](auto&& visit) {
+            for (std::size_t i = 0; i < work.sums.size(); ++i)
+                if (work.conditions.master[i] == i && work.sums[i].active() &&
+                    inertia.response.moves(i, axis) && !inertia.response.is_light(i, axis))
+                    visit(i);
+        };
+        double sum = 0.0, mass = 0.0; // balance_forces() has spread what light nodes leave
+        for_each_moved([&](std::size_t i) {
+            sum += lacking(i);
+            mass += mass_of(work.sums[i]);
+        });
+        for_each_moved([&](std::size_t i) {
+            missing = std::max(missing, dt * std::abs(lacking(i) / mass_of(work.sums[i]) - sum / mass));
+            largest = std::max(largest, std::abs(inertia.change[inertia.places[i]][d]));
+        });
     }
-    return missing > 0.0 ? missing / largest : 0.0;
+    return largest > 0.0 ? missing / largest : 0.0;
 }
 
 } // namespace quicksand

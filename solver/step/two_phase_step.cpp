@@ -133,7 +133,7 @@ void answer_with_inertia(const Problem& problem, double dt, double velocity_dt, 
             else
                 prepare_pressure(problem, dt, velocity_dt, state.particles, work);
         };
-        rethrow_first(attempt_each(2, set_up, threads_for(state.particles.size())));
+        rethrow_first(attempt_each(2, set_up, std::min(2, threads_for(state.particles.size()))));
         set_stiffness_of_cells(problem.grid, work);
     });
     work.pressure.stiff_response = [&](const Scalars& force_x, const Scalars& force_y, Scalars& flux_x,

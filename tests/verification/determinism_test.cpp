@@ -12,9 +12,10 @@ namespace {
 
 using namespace fixtures;
 
-Problem shaken_block()
+Problem shaken_block(TimeScheme scheme = TimeScheme::explicit_steps)
 {
     Problem problem;
+    problem.scheme = scheme;
     problem.grid = {{0.0, 0.0}, 0.05, 24, 16};
     problem.materials = {stiff_sand()};
     problem.water = water_to(1.0);
@@ -28,21 +29,33 @@ State block_state(const Problem& problem)
     return fill(problem, 3, [](const Vector2& x) { return x.x() > 0.1 && x.x() < 1.1 && x.y() < 0.6; });
 }
 
-TEST(Determinism, OneTwoAndFourThreadsGiveTheSameBits)
+void expect_same_bits_of_threads(TimeScheme scheme, double end)
 {
-    const Problem problem = shaken_block();
+    const Problem problem = shaken_block(scheme);
     const int threads_before = thread_count();
     set_thread_count(1);
     State reference = block_state(problem);
-    run(problem, 0.004, {}, reference);
+    run(problem, end, {}, reference);
     for (const int threads : {2, 4}) {
         set_thread_count(threads);
         State state = block_state(problem);
-        run(problem, 0.004, {}, state);
+        run(problem, end, {}, state);
         EXPECT_EQ(state.step, reference.step);
         expect_same_bits(state.particles, reference.particles);
     }
     set_thread_count(threads_before);
+}
+
+TEST(Determinism, OneTwoAndFourThreadsGiveTheSameBits)
+{
+    expect_same_bits_of_threads(TimeScheme::explicit_steps, 0.004);
+}
+
+// Two tasks at the same time set up the equations of implicit steps.
+TEST(Determinism, OneTwoAndFourThreadsGiveTheSameBitsInImplicitSteps)
+{
+    expect_same_bits_of_threads(TimeScheme::semi_implicit, 0.004);
+    expect_same_bits_of_threads(TimeScheme::implicit, 0.02);
 }
 
 TEST(Determinism, ACopyTakenInMidRunGoesOnWithTheSameBits)

@@ -36,5 +36,16 @@ TEST(ParallelTasks, TheFirstFailureIsThrown)
     EXPECT_NO_THROW(rethrow_first(attempt_each(3, [](std::size_t) {})));
 }
 
+TEST(ParallelTasks, KeepTheirLoopsOnTheirOwnThreads)
+{
+    const int threads_before = thread_count();
+    set_thread_count(2);
+    std::vector<int> threads_inside(2, 0);
+    rethrow_first(attempt_each(
+        2, [&](std::size_t k) { threads_inside[k] = threads_for(10 * least_parallel_work); }, 2));
+    EXPECT_EQ(threads_inside, std::vector<int>({1, 1}));
+    set_thread_count(threads_before);
+}
+
 } // namespace
 } // namespace quicksand
