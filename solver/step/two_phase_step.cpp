@@ -103,17 +103,17 @@ void set_stiffness_of_cells(const BackgroundGrid& grid, SemiImplicitWorkspace& w
     for_each_index(pressure.stiffness.size(), [&](std::size_t slot) {
         const auto cell = static_cast<std::size_t>(work.lists.cell_of_slot[slot]);
         const std::size_t column = cell % cells_x, row = cell / cells_x, node = row * nodes_x + column;
+        const double resisting = per_area * inertia.cells.constrained[inertia.rows.place(column, row)];
+        pressure.stiffness[slot] = 0.0;
+        if (!(resisting > 0.0)) return;
         FluxParts flux;
         for (const std::size_t corner : {node, node + 1, node + nodes_x, node + nodes_x + 1})
             flux += inertia.response.flux_parts(corner);
-        const double resisting = per_area * inertia.cells.constrained[inertia.rows.place(column, row)],
+        if (!(flux.mobility > 0.0)) return;
+        const double of_cell = pressure.diagonal[slot] - pressure.storage[slot],
                      all = flux.of_water + flux.of_grains;
-        pressure.stiffness[slot] =
-            resisting > 0.0 && flux.mobility > 0.0
-                ? flux.of_grains /
-                      (of_single_cell * flux.of_water * (pressure.diagonal[slot] - pressure.storage[slot]) +
-                       all * all / (flux.mobility * resisting))
-                : 0.0;
+        pressure.stiffness[slot] = flux.of_grains / (of_single_cell * flux.of_water * of_cell +
+                                                     all * all / (flux.mobility * resisting));
     });
 }
 
