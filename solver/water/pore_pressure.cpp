@@ -33,7 +33,8 @@ double static_gradient(const Problem& problem)
 /// that is none there, so that still water of another level has a kink in it at the level [Pa].
 double lift_above_level(const Problem& problem, double y)
 {
-    return problem.water->density * problem.gravity * std::max(0.0, y - problem.water->level);
+    const double level = problem.water->level;
+    return y > level ? pressure_below(problem, y, level) : 0.0; // most soil lies below, without a call
 }
 
 /// Sums over the particles of one cell.
