@@ -206,8 +206,12 @@ std::string describe_time_step(const AssembledCase& assembled, const TimeStep& s
             fmt::format("  {} steps at first, which cost less than the implicit ones of {} s that accuracy "
                         "allows\n",
                         name_of(step.scheme), short_number(step.replaced));
+    const bool is_about_sound =
+        water_flow(problem) == WaterFlow::coupled && problem.scheme == TimeScheme::explicit_steps;
     if (!assembled.scene.scheme)
-        text += fmt::format("  {} steps, which take the least time here\n", name_of(problem.scheme));
+        text += fmt::format("  {} steps, {}\n", name_of(problem.scheme),
+                            is_about_sound ? "for so short a run is about sound in the water"
+                                           : "which take the least time here");
     if (assembled.scene.relaxation) {
         const TimeStep settling =
             stable_relaxation_step(settling_problem(problem), assembled.state.particles);

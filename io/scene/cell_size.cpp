@@ -2,7 +2,7 @@
 
 #include "io/tables/scene_boundaries.hpp"
 #include "solver/problem/motion_measures.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 
 #include <fmt/format.h>
 

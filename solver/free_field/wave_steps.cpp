@@ -1,10 +1,10 @@
 #include "solver/free_field/wave_steps.hpp"
 
 #include "solver/free_field/free_field_steps.hpp"
-#include "solver/step/accuracy_control.hpp"
 #include "solver/step/implicit_cost.hpp"
 #include "solver/step/scheme_choice.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/end_of_motion.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "solver/vibration/step_bound.hpp"
 
 namespace quicksand {
@@ -12,10 +12,9 @@ namespace quicksand {
 std::optional<TimeStep> step_replaced_by_waves(const Problem& problem, const Problem& wave_form, State& state)
 {
     if (problem.scheme != TimeScheme::implicit || state.step_halvings > 0) return std::nullopt;
-    const bool is_left_alone =
-        state.time >= end_of_motion(problem, crossing_time(problem, state.time, state.particles));
     const TimeStep accurate = shortest_time_step(problem, state);
-    if (is_left_alone && accurate.limiter != TimeStepLimiter::flow) return std::nullopt; // steps grow
+    if (is_left_alone(problem, state) && accurate.limiter != TimeStepLimiter::flow)
+        return std::nullopt; // steps grow
     if (state.implicit_cost == not_measured) state.implicit_cost = implicit_cost(count_parts(problem, state));
     const double cost = state.implicit_cost;
     // the bound costs as much as twenty steps: first whether it matters

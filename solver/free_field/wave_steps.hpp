@@ -6,7 +6,7 @@
 
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
-#include "solver/step/time_step.hpp"
+#include "solver/step_length/time_step.hpp"
 
 #include <optional>
 

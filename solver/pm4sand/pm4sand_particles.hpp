@@ -45,6 +45,11 @@ LawMemory memory_of(const Pm4Sand& law);
 /// whose stress was changed. Pre: add_memory.
 std::size_t start_memory(const Pm4Sand& law, std::size_t first, std::size_t last, Particles& particles);
 
+inline bool damps_vibrations(const Pm4Sand&)
+{
+    return true;
+}
+
 /// How many of the particles [first, last) are on their bounding surface or outside.
 std::size_t count_at_failure(const Pm4Sand& law, std::size_t first, std::size_t last,
                              const Particles& particles);

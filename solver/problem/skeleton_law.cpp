@@ -95,6 +95,11 @@ bool yields(const SkeletonLaw& law)
     return std::visit([](const auto& any) { return yields(any); }, law);
 }
 
+bool damps_vibrations(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) { return damps_vibrations(any); }, law);
+}
+
 bool bears_stress_as_drawn(const SkeletonLaw& law)
 {
     return std::visit([](const auto& any) { return bears_stress_as_drawn(any); }, law);

@@ -40,6 +40,7 @@ std::size_t count_at_failure(const SkeletonLaw& law, std::size_t first, std::siz
                              const Particles& particles);
 SkeletonLaw settling_form(const SkeletonLaw& law, double cell_weight);
 bool yields(const SkeletonLaw& law);
+bool damps_vibrations(const SkeletonLaw& law);
 bool bears_stress_as_drawn(const SkeletonLaw& law);
 bool has_strength(const SkeletonLaw& law);
 SkeletonLaw reduced(const SkeletonLaw& law, double factor);

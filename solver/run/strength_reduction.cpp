@@ -6,7 +6,7 @@
 #include "solver/run/held_shape.hpp"
 #include "solver/run/settling_problem.hpp"
 #include "solver/run/simulation.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 
 #include <algorithm>
 #include <cmath>

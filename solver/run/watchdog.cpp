@@ -4,7 +4,7 @@
 #include "solver/measure/monitors.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/step/scheme_choice.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "solver/vibration/small_motion.hpp"
 
 #include <algorithm>

@@ -125,6 +125,14 @@ bool yields(const Law&)
     return true;
 }
 
+/// Whether strains to and fro below failure lose energy, as those of sand do: the soil then forgets the
+/// vibrations of its body within a few cycles.
+template <class Law>
+bool damps_vibrations(const Law&)
+{
+    return false;
+}
+
 /// Whether the soil can have a stress in the shape as drawn; else its stress follows from the deformation
 /// alone and is zero after a new reference.
 template <class Law>

@@ -3,8 +3,8 @@
 #include "solver/inertia/node_rows.hpp"
 #include "solver/step/scheme_choice.hpp"
 #include "solver/step/single_phase_step.hpp"
-#include "solver/step/time_step_control.hpp"
 #include "solver/step/two_phase_step.hpp"
+#include "solver/step_length/time_step_control.hpp"
 
 #include <algorithm>
 #include <vector>

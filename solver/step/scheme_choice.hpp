@@ -2,7 +2,7 @@
 #pragma once
 
 #include "solver/problem/problem.hpp"
-#include "solver/step/time_step.hpp"
+#include "solver/step_length/time_step.hpp"
 
 namespace quicksand {
 

@@ -10,7 +10,7 @@
 #include "solver/motion/null_space_damping.hpp"
 #include "solver/motion/particle_motion.hpp"
 #include "solver/motion/slivers.hpp"
-#include "solver/step/accuracy_control.hpp"
+#include "solver/step_length/accuracy_control.hpp"
 
 #include <cmath>
 

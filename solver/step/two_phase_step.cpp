@@ -13,7 +13,7 @@
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/motion/slivers.hpp"
-#include "solver/step/accuracy_control.hpp"
+#include "solver/step_length/accuracy_control.hpp"
 
 #include <algorithm>
 #include <vector>

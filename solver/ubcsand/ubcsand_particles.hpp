@@ -56,6 +56,11 @@ inline double largest_conductivity_factor(const UbcSand& law)
 /// add_memory.
 std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles);
 
+inline bool damps_vibrations(const UbcSand&)
+{
+    return true;
+}
+
 /// How many of the particles [first, last) are at the failure limit.
 std::size_t count_at_failure(const UbcSand& law, std::size_t first, std::size_t last,
                              const Particles& particles);

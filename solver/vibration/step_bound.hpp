@@ -7,7 +7,7 @@
 
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 
 #include <cstdint>
 

@@ -3,7 +3,7 @@
 #include "solver/motion/particle_order.hpp"
 #include "solver/run/simulation.hpp"
 #include "solver/step/single_phase_step.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 
 #include <algorithm>
 #include <cmath>

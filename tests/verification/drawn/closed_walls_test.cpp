@@ -1,7 +1,7 @@
 // Sealed bodies of any shape keep a constant pressure, and a wall that moves through the grid feels no grid
 // lines.
 #include "solver/step/stepper.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>

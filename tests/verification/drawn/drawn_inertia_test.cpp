@@ -1,5 +1,5 @@
 // The inertia of implicit steps where walls are slanted and cells are cut.
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 #include "tests/fixtures/inertia_apart.hpp"
 

@@ -1,7 +1,7 @@
 // The pressure's preconditioner knows walls and badly filled cells: bodies that lie across the grid cost no
 // more iterations than those along it.
-#include "solver/step/time_step_control.hpp"
 #include "solver/step/two_phase_step.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>

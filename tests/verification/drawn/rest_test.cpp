@@ -1,6 +1,6 @@
 // Rest stays at rest: from equilibrium under gravity nothing moves beyond 1e-6 sqrt(g H), whatever the sides,
 // their corners, the scheme, the domains of the points, the form of strain and the soil.
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 #include "tests/fixtures/grain_speed.hpp"
 

@@ -1,6 +1,6 @@
 // Solids without pores on soil: their weight and buoyancy, their stiffness, the water that they seal in.
 #include "solver/step/stepper.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Periods of elastic bodies at any angle to the grid.
 #include "solver/step/stepper.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,7 @@
-#include "solver/step/accuracy_control.hpp"
 #include "solver/step/step_forecast.hpp"
+#include "solver/step_length/accuracy_control.hpp"
+#include "solver/step_length/cell_extremes.hpp"
+#include "solver/step_length/own_vibration.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -58,12 +60,15 @@ TEST(StepForecast, ImplicitStepsGrowWhenTheMotionIsOver)
     Problem problem = box_of_sand(true);
     problem.scheme = TimeScheme::implicit;
     problem.base_motion = sine_of(1.0, 2.0); // for 2 s
-    EXPECT_EQ(count_steps(problem, sand_of(problem), 0.01, {2.0}), 200);
+    const Particles sand = sand_of(problem);
+    const double speed = find_extremes(problem, sand).shear_speed;
+    const double shaken = std::ceil((2.0 + afterlife(problem, sand, speed)) / 0.01);
+    EXPECT_EQ(count_steps(problem, sand, 0.01, {2.0}), 200);
     // dt (1.1 + 1.1^2 + ... + 1.1^n) = 11 dt (1.1^n - 1) reaches 1e6 dt
     const double growing = std::ceil(std::log(1e6 / 11.0 + 1.0) / std::log(step_growth));
-    const auto steps = static_cast<double>(count_steps(problem, sand_of(problem), 0.01, {2.0, 1e4 + 2.0}));
-    EXPECT_GE(steps, 200.0 + growing);
-    EXPECT_LE(steps, 201.0 + growing) << "each is shortened a little to hit the end";
+    const auto steps = static_cast<double>(count_steps(problem, sand, 0.01, {2.0, 1e4 + 2.0}));
+    EXPECT_GE(steps, shaken + growing);
+    EXPECT_LE(steps, shaken + 1.0 + growing) << "each is shortened a little to hit the end";
 }
 
 TEST(StepForecast, ImplicitStepsAreTakenWhereTheyAreFewEnough)
@@ -78,6 +83,24 @@ TEST(StepForecast, ImplicitStepsAreTakenWhereTheyAreFewEnough)
         EXPECT_EQ(fastest_scheme(problem, state, 0.1), by_waves);
         EXPECT_EQ(fastest_scheme(problem, state, 1e4), TimeScheme::implicit) << "consolidation";
     }
+}
+
+TEST(StepForecast, SoundIsFollowedByExplicitSteps)
+{
+    const Problem problem = box_of_sand(true);
+    const State state = state_of(problem);
+    EXPECT_EQ(fastest_scheme(problem, state, 1e-2),
+              TimeScheme::explicit_steps); // it crosses in a millisecond
+    EXPECT_EQ(fastest_scheme(problem, state, 0.05), TimeScheme::semi_implicit);
+}
+
+// Steps that grow end vibrations.
+TEST(StepForecast, DrySoilThatVibratesWithoutShakingIsComputedByExplicitSteps)
+{
+    Problem problem = box_of_sand(false);
+    EXPECT_EQ(fastest_scheme(problem, state_of(problem), 1e4), TimeScheme::explicit_steps);
+    problem.base_motion = sine_of(1.0, 10.0);
+    EXPECT_EQ(fastest_scheme(problem, state_of(problem), 1e4), TimeScheme::implicit);
 }
 
 TEST(StepForecast, UndrainedSoilIsComputedByExplicitSteps)

@@ -1,6 +1,6 @@
 #include "solver/step/single_phase_step.hpp"
 #include "solver/step/stepper.hpp"
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "solver/walls/wall_rows.hpp"
 #include "tests/fixtures/soil_block.hpp"
 

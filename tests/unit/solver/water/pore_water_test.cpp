@@ -1,5 +1,5 @@
 // What the water of the pores is made of and how fast it flows: air, cavities, conductivity.
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 #include "solver/water/pore_pressure.hpp"
 #include "tests/fixtures/soil_block.hpp"
 

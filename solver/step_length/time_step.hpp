@@ -13,6 +13,7 @@ enum class TimeStepLimiter {
     sound,
     vibration,
     inertia,
+    own_vibration,
     shaking,
     growth,
     pressure,

@@ -1,5 +1,7 @@
 // What limits steps that no wave does.
-#include "solver/step/accuracy_control.hpp"
+#include "solver/step_length/accuracy_control.hpp"
+#include "solver/step_length/end_of_motion.hpp"
+#include "solver/step_length/own_vibration.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>
@@ -57,15 +59,40 @@ TEST(AccuracyControl, FollowsSinesWhileTheyLast)
 TEST(AccuracyControl, LetsWhatRisesSlowlyMoveTheSoilWithoutWaves)
 {
     const Problem ramp = under_load({ConstantHistory{}, 2.0});
-    EXPECT_EQ(end_of_motion(ramp, 0.03), 2.0);
-    EXPECT_EQ(end_of_motion(ramp, 0.01), 0.0);
+    EXPECT_EQ(end_of_motion(ramp, {0.03}), 2.0);
+    EXPECT_EQ(end_of_motion(ramp, {0.01}), 0.0);
     const Problem table = under_load({SampledHistory{{0.0, 2.0, 10.0}, {0, 1, 0}}});
-    EXPECT_EQ(end_of_motion(table, 0.03), 10.0);
-    EXPECT_EQ(end_of_motion(table, 0.01), 0.0);
-    EXPECT_EQ(end_of_motion(under_load({SineHistory{1e-6}}), 1e-9), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(end_of_motion(table, {0.03}), 10.0);
+    EXPECT_EQ(end_of_motion(table, {0.01}), 0.0);
+    EXPECT_EQ(end_of_motion(under_load({SineHistory{1e-6}}), {1e-9}),
+              std::numeric_limits<double>::infinity());
     Problem shaken = ramp;
     shaken.base_motion = SineMotion{1.0, 10.0, 20.0}; // 2 s
-    EXPECT_EQ(end_of_motion(shaken, 0.01), 2.0);
+    EXPECT_EQ(end_of_motion(shaken, {0.01}), 2.0);
+    EXPECT_EQ(end_of_motion(shaken, {0.01, 0.5}), 2.5);
+    EXPECT_EQ(end_of_motion(ramp, {0.01, 0.5}), 0.0) << "nothing shakes it";
+}
+
+/// Soil of 10 m, half of it of the law `other`.
+double step_of_half(const SkeletonLaw& other)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.5, 4, 22};
+    problem.materials = {stiff_sand(), stiff_sand()};
+    problem.materials[1].law = other;
+    State state = fill(problem, 2, [](const Vector2& x) { return x.y() < 10.0; });
+    for (std::size_t p = 0; p < state.particles.size(); ++p)
+        state.particles.material[p] = state.particles.position.y[p] < 5.0 ? 0 : 1;
+    return step_of_own_vibration(problem, state.particles, 100.0);
+}
+
+TEST(AccuracyControl, FollowsTheVibrationOfABodyWhoseSoilDoesNotDampIt)
+{
+    const double period = 2.6125 * 9.75 / 100.0; // between the highest and the lowest particle
+    EXPECT_NEAR(step_of_half(stiff_sand().law), period / 100.0, 1e-6);
+    Pm4Sand sand;
+    sand.relative_density = 0.5;
+    EXPECT_NEAR(step_of_half(complete(sand)), period / 50.0, 1e-6);
 }
 
 TEST(AccuracyControl, GrowsStepsWhileALoadRisesSlowlyAndResolvesIt)

@@ -4,7 +4,7 @@
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 #include "solver/problem/wave_speeds.hpp"
-#include "solver/step/time_step.hpp"
+#include "solver/step_length/time_step.hpp"
 
 #include <vector>
 

@@ -3,23 +3,23 @@
 // While something moves the soil (the base, loads, walls, water with a history) the step is at most
 //   h / (sqrt(beta) c_s)   accelerations are smoothed over sqrt(beta) c_s dt, which is then a cell; c_s the
 //                          speed of shear waves of typical soil: root of the mean of G / density by volume
+//   1/100 of the period of the body itself, in soil that does not damp it (own_vibration.hpp), but not below
+//                          the waves' step
 //   1/200 of the period of a sine or of a ramp, the interval of a record or of a table at that time; but not
 //                          below the waves' step
 //   0.05                   strain of the particle that is strained fastest, but not below the waves' step
 //   that in which the stiffness of soil that flows adds little to its inertia (flowing_soil.hpp), likewise
-// After that, and in scenes where nothing moves the soil, it starts at the limit of the waves and grows by a
-// factor from step to step, as long as pore pressures change by a small part of the largest and the soil does
-// not flow (flowing_soil.hpp); so it does from steps that the watchdog has made shorter, for pressures go on
-// at their rate within a step. What rises over
-// a hundred times the time in which shear waves rise through the grid, as a flood does, moves the soil
-// without waves: steps grow, and resolve it.
+// Once nothing moves the soil any more (end_of_motion.hpp), the step starts at the limit of the waves and
+// grows by a factor from step to step, as long as pore pressures change by a small part of the largest and
+// the soil does not flow (flowing_soil.hpp); so it does from steps that the watchdog has made shorter, for
+// pressures go on at their rate within a step.
 #pragma once
 
 #include "solver/inertia/inertia_solve.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
-#include "solver/step/cell_extremes.hpp"
-#include "solver/step/time_step.hpp"
+#include "solver/step_length/cell_extremes.hpp"
+#include "solver/step_length/time_step.hpp"
 
 namespace quicksand {
 
@@ -34,14 +34,6 @@ double resolving_step_of_histories(const Problem& problem, double time);
 /// Longest step of any scheme: a twentieth of the shortest period of the sines that act at the time, without
 /// which they would not be followed at all; infinite without any [s].
 double coarsest_step(const Problem& problem, double time);
-
-/// Time in which shear waves rise from the base of the grid to its top; 0 where no ramp or table goes on
-/// after `time`, and it does not count [s].
-double crossing_time(const Problem& problem, double time, const Particles& particles);
-
-/// Time from which nothing moves the soil with waves any more: the end of shaking and of all histories but
-/// slow ones; infinite for a sine without end [s].
-double end_of_motion(const Problem& problem, double crossing_time);
 
 /// Set what the inertia of a step from the state on resists. Once nothing moves the soil any more and steps
 /// grow, vibrations are not followed; they would go on for ever, as strains to and fro at the rhythm of the

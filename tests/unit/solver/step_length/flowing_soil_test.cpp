@@ -1,5 +1,5 @@
 // The step that soil in failure bears, in closed form.
-#include "solver/step/flowing_soil.hpp"
+#include "solver/step_length/flowing_soil.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,11 @@
-#include "solver/step/accuracy_control.hpp"
+#include "solver/step_length/accuracy_control.hpp"
 
 #include "solver/base/overload.hpp"
 #include "solver/inertia/inertia_solve.hpp"
-#include "solver/step/flowing_soil.hpp"
+#include "solver/step_length/end_of_motion.hpp"
+#include "solver/step_length/flowing_soil.hpp"
+#include "solver/step_length/histories.hpp"
+#include "solver/step_length/own_vibration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,19 +24,6 @@ constexpr double least_steps_per_period = 20.0;
 constexpr double pressure_change = 0.02; // in a step, of the largest excess pressure
 constexpr double strain_change = 0.05;   // in a step, of the particle that is strained fastest
 constexpr double least_pressure = 0.005; // that counts as the largest one, of the largest sigma'_v0
-constexpr double slow_crossings = 100.0; // of shear waves: inertia answers a slower rise by less than 1 %
-
-/// Call visit(history) for the histories of all boundaries.
-template <class Visit>
-void for_each_history(const Problem& problem, Visit&& visit)
-{
-    for (const Boundary& boundary : problem.boundaries) {
-        const auto* free = std::get_if<FreeFace>(&boundary.soil);
-        if (free != nullptr && free->load) visit(free->load->history);
-        if (const auto* wall = std::get_if<MovingWall>(&boundary.soil)) visit(wall->motion.history);
-        if (const auto* water = std::get_if<PrescribedWater>(&boundary.water)) visit(water->history);
-    }
-}
 
 /// The step that reaches into no interval of a table by more than its length [s].
 double resolving_step(const SampledHistory& table, double time)
@@ -57,45 +47,6 @@ double resolving_step(const History& history, double time)
                                },
                                [&](const SampledHistory& table) { return resolving_step(table, time); }},
                       history.shape);
-}
-
-double end_of_motion(const History& history)
-{
-    return std::visit(
-        Overload{[&](const ConstantHistory&) { return history.ramp_time; },
-                 [](const SineHistory&) { return std::numeric_limits<double>::infinity(); },
-                 [](const SampledHistory& table) { return table.times.empty() ? 0.0 : table.times.back(); }},
-        history.shape);
-}
-
-/// Shortest time over which a history rises or falls [s].
-double shortest_rise(const SampledHistory& table)
-{
-    double rise = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 1; k < table.times.size(); ++k)
-        rise = std::min(rise, table.times[k] - table.times[k - 1]);
-    return rise;
-}
-
-bool is_slow(const History& history, double crossing_time)
-{
-    const double least = slow_crossings * crossing_time;
-    return std::visit(Overload{[&](const ConstantHistory&) { return history.ramp_time >= least; },
-                               [](const SineHistory&) { return false; },
-                               [&](const SampledHistory& table) { return shortest_rise(table) >= least; }},
-                      history.shape);
-}
-
-double crossing_time(const BackgroundGrid& grid, double shear_speed)
-{
-    return grid.cell_size * grid.cells_y / shear_speed;
-}
-
-/// Walls that move at constant velocity go on moving.
-bool moves_on(const Boundary& boundary)
-{
-    const auto* wall = std::get_if<MovingWall>(&boundary.soil);
-    return wall != nullptr && wall->motion.quantity == MotionQuantity::velocity;
 }
 
 /// The step in which no particle is strained more than it may: accelerations of grains that leave the body
@@ -151,35 +102,13 @@ double coarsest_step(const Problem& problem, double time)
     return 1.0 / (least_steps_per_period * highest); // infinite without any
 }
 
-double crossing_time(const Problem& problem, double time, const Particles& particles)
-{
-    bool varies = false; // by what may be slow
-    for_each_history(problem, [&](const History& history) {
-        const bool is_sine = std::holds_alternative<SineHistory>(history.shape);
-        varies = varies || (!is_sine && time < end_of_motion(history));
-    });
-    return varies ? crossing_time(problem.grid, find_extremes(problem, particles).shear_speed) : 0.0;
-}
-
-double end_of_motion(const Problem& problem, double crossing_time)
-{
-    double end = duration(problem.base_motion);
-    for_each_history(problem, [&](const History& history) {
-        if (!is_slow(history, crossing_time)) end = std::max(end, end_of_motion(history));
-    });
-    const bool on = std::any_of(problem.boundaries.begin(), problem.boundaries.end(), moves_on);
-    return on ? std::numeric_limits<double>::infinity() : end;
-}
-
 void choose_resistance(const Problem& problem, const State& state, InertiaSolve& inertia)
 {
-    const bool is_left_alone =
-        state.whole_step > 0.0 &&
-        state.time >= end_of_motion(problem, crossing_time(problem, state.time, state.particles));
     double damping = 0.0;
     if (state.stage == Stage::relaxation)
         damping = damping_of_settling_solids;
-    else if (is_left_alone) // less in soil that flows, which it would stop
+    else if (state.whole_step > 0.0 &&
+             is_left_alone(problem, state)) // less in soil that flows, which it would stop
         damping =
             damping_of_vibrations * std::min(1.0, step_of_flow(problem, state.particles) / state.whole_step);
     inertia.resistance = inertia_fraction + damping;
@@ -194,9 +123,11 @@ TimeStep accurate_time_step(const Problem& problem, double time, double last_ste
     };
     TimeStep step = at_least_wave(strain_step(particles), TimeStepLimiter::strain);
     const auto limit = [&](const TimeStep& other) { step = other.dt < step.dt ? other : step; };
-    if (time < end_of_motion(problem, crossing_time(problem.grid, extremes.shear_speed))) {
+    if (time < end_of_motion(problem, body_times(problem, particles, extremes.shear_speed))) {
         const double reach = smoothed_cells * problem.grid.cell_size / std::sqrt(inertia_fraction);
         limit({reach / extremes.shear_speed, TimeStepLimiter::inertia, ""});
+        limit(at_least_wave(step_of_own_vibration(problem, particles, extremes.shear_speed),
+                            TimeStepLimiter::own_vibration));
         limit(at_least_wave(step_of_shaken_flow(problem, particles), TimeStepLimiter::flow));
         limit(at_least_wave(resolving_step(problem, time), TimeStepLimiter::shaking));
     } else {

@@ -1,4 +1,4 @@
-#include "solver/step/cell_extremes.hpp"
+#include "solver/step_length/cell_extremes.hpp"
 
 #include "solver/base/lanes.hpp"
 #include "solver/base/threads.hpp"

@@ -1,9 +1,9 @@
-#include "solver/step/flowing_soil.hpp"
+#include "solver/step_length/flowing_soil.hpp"
 
 #include "solver/base/threads.hpp"
 #include "solver/inertia/inertia_solve.hpp"
 #include "solver/problem/material_runs.hpp"
-#include "solver/step/cell_extremes.hpp"
+#include "solver/step_length/cell_extremes.hpp"
 
 #include <algorithm>
 #include <cmath>

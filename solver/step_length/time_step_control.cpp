@@ -1,9 +1,9 @@
-#include "solver/step/time_step_control.hpp"
+#include "solver/step_length/time_step_control.hpp"
 
 #include "solver/base/failure.hpp"
 #include "solver/boundaries/grid_momentum.hpp"
-#include "solver/step/accuracy_control.hpp"
-#include "solver/step/cell_extremes.hpp"
+#include "solver/step_length/accuracy_control.hpp"
+#include "solver/step_length/cell_extremes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -195,6 +195,8 @@ const char* name_of(TimeStepLimiter limiter)
         return "vibration of the nodes";
     case TimeStepLimiter::inertia:
         return "inertia of shear waves";
+    case TimeStepLimiter::own_vibration:
+        return "vibration of the body";
     case TimeStepLimiter::shaking:
         return "period of the shaking";
     case TimeStepLimiter::growth:

@@ -1,5 +1,5 @@
 #include "solver/motion/particle_order.hpp"
-#include "solver/step/cell_extremes.hpp"
+#include "solver/step_length/cell_extremes.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,32 @@
+// The vibration of the body itself, which shaking sets off, and steps that follow it.
+//
+// Sands damp it within a few cycles, for their strains lag behind at any amplitude. It lives on in soil that
+// is elastic below failure, where implicit steps make its period longer, so that it runs out of phase
+// (inertia_solve.hpp).
+#pragma once
+
+#include "solver/particles/particles.hpp"
+#include "solver/problem/problem.hpp"
+
+namespace quicksand {
+
+/// Between the lowest and the highest particle [m].
+double body_height(const Particles& particles);
+
+/// Period of the slowest shear vibration of a wedge as high as the body, whose shear waves have the speed
+/// `shear_speed` [m/s]: T = 2 pi H / (2.405 c_s), with the first zero of the Bessel function J_0; that of a
+/// level layer, 4 H / c_s, is longer [s].
+double own_period(const Particles& particles, double shear_speed);
+
+/// Volume of the soil that does not damp vibrations, over that of all soil [-].
+double undamped_share(const Problem& problem, const Particles& particles);
+
+/// The step that has a hundredth of the period where no soil damps the vibration, and more as the part of the
+/// soil is larger that does; infinite where all does [s].
+double step_of_own_vibration(const Problem& problem, const Particles& particles, double shear_speed);
+
+/// How long it is followed when the shaking is over: twenty periods where no soil damps it, 0 where all
+/// does [s].
+double afterlife(const Problem& problem, const Particles& particles, double shear_speed);
+
+} // namespace quicksand
