@@ -126,10 +126,10 @@ TimeStep accurate_time_step(const Problem& problem, double time, double last_ste
     if (time < end_of_motion(problem, body_times(problem, particles, extremes.shear_speed))) {
         const double reach = smoothed_cells * problem.grid.cell_size / std::sqrt(inertia_fraction);
         limit({reach / extremes.shear_speed, TimeStepLimiter::inertia, ""});
-        limit(at_least_wave(step_of_own_vibration(problem, particles, extremes.shear_speed),
-                            TimeStepLimiter::own_vibration));
         limit(at_least_wave(step_of_shaken_flow(problem, particles), TimeStepLimiter::flow));
         limit(at_least_wave(resolving_step(problem, time), TimeStepLimiter::shaking));
+        limit(at_least_wave(step_of_own_vibration(problem, particles, extremes.shear_speed),
+                            TimeStepLimiter::own_vibration));
     } else {
         const double grown = step_growth * (last_step > 0.0 ? last_step : wave_step);
         limit({grown, TimeStepLimiter::growth, ""});

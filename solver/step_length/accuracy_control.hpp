@@ -3,7 +3,7 @@
 // While something moves the soil (the base, loads, walls, water with a history) the step is at most
 //   h / (sqrt(beta) c_s)   accelerations are smoothed over sqrt(beta) c_s dt, which is then a cell; c_s the
 //                          speed of shear waves of typical soil: root of the mean of G / density by volume
-//   1/100 of the period of the body itself, in soil that does not damp it (own_vibration.hpp), but not below
+//   1/200 of the period of the body itself, in soil that does not damp it (own_vibration.hpp), but not below
 //                          the waves' step
 //   1/200 of the period of a sine or of a ramp, the interval of a record or of a table at that time; but not
 //                          below the waves' step

@@ -21,7 +21,7 @@ double own_period(const Particles& particles, double shear_speed);
 /// Volume of the soil that does not damp vibrations, over that of all soil [-].
 double undamped_share(const Problem& problem, const Particles& particles);
 
-/// The step that has a hundredth of the period where no soil damps the vibration, and more as the part of the
+/// The step that has 1/200 of the period where no soil damps the vibration, and more as the part of the
 /// soil is larger that does; infinite where all does [s].
 double step_of_own_vibration(const Problem& problem, const Particles& particles, double shear_speed);
 

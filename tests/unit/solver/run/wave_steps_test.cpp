@@ -22,8 +22,8 @@ namespace {
 
 using namespace fixtures;
 
-constexpr double end_of_cycle = 0.01;               // [s]
-constexpr double top = (69.0 + 1.0 / 3.0) * 0.0075; // of the patch [m]
+constexpr double end_of_cycle = 0.01;                // [s]
+constexpr double top = (149.0 + 1.0 / 3.0) * 0.0075; // of the patch [m]
 
 /// The patch, 3 cells wide and so high that its own vibration is slow, shaken by one cycle of 100 Hz, with a
 /// table of a load of nothing whose intervals are a microsecond from 2 to 4 ms and from 6 to 8 ms: no
@@ -32,7 +32,7 @@ Problem shaken_patch(bool saturated)
 {
     Problem problem = patch(1e-4, saturated);
     problem.grid.cells_x = 3;
-    problem.grid.cells_y = 70;
+    problem.grid.cells_y = 150;
     problem.boundaries = rectangle(0.0, 0.0, 0.0225, top, FixedWall{}, RollerWall{}, FreeFace{});
     problem.scheme = TimeScheme::implicit;
     SineMotion sine;
