@@ -61,7 +61,6 @@ SceneSetup set_up_reading(const SceneChoice& choice, SceneReading reading, Journ
     if (scene.stage && settles(scene.stage->kind)) scene.end_time = 0.0; // one frame, settled
     SceneSetup setup;
     setup.keys = reading.keys;
-    setup.water_lines = reading.water_lines;
     setup.hashes = hashes_of(choice, reading);
     setup.assembled = assemble_case(std::move(reading));
     const Diagnostics& warnings = setup.assembled.warnings;

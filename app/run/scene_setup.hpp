@@ -24,7 +24,6 @@ struct SceneSetup {
     AssembledCase assembled;       // its state is the initial one, before any settling
     std::vector<ResolvedKey> keys; // of the scene, as read
     SceneHashes hashes;
-    std::vector<WaterLine> water_lines; // at which its particles are parted
 };
 
 /// Set the number of threads, read the scene, draw and sample its section, and print the warnings. Throws

@@ -368,7 +368,7 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
         begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
     manifest.inputs = inputs;
     manifest.state_hash = setup.hashes.state;
-    manifest.water_lines = setup.water_lines;
+    manifest.water_lines = setup.assembled.water_lines;
     const bool resumes_shaking = choice.resume && run.is_shaking();
     if (resumes_shaking) manifest.resumed_at = state.time;
     if (is_complete(outcome.folder, run, scene.end_time)) {

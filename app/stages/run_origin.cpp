@@ -96,7 +96,7 @@ fs::path folder_of_end(const std::string& from)
 void part_as_in(const fs::path& folder, SceneReading& reading)
 {
     const RunRecord record = read_run_record(ResultsFolder{folder}.manifest());
-    if (record.water_lines) reading.water_lines = *record.water_lines;
+    reading.parted_before = record.water_lines;
 }
 
 Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,

@@ -23,6 +23,7 @@ struct AssembledCase {
     State state;
     Section section;
     std::vector<std::string> grid_reasons;   // what was chosen of the grid and why, lines for the user
+    std::vector<WaterLine> water_lines;      // at which particles are parted
     Sampling sampling;                       // its domains have become the particles
     std::vector<InterfaceLayer> interfaces;  // of the scene, with what they have become
     std::optional<InitialFlow> initial_flow; // of the ground water, where it flows at the start

@@ -257,6 +257,20 @@ void leave_water_to_columns(Problem& problem)
         if (std::holds_alternative<FreeFieldSide>(boundary.soil)) boundary.water = Drained{};
 }
 
+/// Still water of all stages parts particles, and so does water that flows at the start; in stages, which
+/// have the same particles, it does not: the later flows are not known yet.
+std::vector<WaterLine> lines_of_parting(const SceneReading& reading, const FlowField* flow,
+                                        const AssembledCase& assembled)
+{
+    if (reading.parted_before) return *reading.parted_before;
+    std::vector<WaterLine> lines = reading.water_lines;
+    const auto* lattice = std::get_if<LatticeSampling>(&assembled.scene.sampling);
+    if (flow == nullptr || lattice == nullptr || assembled.scene.stage) return lines;
+    if (auto line = line_of_flow(*flow, assembled.problem, lattice->per_cell_x))
+        lines.push_back(*std::move(line));
+    return lines;
+}
+
 /// Where water has wetted the soil since it settled.
 std::vector<const FlowField*> wetting_fields(const SceneReading& reading,
                                              const std::vector<std::optional<InitialFlow>>& flows)
@@ -278,17 +292,18 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     place_probes(section, assembled.scene);
     leave_out_probes(section, absent, assembled.scene);
 
-    assembled.sampling = sample(assembled.scene, section, assembled.problem.grid, reading.water_lines);
-    check_sampling(assembled.sampling, assembled);
-    assembled.problem.cut_domains = take_cut_domains(assembled.problem, assembled.sampling);
-    const std::vector<std::int32_t> numbers =
-        keep_present(absent, assembled.problem.grid, assembled.sampling);
     const auto of_region = materials_of_regions(assembled.scene, assembled.section);
     auto flows = flows_before(needed_flows(reading, assembled.scene), section, assembled);
     find_flow(reading, of_region, flows, assembled);
     leave_water_to_columns(assembled.problem);
     const FlowField* flow = assembled.initial_flow ? &assembled.initial_flow->field : nullptr;
     throw_errors(assembled.warnings, assembled.scene);
+    assembled.water_lines = lines_of_parting(reading, flow, assembled);
+    assembled.sampling = sample(assembled.scene, section, assembled.problem.grid, assembled.water_lines);
+    check_sampling(assembled.sampling, assembled);
+    assembled.problem.cut_domains = take_cut_domains(assembled.problem, assembled.sampling);
+    const std::vector<std::int32_t> numbers =
+        keep_present(absent, assembled.problem.grid, assembled.sampling);
     auto of_domain = lay_interfaces(assembled.section, assembled.sampling, of_region, assembled.scene,
                                     assembled.problem, assembled.interfaces, assembled.warnings);
     assembled.warnings.accept(assembled.scene.accepted);

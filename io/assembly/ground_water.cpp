@@ -82,11 +82,42 @@ bool differs_from_still_water(const Problem& problem, const Boundary& boundary)
     });
 }
 
+/// Give the points of a line within a distance of x their mean height.
+void level_beside(double x, double distance, std::vector<Vector2>& points)
+{
+    constexpr double rounding = 1e-6; // of the distance
+    const auto is_beside = [&](const Vector2& point) {
+        return std::abs(point.x() - x) < (1.0 + rounding) * distance;
+    };
+    double sum = 0.0, count = 0.0;
+    for (const Vector2& point : points) {
+        if (!is_beside(point)) continue;
+        sum += point.y();
+        count += 1.0;
+    }
+    for (Vector2& point : points)
+        if (is_beside(point)) point.y() = sum / count;
+}
+
 } // namespace
 
 double phreatic_elevation(const Scene& scene, double x)
 {
     return scene.phreatic_line.empty() ? scene.water->level : elevation(scene.phreatic_line, x);
+}
+
+std::optional<WaterLine> line_of_flow(const FlowField& flow, const Problem& problem, int per_cell_x)
+{
+    const BackgroundGrid& grid = problem.grid;
+    WaterLine line;
+    for (int i = 0; i <= grid.cells_x * per_cell_x; ++i) {
+        const double x = grid.origin.x() + grid.cell_size * i / per_cell_x;
+        if (const std::optional<double> surface = flow.surface(x)) line.points.emplace_back(x, *surface);
+    }
+    for (const Boundary& boundary : problem.boundaries)
+        if (std::holds_alternative<FreeFieldSide>(boundary.soil))
+            level_beside(boundary.segments.front().start.x(), grid.cell_size, line.points);
+    return line.points.empty() ? std::nullopt : std::optional(line);
 }
 
 double GroundWater::head(const Vector2& point) const

@@ -37,6 +37,10 @@ struct GroundWater {
     bool saturates(const Vector2& point, double tolerance) const;
 };
 
+/// The line up to which water stands that flows, with a knee on every line of the lattice, level over the
+/// cells beside free-field sides, whose columns have level rows; none where all soil is dry.
+std::optional<WaterLine> line_of_flow(const FlowField& flow, const Problem& problem, int per_cell_x);
+
 /// Soil above the phreatic line is a material of its own, not saturated: add these to the problem where a
 /// domain of the sampling lies there, give them to `of_domain`, which holds the material of every domain, and
 /// note whether the water of saturated soil rises above the level, or flows. Soil that an earlier flow has

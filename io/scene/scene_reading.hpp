@@ -6,6 +6,7 @@
 #include "io/tables/scene.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace quicksand {
@@ -21,6 +22,8 @@ struct SceneReading {
     bool keeps_flow = false;
     /// Lines up to which still water stands in this and the other stages: particles are parted there.
     std::vector<WaterLine> water_lines;
+    /// The lines at which those of the run were parted that the scene goes on from; none: it begins anew.
+    std::optional<std::vector<WaterLine>> parted_before;
     std::vector<ResolvedKey> keys;
     Diagnostics warnings;
 };
