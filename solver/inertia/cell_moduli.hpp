@@ -39,7 +39,7 @@ double eccentricity_factor(const StiffnessSums& cell);
 /// The same for domains that are longer than wide, whose gradients grow with 1 / b across their length, alone
 /// in a cell: their mean elongation where a quarter of the cell is filled, 1 from three quarters on, whose
 /// particles bear each other's [own]. Single domains of half edges up to .35 cells would be up to 10 times
-/// stiffer than K without it. 4 beta = 2 are borne, and needed for moduli that grow within a step.
+/// stiffer than K without it. 4 beta = 1.7 are borne, and needed for moduli that grow within a step.
 double elongation_factor(const StiffnessSums& cell);
 
 /// Sum them up from the particles, as they are expected after a step of dt: grains that meet are soft before

@@ -21,7 +21,7 @@ namespace {
 constexpr double smoothed_cells = 1.0;     // over which accelerations are smoothed [-]
 constexpr double steps_per_period = 200.0; // of a sine
 constexpr double least_steps_per_period = 20.0;
-constexpr double pressure_change = 0.02; // in a step, of the largest excess pressure
+constexpr double pressure_change = 0.0125; // in a step, of the largest excess pressure
 constexpr double strain_change = 0.05;   // in a step, of the particle that is strained fastest
 constexpr double least_pressure = 0.005; // that counts as the largest one, of the largest sigma'_v0
 
