@@ -289,7 +289,7 @@ std::string describe_left_out(const Scene& scene, const StagedRun& run, const st
     leave_out(run.problem().scheme == TimeScheme::semi_implicit,
               "steps limited by sound in water: the pore pressure is implicit");
     leave_out(run.problem().scheme == TimeScheme::implicit,
-              "steps limited by waves: the pore pressure and the inertia of the grains are implicit");
+              "steps limited by waves alone: implicit ones follow the motion, where they cost less");
     leave_out(!scene.relaxation, "settling: the run starts from " + start);
     leave_out(std::holds_alternative<NoMotion>(scene.base_motion), "shaking: the base is at rest");
     leave_out(std::holds_alternative<LatticeSampling>(scene.sampling),

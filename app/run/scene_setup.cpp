@@ -56,13 +56,13 @@ SceneHashes hashes_of(const SceneChoice& choice, const SceneReading& reading)
 
 SceneSetup set_up_reading(const SceneChoice& choice, SceneReading reading, Journal& journal)
 {
-    Scene& scene = reading.scene;
-    if (choice.until) scene.end_time = *choice.until;
-    if (scene.stage && settles(scene.stage->kind)) scene.end_time = 0.0; // one frame, settled
     SceneSetup setup;
     setup.keys = reading.keys;
     setup.hashes = hashes_of(choice, reading);
     setup.assembled = assemble_case(std::move(reading));
+    Scene& scene = setup.assembled.scene; // its steps are those of the whole run
+    if (choice.until) scene.end_time = *choice.until;
+    if (scene.stage && settles(scene.stage->kind)) scene.end_time = 0.0; // one frame, settled
     const Diagnostics& warnings = setup.assembled.warnings;
     if (!warnings.empty()) journal.complain(warnings.render(setup.assembled.scene.text));
     return setup;

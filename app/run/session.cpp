@@ -369,6 +369,7 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
     manifest.inputs = inputs;
     manifest.state_hash = setup.hashes.state;
     manifest.water_lines = setup.assembled.water_lines;
+    manifest.scheme = setup.assembled.problem.scheme;
     const bool resumes_shaking = choice.resume && run.is_shaking();
     if (resumes_shaking) manifest.resumed_at = state.time;
     if (is_complete(outcome.folder, run, scene.end_time)) {

@@ -99,6 +99,13 @@ void part_as_in(const fs::path& folder, SceneReading& reading)
     reading.parted_before = record.water_lines;
 }
 
+void resume_as_in(const fs::path& folder, SceneReading& reading)
+{
+    part_as_in(folder, reading);
+    if (!reading.scene.scheme)
+        reading.scene.scheme = read_run_record(ResultsFolder{folder}.manifest()).scheme;
+}
+
 Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
                    const AssembledCase& assembled)
 {

@@ -20,6 +20,10 @@ std::filesystem::path folder_of_end(const std::string& from);
 /// Throws InputError, FileError.
 void part_as_in(const std::filesystem::path& folder, SceneReading& reading);
 
+/// The same of the results that are resumed, whose scheme stays where the scene leaves it open: another end
+/// of the run would choose another one.
+void resume_as_in(const std::filesystem::path& folder, SceneReading& reading);
+
 /// The end of a finished run as the origin of another one, whose scene was read as `now`. Throws InputError
 /// where it has not ended well or is of another drawing, grid or water.
 Origin origin_from(const std::filesystem::path& folder, const std::vector<ResolvedKey>& now,

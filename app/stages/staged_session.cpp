@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 void part_as_before(const RunChoice& chosen, const std::optional<fs::path>& before, SceneReading& reading)
 {
     if (chosen.resume && fs::exists(ResultsFolder{chosen.directory}.manifest())) {
-        part_as_in(chosen.directory, reading);
+        resume_as_in(chosen.directory, reading);
     } else if (before) {
         part_as_in(*before, reading);
     }

@@ -7,6 +7,7 @@
 #include "io/tables/scene.hpp"
 #include "solver/faces/water_condition.hpp"
 #include "solver/measure/verdict.hpp"
+#include "solver/problem/problem.hpp"
 
 #include <cstdint>
 #include <filesystem>
@@ -59,6 +60,7 @@ struct RunManifest {
     std::vector<std::string> overrides; // path=value, as given
     std::vector<InputFile> inputs;
     std::vector<WaterLine> water_lines; // at which particles are parted
+    TimeScheme scheme = TimeScheme::explicit_steps;
     int threads = 1;
     std::optional<double> resumed_at; // t of the checkpoint [s]
     std::string start_time;           // UTC; filled by begin_manifest()

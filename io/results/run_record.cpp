@@ -2,6 +2,7 @@
 
 #include "io/files/atomic_file.hpp"
 #include "solver/base/failure.hpp"
+#include "solver/step_length/time_step.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -56,6 +57,14 @@ std::optional<std::vector<WaterLine>> read_water_lines(const Json& json)
     return lines;
 }
 
+std::optional<TimeScheme> scheme_named(const std::string& name)
+{
+    for (const TimeScheme scheme :
+         {TimeScheme::explicit_steps, TimeScheme::semi_implicit, TimeScheme::implicit})
+        if (name == name_of(scheme)) return scheme;
+    return std::nullopt;
+}
+
 } // namespace
 
 RunRecord read_run_record(const std::filesystem::path& manifest)
@@ -83,6 +92,7 @@ RunRecord read_run_record(const std::filesystem::path& manifest)
     record.step_halvings = number_of(json, "step_halvings");
     record.summary = read_summary(json);
     record.water_lines = read_water_lines(json);
+    record.scheme = scheme_named(text_of(json, "scheme"));
     if (json.contains("overrides") && json["overrides"].is_array())
         for (const auto& word : json["overrides"])
             if (word.is_string()) record.overrides.push_back(word.get<std::string>());

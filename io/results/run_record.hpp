@@ -3,6 +3,7 @@
 
 #include "io/results/run_summary.hpp"
 #include "solver/faces/water_condition.hpp"
+#include "solver/problem/problem.hpp"
 
 #include <filesystem>
 #include <map>
@@ -20,6 +21,7 @@ struct RunRecord {
     std::vector<std::string> overrides; // path=value, as given
     /// At which particles are parted; none in a manifest that does not tell it.
     std::optional<std::vector<WaterLine>> water_lines;
+    std::optional<TimeScheme> scheme;             // none in a manifest that does not tell it
     std::string start_time, end_time;             // UTC
     double wall_time = 0.0;                       // of the last process [s]
     double simulated_time = 0.0;                  // t reached [s]

@@ -27,12 +27,34 @@ double sound_time(const Problem& problem, const Particles& particles)
     return body_height(particles) / speed;
 }
 
-/// Whether vibrations that nothing damps are all that goes on: implicit steps end them where nothing shakes
-/// the body.
-bool vibrates_alone(const Problem& problem, const Particles& particles)
+/// Whether motion of the grains is all that goes on: implicit steps would end it.
+bool moves_alone(const Problem& problem)
 {
-    return water_flow(problem) != WaterFlow::coupled && duration(problem.base_motion) == 0.0 &&
-           undamped_share(problem, particles) > 0.0;
+    return water_flow(problem) != WaterFlow::coupled && duration(problem.base_motion) == 0.0;
+}
+
+bool is_loaded(const Problem& problem)
+{
+    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [](const Boundary& boundary) {
+        const auto* face = std::get_if<FreeFace>(&boundary.soil);
+        return face != nullptr && face->load;
+    });
+}
+
+/// Time from which implicit steps grow, where the motion and the vibration that it leaves are over [s].
+double start_of_growth(const Problem& problem, const Particles& particles)
+{
+    if (problem.scheme != TimeScheme::implicit) return std::numeric_limits<double>::infinity();
+    const CellExtremes extremes = find_extremes(problem, particles);
+    const double end = end_of_motion(problem, crossing_time(problem.grid, extremes.shear_speed));
+    return end > 0.0 || is_loaded(problem) ? end + afterlife(particles, extremes.shear_slowness) : 0.0;
+}
+
+/// Longest step in soil that drains `since` a time: pressures change as with the root of the time [s].
+double step_of_drainage(const Problem& problem, double since)
+{
+    return water_flow(problem) == WaterFlow::coupled ? 2.0 * pressure_change * since
+                                                     : std::numeric_limits<double>::infinity();
 }
 
 } // namespace
@@ -40,20 +62,18 @@ bool vibrates_alone(const Problem& problem, const Particles& particles)
 std::int64_t count_steps(const Problem& problem, const Particles& particles, double dt,
                          const std::vector<double>& events)
 {
-    const double start_of_growth =
-        problem.scheme == TimeScheme::implicit
-            ? end_of_motion(problem,
-                            body_times(problem, particles, find_extremes(problem, particles).shear_speed))
-            : std::numeric_limits<double>::infinity();
+    const double start = start_of_growth(problem, particles);
     double steps = 0.0, time = 0.0;
     for (const double event : events) {
-        if (time < start_of_growth) {
-            const double until = std::min(event, start_of_growth);
+        if (time < start) {
+            const double until = std::min(event, start);
             steps += steps_over(until - time, dt);
             time = until;
         }
         for (; time < event; ++steps) {
-            dt = std::min(step_growth * dt, std::max(dt, resolving_step_of_histories(problem, time)));
+            const double longest =
+                std::min(resolving_step_of_histories(problem, time), step_of_drainage(problem, time - start));
+            dt = std::min(step_growth * dt, std::max(dt, longest));
             const double left = steps_over(event - time, dt);
             time = left > 1.0 ? time + (event - time) / left : event;
         }
@@ -67,7 +87,7 @@ TimeScheme fastest_scheme(const Problem& problem, const State& state, double end
     const TimeScheme by_waves = scheme_of_waves(problem);
     if (water_flow(problem) == WaterFlow::undrained) return by_waves;
     if (end_time < sound_crossings * sound_time(problem, particles)) return TimeScheme::explicit_steps;
-    if (vibrates_alone(problem, particles)) return by_waves;
+    if (moves_alone(problem)) return by_waves;
     const auto steps_by = [&](TimeScheme scheme) {
         Problem trial = problem;
         trial.scheme = scheme;

@@ -11,7 +11,8 @@ namespace quicksand {
 
 /// Steps from the start of the shaking through all `events`, ascending times that steps hit [s]: of the
 /// length `dt`, which implicit ones keep while something moves the soil with waves and then grow from as far
-/// as they may. Changes of the pore pressure, which no one knows before the run, limit them further.
+/// as they may, with the vibration that it leaves followed to the end, and as far as pore pressures of soil
+/// that drains may let them. Strains, and pressures that rise and fall, limit them further.
 std::int64_t count_steps(const Problem& problem, const Particles& particles, double dt,
                          const std::vector<double>& events);
 

@@ -21,7 +21,6 @@ namespace {
 constexpr double smoothed_cells = 1.0;     // over which accelerations are smoothed [-]
 constexpr double steps_per_period = 200.0; // of a sine
 constexpr double least_steps_per_period = 20.0;
-constexpr double pressure_change = 0.0125; // in a step, of the largest excess pressure
 constexpr double strain_change = 0.05;   // in a step, of the particle that is strained fastest
 constexpr double least_pressure = 0.005; // that counts as the largest one, of the largest sigma'_v0
 
@@ -123,7 +122,7 @@ TimeStep accurate_time_step(const Problem& problem, double time, double last_ste
     };
     TimeStep step = at_least_wave(strain_step(particles), TimeStepLimiter::strain);
     const auto limit = [&](const TimeStep& other) { step = other.dt < step.dt ? other : step; };
-    if (time < end_of_motion(problem, body_times(problem, particles, extremes.shear_speed))) {
+    if (!is_left_alone(problem, time, particles, extremes)) {
         const double reach = smoothed_cells * problem.grid.cell_size / std::sqrt(inertia_fraction);
         limit({reach / extremes.shear_speed, TimeStepLimiter::inertia, ""});
         limit(at_least_wave(step_of_shaken_flow(problem, particles), TimeStepLimiter::flow));

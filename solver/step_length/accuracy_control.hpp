@@ -23,7 +23,8 @@
 
 namespace quicksand {
 
-inline constexpr double step_growth = 1.1; // from step to step when nothing moves the soil any more
+inline constexpr double step_growth = 1.1;        // from step to step when nothing moves the soil any more
+inline constexpr double pressure_change = 0.0125; // in a step, of the largest excess pressure [-]
 
 /// Longest step from a time on that resolves what moves the soil; infinite where nothing varies [s].
 double resolving_step(const Problem& problem, double time);

@@ -61,15 +61,17 @@ double shear_speed_squared(const Problem& problem, const Material& material, dou
     return shear_fraction * modulus / mixture_density(problem, material, porosity);
 }
 
-/// A volume and its integral of G / density.
+/// A volume and its integrals of the speed of shear waves squared, G / density, and of its inverse.
 struct ShearSum {
     double volume = 0.0;        // [m3/m]
     double speed_squared = 0.0; // [m3/m m2/s2]
+    double slowness = 0.0;      // [m3/m s/m]
 
     ShearSum& operator+=(const ShearSum& other)
     {
         volume += other.volume;
         speed_squared += other.speed_squared;
+        slowness += other.slowness;
         return *this;
     }
     double speed() const { return std::sqrt(speed_squared / volume); }
@@ -102,8 +104,9 @@ void include_cell(const Problem& problem, const Particles& particles, std::size_
     const ParticleModuli moduli = std::visit(
         [&](const auto& law) { return particle_moduli(law, first, last, particles); }, material.law);
     const double h = problem.grid.cell_size, empty = std::max(0.0, 1.0 - volume / (h * h));
+    const double speed_squared = shear_speed_squared(problem, material, moduli.mean, porosity);
     (material.has_pores ? shear.soil : shear.solids) +=
-        ShearSum{volume, volume * shear_speed_squared(problem, material, moduli.mean, porosity)};
+        ShearSum{volume, volume * speed_squared, volume / std::sqrt(speed_squared)};
     const double modulus = moduli.mean + empty * (moduli.stiffest - moduli.mean);
     extremes.stiffest_modulus = std::max(extremes.stiffest_modulus, modulus);
     if (is_cut(problem, particles, first, last, empty))
@@ -142,7 +145,7 @@ double mixture_density(const Problem& problem, const Material& material, double 
 
 CellExtremes find_extremes(const Problem& problem, const Particles& particles)
 {
-    const CellExtremes none{0.0, 0.0, std::vector<MaterialExtremes>(problem.materials.size())};
+    const CellExtremes none{0.0, 0.0, 0.0, std::vector<MaterialExtremes>(problem.materials.size())};
     const std::size_t chunks = (particles.size() + chunk - 1) / chunk;
     std::vector<CellExtremes> parts(chunks, none);
     std::vector<ShearSums> shears(chunks);
@@ -158,7 +161,10 @@ CellExtremes find_extremes(const Problem& problem, const Particles& particles)
     ShearSums shear;
     for (const ShearSums& part : shears) shear += part;
     const ShearSum& counted = shear.soil.volume > 0.0 ? shear.soil : shear.solids;
-    if (counted.volume > 0.0) extremes.shear_speed = counted.speed();
+    if (counted.volume > 0.0) {
+        extremes.shear_speed = counted.speed();
+        extremes.shear_slowness = counted.slowness / counted.volume;
+    }
     return extremes;
 }
 

@@ -23,6 +23,7 @@ struct CellExtremes {
     double max_speed = 0.0;   // of the particles [m/s]
     double shear_speed = 0.0; // of shear waves in soil: root of the mean of G / density by volume; solids do
                               // not count beside soil [m/s]
+    double shear_slowness = 0.0;             // mean of 1 / speed of the same, by volume [s/m]
     std::vector<MaterialExtremes> materials; // as Problem::materials
 };
 

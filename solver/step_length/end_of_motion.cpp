@@ -1,7 +1,6 @@
 #include "solver/step_length/end_of_motion.hpp"
 
 #include "solver/base/overload.hpp"
-#include "solver/step_length/cell_extremes.hpp"
 #include "solver/step_length/histories.hpp"
 #include "solver/step_length/own_vibration.hpp"
 
@@ -49,46 +48,35 @@ bool moves_on(const Boundary& boundary)
     return wall != nullptr && wall->motion.quantity == MotionQuantity::velocity;
 }
 
-/// Whether a history goes on after the time that may be slow.
-bool may_rise_slowly(const Problem& problem, double time)
-{
-    bool may = false;
-    for_each_history(problem, [&](const History& history) {
-        const bool is_sine = std::holds_alternative<SineHistory>(history.shape);
-        may = may || (!is_sine && time < end_of_motion(history));
-    });
-    return may;
-}
-
 } // namespace
 
-BodyTimes body_times(const Problem& problem, const Particles& particles, double shear_speed)
+double crossing_time(const BackgroundGrid& grid, double shear_speed)
 {
-    return {problem.grid.cell_size * problem.grid.cells_y / shear_speed,
-            afterlife(problem, particles, shear_speed)};
+    return grid.cell_size * grid.cells_y / shear_speed;
 }
 
-double end_of_motion(const Problem& problem, const BodyTimes& body)
+double end_of_motion(const Problem& problem, double crossing_time)
 {
-    const double shaking = duration(problem.base_motion);
-    double end = shaking > 0.0 ? shaking + body.afterlife : 0.0;
+    double end = duration(problem.base_motion);
     for_each_history(problem, [&](const History& history) {
-        if (!is_slow(history, body.crossing)) end = std::max(end, end_of_motion(history));
+        if (!is_slow(history, crossing_time)) end = std::max(end, end_of_motion(history));
     });
     const bool on = std::any_of(problem.boundaries.begin(), problem.boundaries.end(), moves_on);
     return on ? std::numeric_limits<double>::infinity() : end;
 }
 
+bool is_left_alone(const Problem& problem, double time, const Particles& particles,
+                   const CellExtremes& extremes)
+{
+    const double end = end_of_motion(problem, crossing_time(problem.grid, extremes.shear_speed));
+    return time >= end && (time >= end + afterlife(particles, extremes.shear_slowness) ||
+                           !vibrates(particles, extremes.shear_slowness));
+}
+
 bool is_left_alone(const Problem& problem, const State& state)
 {
-    const double shaking = duration(problem.base_motion);
-    if (state.time < shaking) return false;
-    const bool hangs_on_body = may_rise_slowly(problem, state.time) ||
-                               (shaking > 0.0 && undamped_share(problem, state.particles) > 0.0);
-    const BodyTimes body = hangs_on_body ? body_times(problem, state.particles,
-                                                      find_extremes(problem, state.particles).shear_speed)
-                                         : BodyTimes();
-    return state.time >= end_of_motion(problem, body);
+    if (state.time < duration(problem.base_motion)) return false;
+    return is_left_alone(problem, state.time, state.particles, find_extremes(problem, state.particles));
 }
 
 } // namespace quicksand

@@ -1,28 +1,29 @@
 // When nothing moves the soil with waves any more.
 //
 // That is the end of shaking and of all histories, but not of slow ones: what rises over a hundred times the
-// time in which shear waves rise through the grid, as a flood does, moves the soil without waves. A body
-// whose soil does not damp its own vibration is followed on for some periods of it after the shaking
-// (own_vibration.hpp).
+// time in which shear waves rise through the grid, as a flood does, moves the soil without waves. What
+// shaking and loads leave of the vibration of the body is followed on, for some periods of it
+// (own_vibration.hpp): it compacts sand.
 #pragma once
 
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
+#include "solver/step_length/cell_extremes.hpp"
 
 namespace quicksand {
 
-struct BodyTimes {
-    double crossing = 0.0;  // in which shear waves rise from the base of the grid to its top [s]
-    double afterlife = 0.0; // of the body's own vibration when the shaking is over [s]
-};
+/// Time in which shear waves of the speed `shear_speed` [m/s] rise from the base of the grid to its top [s].
+double crossing_time(const BackgroundGrid& grid, double shear_speed);
 
-/// Those of a body with the speed of shear waves `shear_speed` [m/s].
-BodyTimes body_times(const Problem& problem, const Particles& particles, double shear_speed);
+/// Time from which nothing moves the soil with waves any more, but its own vibration; infinite for a sine
+/// without end [s].
+double end_of_motion(const Problem& problem, double crossing_time);
 
-/// Time from which nothing moves the soil with waves any more; infinite for a sine without end [s].
-double end_of_motion(const Problem& problem, const BodyTimes& body);
+/// Whether that has passed at a time, and the soil no longer vibrates, or has for long enough.
+bool is_left_alone(const Problem& problem, double time, const Particles& particles,
+                   const CellExtremes& extremes);
 
-/// Whether that has passed.
+/// The same of a state.
 bool is_left_alone(const Problem& problem, const State& state);
 
 } // namespace quicksand

@@ -1,6 +1,7 @@
 #include "solver/step_length/own_vibration.hpp"
 
 #include "solver/problem/material_runs.hpp"
+#include "solver/step_length/flowing_soil.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -15,6 +16,13 @@ constexpr double first_zero = 2.405; // of J_0 [-]
 constexpr double steps_per_own_period = 200.0;
 
 constexpr double periods_of_afterlife = 20.0;
+// Sand neither compacts nor builds up pressures at strains of a hundred times as much.
+constexpr double least_strain = 1e-6; // of a vibration [-]
+
+double period_of_layer(const Particles& particles, double shear_slowness)
+{
+    return 4.0 * body_height(particles) * shear_slowness;
+}
 
 } // namespace
 
@@ -51,9 +59,20 @@ double step_of_own_vibration(const Problem& problem, const Particles& particles,
                           : std::numeric_limits<double>::infinity();
 }
 
-double afterlife(const Problem& problem, const Particles& particles, double shear_speed)
+double afterlife(const Particles& particles, double shear_slowness)
 {
-    return periods_of_afterlife * undamped_share(problem, particles) * own_period(particles, shear_speed);
+    return periods_of_afterlife * period_of_layer(particles, shear_slowness);
+}
+
+bool vibrates(const Particles& particles, double shear_slowness)
+{
+    double squared = 0.0, volume = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        squared += particles.volume[p] * rate_squared(particles.affine_velocity_solid, p);
+        volume += particles.volume[p];
+    }
+    const double time = period_of_layer(particles, shear_slowness) / (2.0 * std::numbers::pi);
+    return squared * time * time > least_strain * least_strain * volume;
 }
 
 } // namespace quicksand

@@ -1,8 +1,7 @@
-// The vibration of the body itself, which shaking sets off, and steps that follow it.
+// The vibration of the body itself, which shaking and loads set off, and steps that follow it.
 //
-// Sands damp it within a few cycles, for their strains lag behind at any amplitude. It lives on in soil that
-// is elastic below failure, where implicit steps make its period longer, so that it runs out of phase
-// (inertia_solve.hpp).
+// Sands damp it, for their strains lag behind at any amplitude. It lives on in soil that is elastic below
+// failure, where implicit steps make its period longer, so that it runs out of phase (inertia_solve.hpp).
 #pragma once
 
 #include "solver/particles/particles.hpp"
@@ -25,8 +24,12 @@ double undamped_share(const Problem& problem, const Particles& particles);
 /// soil is larger that does; infinite where all does [s].
 double step_of_own_vibration(const Problem& problem, const Particles& particles, double shear_speed);
 
-/// How long it is followed when the shaking is over: twenty periods where no soil damps it, 0 where all
-/// does [s].
-double afterlife(const Problem& problem, const Particles& particles, double shear_speed);
+/// How long it is followed at most when nothing moves the soil any more: twenty periods of a level layer of
+/// the mean slowness 1 / c_s of the body, T = 4 H / c_s, of which a soft layer has most [s].
+double afterlife(const Particles& particles, double shear_slowness);
+
+/// Whether the soil still vibrates: strained at its present rate for 1/(2 pi) of the period of a layer, it
+/// would be strained by more than a millionth, the root of the mean square by volume.
+bool vibrates(const Particles& particles, double shear_slowness);
 
 } // namespace quicksand

@@ -121,6 +121,7 @@ TEST(ImplicitStep, DampsVibrationsThatItDoesNotFollowWhereNothingMovesTheSoil)
     State state = first_shear_mode(problem, cells);
     const double c_s = std::sqrt(100e6 / (0.57 * 2650.0));
     const double frequency = 0.5 * pi * c_s / cells;    // omega [1/s]
+    state.time = 25.0 * 2.0 * pi / frequency;           // when it is no longer followed
     for (const double step : {0.3, 2.0, 10.0, 100.0}) { // omega dt
         const double dt = step / frequency, z = step * step;
         state.whole_step = 0.0;
@@ -193,6 +194,7 @@ TEST(ImplicitStep, IsNoLongerThanTheFastestStrainAllows)
     problem.scheme = TimeScheme::implicit;
     State state = restless(problem);
     state.whole_step = 1.0;
+    state.time = 1.0; // long after what follows vibrations
     for (Scalars* part :
          {&state.particles.affine_velocity_solid.xx, &state.particles.affine_velocity_solid.xy,
           &state.particles.affine_velocity_solid.yx, &state.particles.affine_velocity_solid.yy})

@@ -57,18 +57,29 @@ TEST(StepForecast, StepsHitEveryEvent)
 
 TEST(StepForecast, ImplicitStepsGrowWhenTheMotionIsOver)
 {
-    Problem problem = box_of_sand(true);
+    Problem problem = box_of_sand(false);
     problem.scheme = TimeScheme::implicit;
     problem.base_motion = sine_of(1.0, 2.0); // for 2 s
     const Particles sand = sand_of(problem);
-    const double speed = find_extremes(problem, sand).shear_speed;
-    const double shaken = std::ceil((2.0 + afterlife(problem, sand, speed)) / 0.01);
+    const double slowness = find_extremes(problem, sand).shear_slowness;
+    const double shaken = std::ceil((2.0 + afterlife(sand, slowness)) / 0.01);
     EXPECT_EQ(count_steps(problem, sand, 0.01, {2.0}), 200);
     // dt (1.1 + 1.1^2 + ... + 1.1^n) = 11 dt (1.1^n - 1) reaches 1e6 dt
     const double growing = std::ceil(std::log(1e6 / 11.0 + 1.0) / std::log(step_growth));
     const auto steps = static_cast<double>(count_steps(problem, sand, 0.01, {2.0, 1e4 + 2.0}));
     EXPECT_GE(steps, shaken + growing);
     EXPECT_LE(steps, shaken + 1.0 + growing) << "each is shortened a little to hit the end";
+}
+
+// Steps of a fortieth of the time since the end of the motion: ln(1e4) / ln(1 + 1/40) from 1 s to 1e4 s.
+TEST(StepForecast, ImplicitStepsFollowSoilThatDrains)
+{
+    Problem problem = box_of_sand(true);
+    problem.scheme = TimeScheme::implicit;
+    const Particles sand = sand_of(problem);
+    const auto to_a_second = static_cast<double>(count_steps(problem, sand, 1e-3, {1.0}));
+    const auto on = static_cast<double>(count_steps(problem, sand, 1e-3, {1.0, 1e4})) - to_a_second;
+    EXPECT_NEAR(on, std::log(1e4) / std::log(1.0 + 2.0 * pressure_change), 5.0);
 }
 
 TEST(StepForecast, ImplicitStepsAreTakenWhereTheyAreFewEnough)
@@ -95,7 +106,7 @@ TEST(StepForecast, SoundIsFollowedByExplicitSteps)
 }
 
 // Steps that grow end vibrations.
-TEST(StepForecast, DrySoilThatVibratesWithoutShakingIsComputedByExplicitSteps)
+TEST(StepForecast, DrySoilThatNothingShakesIsComputedByExplicitSteps)
 {
     Problem problem = box_of_sand(false);
     EXPECT_EQ(fastest_scheme(problem, state_of(problem), 1e4), TimeScheme::explicit_steps);
