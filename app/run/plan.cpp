@@ -211,7 +211,7 @@ std::string describe_time_step(const AssembledCase& assembled, const TimeStep& s
     if (!assembled.scene.scheme)
         text += fmt::format("  {} steps, {}\n", name_of(problem.scheme),
                             is_about_sound ? "for so short a run is about sound in the water"
-                                           : "which take the least time here");
+                                           : "which suit the scene and take the least time");
     if (assembled.scene.relaxation) {
         const TimeStep settling =
             stable_relaxation_step(settling_problem(problem), assembled.state.particles);

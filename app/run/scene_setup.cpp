@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -59,9 +60,11 @@ SceneSetup set_up_reading(const SceneChoice& choice, SceneReading reading, Journ
     SceneSetup setup;
     setup.keys = reading.keys;
     setup.hashes = hashes_of(choice, reading);
+    const double end_time = reading.scene.end_time;
+    if (choice.until) reading.scene.end_time = std::max(end_time, *choice.until); // steps of the whole run
     setup.assembled = assemble_case(std::move(reading));
-    Scene& scene = setup.assembled.scene; // its steps are those of the whole run
-    if (choice.until) scene.end_time = *choice.until;
+    Scene& scene = setup.assembled.scene;
+    scene.end_time = choice.until.value_or(end_time);
     if (scene.stage && settles(scene.stage->kind)) scene.end_time = 0.0; // one frame, settled
     const Diagnostics& warnings = setup.assembled.warnings;
     if (!warnings.empty()) journal.complain(warnings.render(setup.assembled.scene.text));

@@ -15,7 +15,7 @@ namespace quicksand {
 /// one that has an end to go on from. Throws InputError.
 std::filesystem::path folder_of_end(const std::string& from);
 
-/// Have particles parted at the lines of still water of the results that the scene goes on from: it goes on
+/// Have particles parted at the water lines of the results that the scene goes on from: it goes on
 /// with the same particles, whatever its own water. Leaves it as it is where the results do not tell them.
 /// Throws InputError, FileError.
 void part_as_in(const std::filesystem::path& folder, SceneReading& reading);

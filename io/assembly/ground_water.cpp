@@ -116,7 +116,8 @@ std::optional<WaterLine> line_of_flow(const FlowField& flow, const Problem& prob
     }
     for (const Boundary& boundary : problem.boundaries)
         if (std::holds_alternative<FreeFieldSide>(boundary.soil))
-            level_beside(boundary.segments.front().start.x(), grid.cell_size, line.points);
+            for (const Segment& segment : boundary.segments)
+                level_beside(segment.start.x(), grid.cell_size, line.points);
     return line.points.empty() ? std::nullopt : std::optional(line);
 }
 

@@ -76,8 +76,8 @@ std::vector<SceneKey> analysis_keys()
          .doc = "Steps limited by sound in water, by waves in the skeleton with the water's pressure implicit, or by "
                 "accuracy with the skeleton's inertia implicit as well, which give way to those that waves limit while "
                 "these cost less; auto takes the fastest of the last two, and explicit steps for water that moves with "
-                "the grains, for dry soil that nothing shakes, and where sound crosses the soil less than twenty "
-                "times."},
+                "the grains, for dry and drained soil that nothing shakes for forty of its periods, and where sound "
+                "crosses the soil less than twenty times."},
         {.pattern = "analysis.columns", .type = word, .default_value = "one", .words = {"one", "all"},
          .doc = "Whether only one column of cells is computed between tied sides where all columns are equal."},
         {.pattern = "analysis.step_share", .default_value = 1.0, .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},

@@ -33,8 +33,9 @@
 namespace quicksand {
 
 inline constexpr double inertia_fraction = 0.425; // beta [-]
-// c where nothing moves the soil any more [-]: vibrations fall to a tenth in 25 steps; the pore pressures of
-// a liquefied column that drains are those of steps twenty times shorter within 2 %, with .25 within 4 %.
+// c where nothing moves the soil any more [-]: vibrations fall to a tenth in 22 steps; the pore pressures of
+// a liquefied column that drains were those of steps twenty times shorter within 2 %, with .25 within 4 %,
+// and beta = 1/2.
 inline constexpr double damping_of_vibrations = 0.1;
 // The same while soil settles. Local damping adds up to 0.95 of a braking force to it, and particles in cells
 // that they share with soil are up to 1.2 times stiffer than K: 1.95 * 1.2 <= 4 (beta + c).

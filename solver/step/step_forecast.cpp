@@ -27,10 +27,12 @@ double sound_time(const Problem& problem, const Particles& particles)
     return body_height(particles) / speed;
 }
 
-/// Whether motion of the grains is all that goes on: implicit steps would end it.
-bool moves_alone(const Problem& problem)
+/// Whether the motion of the grains is all that goes on in a run, of twice the time at most for which
+/// implicit steps would follow it.
+bool is_about_motion(const Problem& problem, const Particles& particles, double end_time)
 {
-    return water_flow(problem) != WaterFlow::coupled && duration(problem.base_motion) == 0.0;
+    if (water_flow(problem) == WaterFlow::coupled || duration(problem.base_motion) > 0.0) return false;
+    return end_time < 2.0 * afterlife(particles, find_extremes(problem, particles).shear_slowness);
 }
 
 bool is_loaded(const Problem& problem)
@@ -87,7 +89,7 @@ TimeScheme fastest_scheme(const Problem& problem, const State& state, double end
     const TimeScheme by_waves = scheme_of_waves(problem);
     if (water_flow(problem) == WaterFlow::undrained) return by_waves;
     if (end_time < sound_crossings * sound_time(problem, particles)) return TimeScheme::explicit_steps;
-    if (moves_alone(problem)) return by_waves;
+    if (is_about_motion(problem, particles, end_time)) return by_waves;
     const auto steps_by = [&](TimeScheme scheme) {
         Problem trial = problem;
         trial.scheme = scheme;

@@ -9,7 +9,7 @@
 
 namespace quicksand {
 
-/// Between the lowest and the highest particle [m].
+/// From the lower side of the lowest particle to the upper side of the highest, were they squares [m].
 double body_height(const Particles& particles);
 
 /// Period of the slowest shear vibration of a wedge as high as the body, whose shear waves have the speed

@@ -276,6 +276,22 @@ TEST(Settling, GoesOnWhereItWasStopped)
     EXPECT_EQ(read_file(results + "/fields.pvd"), read_file(folder / "whole/fields.pvd"));
 }
 
+// The end of the run decides which steps suit it.
+TEST(Resume, KeepsTheSchemeThatWasChosen)
+{
+    const WorkFolder folder;
+    const std::string run =
+        "run " + example("column") + " --set 'analysis.scheme=\"auto\"' -o " + (folder / "results").string();
+    const auto scheme = [&] { return read_run_record(folder / "results/run_manifest.json").scheme; };
+    ASSERT_EQ(run_program(run + " --set run.end_time=1e-3").code, 0);
+    EXPECT_EQ(scheme(), TimeScheme::explicit_steps);
+    const Outcome resumed = run_program(run + " --set run.end_time=0.01 --resume --until 2e-3");
+    EXPECT_EQ(resumed.code, 0) << resumed.output;
+    EXPECT_EQ(scheme(), TimeScheme::explicit_steps);
+    ASSERT_EQ(run_program(run + " --set run.end_time=0.01 --overwrite --until 1e-3").code, 0);
+    EXPECT_EQ(scheme(), TimeScheme::semi_implicit);
+}
+
 } // namespace
 
 } // namespace quicksand

@@ -10,7 +10,8 @@ SceneDraft block_scene(const std::string& scheme)
     scene.set("scene_version", 1.0).set("geometry.file", "section.geo");
     scene.set("grid.cell_size", 1.0).set_whole("sampling.particles_per_cell", 3, 3);
     scene.set("analysis.columns", "all");
-    if (scheme != dry_scheme) scene.set("analysis.scheme", scheme).set("water.level", 20.0);
+    scene.set("analysis.scheme", scheme == dry_scheme ? explicit_scheme : scheme);
+    if (scheme != dry_scheme) scene.set("water.level", 20.0);
     scene.set("materials.soil.model", "linear_elastic")
         .set("materials.soil.porosity", 0.4)
         .set("materials.soil.shear_modulus", 5e7)

@@ -207,6 +207,7 @@ StressRows random_rows(std::uint64_t seed, int number)
         rows.push_back(row_of("semi_implicit"));
         rows.back().twin = rows.front().name;
     } else {
+        scene.set("analysis.scheme", "explicit");
         rows = {row_of("single")};
     }
     if (!course.flows && course.has_pressure)
