@@ -76,7 +76,7 @@ std::vector<SceneKey> analysis_keys()
          .doc = "Steps limited by sound in water, by waves in the skeleton with the water's pressure implicit, or by "
                 "accuracy with the skeleton's inertia implicit as well, which give way to those that waves limit while "
                 "these cost less; auto takes the fastest of the last two, and explicit steps for water that moves with "
-                "the grains, for dry and drained soil that nothing shakes for forty of its periods, and where sound "
+                "the grains, for dry and drained soil that nothing shakes nor loads slowly, and where sound "
                 "crosses the soil less than twenty times."},
         {.pattern = "analysis.columns", .type = word, .default_value = "one", .words = {"one", "all"},
          .doc = "Whether only one column of cells is computed between tied sides where all columns are equal."},

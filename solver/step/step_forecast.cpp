@@ -27,12 +27,12 @@ double sound_time(const Problem& problem, const Particles& particles)
     return body_height(particles) / speed;
 }
 
-/// Whether the motion of the grains is all that goes on in a run, of twice the time at most for which
-/// implicit steps would follow it.
-bool is_about_motion(const Problem& problem, const Particles& particles, double end_time)
+/// Whether the motion of the grains is all that goes on, which implicit steps would end.
+bool is_about_motion(const Problem& problem, const Particles& particles)
 {
     if (water_flow(problem) == WaterFlow::coupled || duration(problem.base_motion) > 0.0) return false;
-    return end_time < 2.0 * afterlife(particles, find_extremes(problem, particles).shear_slowness);
+    const double shear_speed = find_extremes(problem, particles).shear_speed;
+    return !changes_slowly(problem, crossing_time(problem.grid, shear_speed));
 }
 
 bool is_loaded(const Problem& problem)
@@ -89,7 +89,7 @@ TimeScheme fastest_scheme(const Problem& problem, const State& state, double end
     const TimeScheme by_waves = scheme_of_waves(problem);
     if (water_flow(problem) == WaterFlow::undrained) return by_waves;
     if (end_time < sound_crossings * sound_time(problem, particles)) return TimeScheme::explicit_steps;
-    if (is_about_motion(problem, particles, end_time)) return by_waves;
+    if (is_about_motion(problem, particles)) return by_waves;
     const auto steps_by = [&](TimeScheme scheme) {
         Problem trial = problem;
         trial.scheme = scheme;

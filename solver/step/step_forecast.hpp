@@ -19,7 +19,8 @@ std::int64_t count_steps(const Problem& problem, const Particles& particles, dou
 /// The scheme by which a run of the problem from the state takes the least time, at errors that are
 /// about the same: the one whose steps waves of the skeleton limit, or implicit steps, which cost more each.
 /// Undrained water has explicit steps alone, and so have runs that end before sound has crossed the body
-/// twenty times; dry and drained soil that nothing shakes has those of waves for forty periods.
+/// twenty times; dry and drained soil that nothing moves but what acts at once or fast has those
+/// of waves.
 TimeScheme fastest_scheme(const Problem& problem, const State& state, double end_time);
 
 } // namespace quicksand

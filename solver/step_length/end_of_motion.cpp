@@ -55,6 +55,15 @@ double crossing_time(const BackgroundGrid& grid, double shear_speed)
     return grid.cell_size * grid.cells_y / shear_speed;
 }
 
+bool changes_slowly(const Problem& problem, double crossing_time)
+{
+    bool slowly = false;
+    for_each_history(problem, [&](const History& history) {
+        slowly = slowly || (end_of_motion(history) > 0.0 && is_slow(history, crossing_time));
+    });
+    return slowly;
+}
+
 double end_of_motion(const Problem& problem, double crossing_time)
 {
     double end = duration(problem.base_motion);

@@ -15,6 +15,9 @@ namespace quicksand {
 /// Time in which shear waves of the speed `shear_speed` [m/s] rise from the base of the grid to its top [s].
 double crossing_time(const BackgroundGrid& grid, double shear_speed);
 
+/// Whether a history rises or falls so slowly that it moves the soil without waves.
+bool changes_slowly(const Problem& problem, double crossing_time);
+
 /// Time from which nothing moves the soil with waves any more, but its own vibration; infinite for a sine
 /// without end [s].
 double end_of_motion(const Problem& problem, double crossing_time);

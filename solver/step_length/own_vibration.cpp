@@ -22,6 +22,26 @@ constexpr double periods_of_afterlife = 20.0;
 // Sand neither compacts nor builds up pressures at strains of a hundred times as much.
 constexpr double least_strain = 1e-6; // of a vibration [-]
 
+double own_period(const Particles& particles, double shear_speed)
+{
+    return 2.0 * std::numbers::pi * body_height(particles) / (first_zero * shear_speed);
+}
+
+/// Volume of the soil that does not damp vibrations, over that of all soil [-].
+double undamped_share(const Problem& problem, const Particles& particles)
+{
+    double undamped = 0.0, soil = 0.0;
+    for_each_material_run(problem, particles, 0, particles.size(),
+                          [&](const Material& material, std::size_t first, std::size_t last) {
+                              if (!material.has_pores) return;
+                              double volume = 0.0;
+                              for (std::size_t p = first; p < last; ++p) volume += particles.volume[p];
+                              soil += volume;
+                              if (!damps_vibrations(material.law)) undamped += volume;
+                          });
+    return soil > 0.0 ? undamped / soil : 1.0;
+}
+
 double period_of_layer(const Particles& particles, double shear_slowness)
 {
     return 4.0 * body_height(particles) * shear_slowness;
@@ -38,25 +58,6 @@ double body_height(const Particles& particles)
         return 0.5 * std::sqrt(volume[static_cast<std::size_t>(at - y.begin())]);
     };
     return *highest + half_height(highest) - *lowest + half_height(lowest);
-}
-
-double own_period(const Particles& particles, double shear_speed)
-{
-    return 2.0 * std::numbers::pi * body_height(particles) / (first_zero * shear_speed);
-}
-
-double undamped_share(const Problem& problem, const Particles& particles)
-{
-    double undamped = 0.0, soil = 0.0;
-    for_each_material_run(problem, particles, 0, particles.size(),
-                          [&](const Material& material, std::size_t first, std::size_t last) {
-                              if (!material.has_pores) return;
-                              double volume = 0.0;
-                              for (std::size_t p = first; p < last; ++p) volume += particles.volume[p];
-                              soil += volume;
-                              if (!damps_vibrations(material.law)) undamped += volume;
-                          });
-    return soil > 0.0 ? undamped / soil : 1.0;
 }
 
 double step_of_own_vibration(const Problem& problem, const Particles& particles, double shear_speed)

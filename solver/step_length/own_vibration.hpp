@@ -12,16 +12,11 @@ namespace quicksand {
 /// From the lower side of the lowest particle to the upper side of the highest, were they squares [m].
 double body_height(const Particles& particles);
 
-/// Period of the slowest shear vibration of a wedge as high as the body, whose shear waves have the speed
-/// `shear_speed` [m/s]: T = 2 pi H / (2.405 c_s), with the first zero of the Bessel function J_0; that of a
-/// level layer, 4 H / c_s, is longer [s].
-double own_period(const Particles& particles, double shear_speed);
-
-/// Volume of the soil that does not damp vibrations, over that of all soil [-].
-double undamped_share(const Problem& problem, const Particles& particles);
-
-/// The step that has 1/200 of the period where no soil damps the vibration, and more as the part of the
-/// soil is larger that does; infinite where all does [s].
+/// The step that has 1/200 of the body's own period where no soil damps the vibration, and more as the part
+/// of the soil is larger that does; infinite where all does [s]. The period is that of the slowest shear
+/// vibration of a wedge as high as the body: T = 2 pi H / (2.405 c_s), with the first zero of the Bessel
+/// function J_0 and the speed of shear waves c_s, `shear_speed` [m/s]; that of a level layer, 4 H / c_s, is
+/// longer.
 double step_of_own_vibration(const Problem& problem, const Particles& particles, double shear_speed);
 
 /// How long it is followed at most when nothing moves the soil any more: twenty periods of a level layer of
