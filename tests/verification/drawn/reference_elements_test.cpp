@@ -68,7 +68,8 @@ ramp_cycles = 2
     return std::sqrt(difference / sum);
 }
 
-// In implicit steps the dike's own vibration goes on when the shaking is over, after 0.5 s.
+// The dike's own vibration goes on when the shaking is over, after 0.5 s: implicit steps give way to those
+// that follow it.
 TEST(ShakenDike, MovesOnASlantedBaseAsExactlyAsOnALevelOne)
 {
     for (const std::string scheme : {"explicit", "implicit"}) {

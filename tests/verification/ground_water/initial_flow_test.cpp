@@ -64,9 +64,21 @@ TEST(InitialFlow, StaysSteadyInARun)
     EXPECT_LT(fine.most, 0.7 * coarse.most);
 }
 
-/// Largest change of the pore pressure of any particle in a time [Pa].
-double largest_change(AssembledCase& body, double time)
+/// Elastic ground whose water flows from the level to a head on its surface, at rest in the end.
+std::string ground_under_head(const std::string& scheme, double level, double head)
 {
+    return section_in_water(2, scheme, fmt::format("{}\ninitial_flow = \"seepage\"", level),
+                            "model = \"linear_elastic\"\nshear_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n") +
+           fmt::format("[boundaries.ground]\nsoil = \"free\"\nwater = \"head\"\nhead = {}\n", head);
+}
+
+/// Largest change of the pore pressure of any particle in a time after the body has settled [Pa].
+double largest_change(AssembledCase body, double tolerance, double time)
+{
+    RelaxationControls controls;
+    controls.tolerance = tolerance;
+    relax(body.problem, controls, body.state, {}, {});
+    begin_shaking(body.problem, body.state);
     const Scalars before = body.state.particles.pore_pressure;
     run(body.problem, time, {}, body.state);
     double most = 0.0;
@@ -81,16 +93,10 @@ double change_under_still_water(double level, const std::string& scheme)
 {
     const Section section = polygon_section(
         {{{0.0, 0.0}, "base"}, {{12.0, 4.0}, "right"}, {{12.0, 6.0}, "ground"}, {{0.0, 6.0}, "left"}});
-    const std::string tables =
-        section_in_water(2, scheme, fmt::format("{}\ninitial_flow = \"seepage\"", level),
-                         "model = \"linear_elastic\"\nshear_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n") +
-        "[boundaries.ground]\nsoil = \"free\"\nwater = \"head\"\nhead = 8.0\n";
-    AssembledCase body = assemble(scene_with(0.6, {0.0, -0.1}, 20, 11, tables), section);
-    RelaxationControls controls;
-    controls.tolerance = 1e-7;
-    relax(body.problem, controls, body.state, {}, {});
-    begin_shaking(body.problem, body.state);
-    return largest_change(body, 0.02) / (8.0 * water_weight);
+    constexpr double head = 8.0; // [m]
+    const std::string tables = ground_under_head(scheme, level, head);
+    return largest_change(assemble(scene_with(0.6, {0.0, -0.1}, 20, 11, tables), section), 1e-7, 0.02) /
+           (head * water_weight);
 }
 
 // The excess pressure has a kink at the level to which it refers, still water has none.
@@ -111,16 +117,8 @@ double change_beside_still_water(double head)
                                              {{7.0, 6.1}, "ground"},
                                              {{4.0, 4.4}, "ground"},
                                              {{0.0, 4.4}, "left"}});
-    const std::string tables =
-        section_in_water(2, "semi_implicit", "1.0\ninitial_flow = \"seepage\"",
-                         "model = \"linear_elastic\"\nshear_modulus = \"10 MPa\"\npoisson_ratio = 0.3\n") +
-        fmt::format("[boundaries.ground]\nsoil = \"free\"\nwater = \"head\"\nhead = {}\n", head);
-    AssembledCase body = assemble(scene_with(0.4, {0.0, 0.0}, 31, 17, tables), section);
-    RelaxationControls controls;
-    controls.tolerance = 1e-6;
-    relax(body.problem, controls, body.state, {}, {});
-    begin_shaking(body.problem, body.state);
-    return largest_change(body, 0.2);
+    const std::string tables = ground_under_head("semi_implicit", 1.0, head);
+    return largest_change(assemble(scene_with(0.4, {0.0, 0.0}, 31, 17, tables), section), 1e-6, 0.2);
 }
 
 // Rows of particles are 0.2 m high: a table at 5.65 m was one at 5.6 or 5.8 m.
