@@ -106,7 +106,7 @@ void say_cost(const SceneReading& stage, const SceneSetup& setup, const std::str
 ExitCode check_scene(const CheckChoice& choice)
 {
     Journal journal;
-    const std::vector<SceneReading> stages = read_stages(choice.scene, journal);
+    std::vector<SceneReading> stages = read_stages(choice.scene, journal);
     const SceneSetup setup = set_up_reading(choice.scene, stages.front(), journal);
     const AssembledCase& assembled = setup.assembled;
     const std::vector<PatchTest> patch_tests = test_patches(assembled.problem, assembled.state);
@@ -128,6 +128,7 @@ ExitCode check_scene(const CheckChoice& choice)
         say_stage(stages[k], k + 1, stages.size(), journal);
         say_changes(stages[k - 1], stages[k], journal);
         if (stages[k].scene.stage->kind == StageKind::stability) continue;
+        stages[k].parted_before = assembled.water_lines; // as those of the first stage
         const SceneSetup of_stage = set_up_reading(choice.scene, stages[k], journal);
         if (const std::string slip = describe_interfaces(of_stage.assembled); !slip.empty())
             journal.say(slip);

@@ -2,12 +2,11 @@
 
 #include "geometry/section/present_section.hpp"
 #include "io/assembly/case_checks.hpp"
-#include "io/assembly/face_water.hpp"
 #include "io/assembly/ground_water.hpp"
-#include "io/assembly/initial_flow.hpp"
 #include "io/assembly/interface_layers.hpp"
 #include "io/assembly/present_soil.hpp"
 #include "io/assembly/probe_places.hpp"
+#include "io/assembly/stage_flows.hpp"
 #include "io/scene/scene_grid.hpp"
 #include "io/scene/scene_section.hpp"
 #include "io/tables/scene_boundaries.hpp"
@@ -38,26 +37,6 @@ void place_probes(const Section& section, Scene& scene)
             if (point.name == probe.name) probe.at = point.position;
         }
     }
-}
-
-/// For every region of the section, the index of its material.
-std::vector<std::int32_t> materials_of_regions(const Scene& scene, const Section& section)
-{
-    const auto material_index = [&](const std::string& name) {
-        for (std::size_t m = 0; m < scene.materials.size(); ++m) {
-            if (scene.materials[m].material.name == name) return static_cast<std::int32_t>(m);
-        }
-        throw InternalError("a region without a material has passed the checks");
-    };
-    std::vector<std::int32_t> materials;
-    for (const Region& region : section.regions) {
-        const auto entry =
-            std::find_if(scene.regions.begin(), scene.regions.end(),
-                         [&](const SceneRegion& candidate) { return candidate.name == region.name; });
-        ENSURE(entry != scene.regions.end());
-        materials.push_back(material_index(entry->material));
-    }
-    return materials;
 }
 
 Sampling sample(const Scene& scene, const Section& section, const BackgroundGrid& grid,
@@ -200,86 +179,11 @@ void choose_scheme(AssembledCase& assembled)
         with_scheme(assembled.problem, fastest_scheme(computed, state, assembled.scene.end_time));
 }
 
-/// What a flow in time begins with after the flows of these stages.
-FlowStart start_after(const std::vector<Scene>& stages, const std::vector<std::optional<InitialFlow>>& flows,
-                      const Problem& problem)
-{
-    if (!problem.water) return {};
-    if (flows.empty()) return {nullptr, problem.water->level};
-    const std::optional<InitialFlow>& last = flows.back();
-    return {last ? &*last : nullptr, stages[flows.size() - 1].water->level};
-}
-
-/// The flows of earlier stages, one after the other; none of those whose water is still. What is wrong with
-/// them was told there.
-std::vector<std::optional<InitialFlow>> flows_before(const std::vector<Scene>& stages, const Section& drawn,
-                                                     const AssembledCase& assembled)
-{
-    std::vector<std::optional<InitialFlow>> flows;
-    for (const Scene& scene : stages) {
-        AssembledCase before = begin_case(scene, Diagnostics(), assembled.section, drawn);
-        const FlowStart start = start_after(stages, flows, before.problem);
-        flows.push_back(find_initial_flow(scene, before.section, materials_of_regions(scene, before.section),
-                                          before.problem, start, before.warnings));
-    }
-    return flows;
-}
-
-/// The earlier stages whose flows the stage needs: all for one in time, else those that have wetted its soil.
-std::vector<Scene> needed_flows(const SceneReading& reading, const Scene& scene)
-{
-    if (reading.keeps_flow || (scene.stage && scene.stage->flow_duration)) return reading.flows;
-    return {reading.flows.end() - static_cast<std::ptrdiff_t>(reading.wetting), reading.flows.end()};
-}
-
-/// The flow that the stage begins with; after one in time heads no longer change until it has ended.
-void find_flow(const SceneReading& reading, const std::vector<std::int32_t>& of_region,
-               std::vector<std::optional<InitialFlow>>& flows, AssembledCase& assembled)
-{
-    if (reading.keeps_flow) {
-        assembled.initial_flow = std::move(flows.back());
-        flows.pop_back();
-        return;
-    }
-    const Scene& scene = assembled.scene;
-    assembled.initial_flow =
-        find_initial_flow(scene, assembled.section, of_region, assembled.problem,
-                          start_after(reading.flows, flows, assembled.problem), assembled.warnings);
-    if (!scene.stage || !scene.stage->flow_duration) return;
-    for (Boundary& boundary : assembled.problem.boundaries)
-        hold_water(boundary.water, *scene.stage->flow_duration);
-}
-
 /// Beyond free-field sides the water is that of their columns, which begins as the flow has it beside them.
 void leave_water_to_columns(Problem& problem)
 {
     for (Boundary& boundary : problem.boundaries)
         if (std::holds_alternative<FreeFieldSide>(boundary.soil)) boundary.water = Drained{};
-}
-
-/// Still water of all stages parts particles, and so does water that flows at the start; in stages, which
-/// have the same particles, it does not: the later flows are not known yet.
-std::vector<WaterLine> lines_of_parting(const SceneReading& reading, const FlowField* flow,
-                                        const AssembledCase& assembled)
-{
-    if (reading.parted_before) return *reading.parted_before;
-    std::vector<WaterLine> lines = reading.water_lines;
-    const auto* lattice = std::get_if<LatticeSampling>(&assembled.scene.sampling);
-    if (flow == nullptr || lattice == nullptr || assembled.scene.stage) return lines;
-    if (auto line = line_of_flow(*flow, assembled.problem, lattice->per_cell_x))
-        lines.push_back(*std::move(line));
-    return lines;
-}
-
-/// Where water has wetted the soil since it settled.
-std::vector<const FlowField*> wetting_fields(const SceneReading& reading,
-                                             const std::vector<std::optional<InitialFlow>>& flows)
-{
-    std::vector<const FlowField*> fields;
-    const std::size_t count = reading.wetting - (reading.keeps_flow ? 1 : 0); // its own flow wets as well
-    for (std::size_t k = flows.size() - count; k < flows.size(); ++k)
-        if (flows[k]) fields.push_back(&flows[k]->field);
-    return fields;
 }
 
 } // namespace
@@ -293,12 +197,12 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     leave_out_probes(section, absent, assembled.scene);
 
     const auto of_region = materials_of_regions(assembled.scene, assembled.section);
-    auto flows = flows_before(needed_flows(reading, assembled.scene), section, assembled);
+    auto flows = flows_before(needed_flows(reading, assembled.scene), section, assembled.section);
     find_flow(reading, of_region, flows, assembled);
     leave_water_to_columns(assembled.problem);
     const FlowField* flow = assembled.initial_flow ? &assembled.initial_flow->field : nullptr;
     throw_errors(assembled.warnings, assembled.scene);
-    assembled.water_lines = lines_of_parting(reading, flow, assembled);
+    assembled.water_lines = lines_of_parting(reading, section, assembled);
     assembled.sampling = sample(assembled.scene, section, assembled.problem.grid, assembled.water_lines);
     check_sampling(assembled.sampling, assembled);
     assembled.problem.cut_domains = take_cut_domains(assembled.problem, assembled.sampling);

@@ -147,7 +147,7 @@ const std::array fields = {
     Field{"scene_hash_kind", "how it is computed", [](const RunManifest&) { return Json("FNV-1a 64 of the text and the overrides"); }},
     Field{"overrides", "keys replaced with --set", [](const RunManifest& m) { return Json(m.overrides); }},
     Field{"input_hashes", "of the files that keys of the scene name", hashes_of},
-    Field{"water_lines_m", "lines of water, still in this or another stage or flowing at the start, at which particles are parted", water_lines_of},
+    Field{"water_lines_m", "lines of water, still or flowing steadily in this or another stage, at which particles are parted", water_lines_of},
     Field{"scheme", "explicit, semi-implicit or implicit: what \"auto\" has chosen, or the scene", [](const RunManifest& m) { return Json(name_of(m.scheme)); }},
     Field{"threads", "of the run", [](const RunManifest& m) { return Json(m.threads); }},
     Field{resumed_at, "time of the checkpoint that the run went on from; left out where it did not", [](const RunManifest& m) { return Json(m.resumed_at.value_or(0.0)); }},

@@ -11,6 +11,12 @@
 
 namespace quicksand {
 
+/// A stage that begins with the steady flow between its heads, and what has soil in it.
+struct SeepingStage {
+    Scene scene;
+    std::vector<ResolvedKey> keys;
+};
+
 struct SceneReading {
     Scene scene;
     /// Earlier stages whose water flows, and the one before that begins with still water, in their order:
@@ -22,6 +28,8 @@ struct SceneReading {
     bool keeps_flow = false;
     /// Lines up to which still water stands in this and the other stages: particles are parted there.
     std::vector<WaterLine> water_lines;
+    /// The stages, this one among them, at whose line of the flow particles are parted as well.
+    std::vector<SeepingStage> seeping;
     /// The lines at which those of the run were parted that the scene goes on from; none: it begins anew.
     std::optional<std::vector<WaterLine>> parted_before;
     std::vector<ResolvedKey> keys;

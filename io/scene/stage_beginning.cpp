@@ -64,6 +64,12 @@ void append_flow(const SceneReading& before, SceneReading& stage)
     if (before.scene.starts_seeping) ++stage.wetting;
 }
 
+bool begins_with_steady_flow(const SceneReading& reading)
+{
+    const Scene& scene = reading.scene;
+    return scene.stage && scene.starts_seeping && !flows_in_time(scene) && !reading.keeps_flow;
+}
+
 std::optional<WaterLine> still_water_line(const Scene& scene)
 {
     if (!scene.water || scene.starts_seeping) return std::nullopt;
@@ -172,14 +178,19 @@ void carry_water_on(std::vector<SceneReading>& stages)
 void share_water_lines(std::vector<SceneReading>& stages)
 {
     std::vector<WaterLine> lines;
+    std::vector<SeepingStage> seeping;
     for (const SceneReading& stage : stages) {
         const std::optional<WaterLine> line = still_water_line(stage.scene);
         const bool is_known = line && std::any_of(lines.begin(), lines.end(), [&](const WaterLine& known) {
                                   return known.points == line->points;
                               });
         if (line && !is_known) lines.push_back(*line);
+        if (begins_with_steady_flow(stage)) seeping.push_back({stage.scene, stage.keys});
     }
-    for (SceneReading& stage : stages) stage.water_lines = lines;
+    for (SceneReading& stage : stages) {
+        stage.water_lines = lines;
+        stage.seeping = seeping;
+    }
 }
 
 } // namespace quicksand

@@ -18,8 +18,8 @@ void begin_later(double time, Scene& scene);
 /// stages. A head with a ramp_time rises or falls from where the stage before has left it.
 void carry_water_on(std::vector<SceneReading>& stages);
 
-/// Let the particles of all stages be parted at the lines of still water of each of them, so that they are
-/// the same particles: fills `water_lines`.
+/// Let the particles of all stages be parted at the lines of still water and of steady flow of each of them,
+/// so that they are the same particles: fills `water_lines` and `seeping`.
 void share_water_lines(std::vector<SceneReading>& stages);
 
 } // namespace quicksand

@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <fstream>
 
 namespace quicksand {
@@ -78,8 +80,10 @@ std::vector<SceneReading> stages_of(const std::string& scene)
 std::vector<AssembledCase> assembled_stages(const std::string& scene)
 {
     std::vector<AssembledCase> stages;
-    for (SceneReading& reading : stages_of(scene))
+    for (SceneReading& reading : stages_of(scene)) {
+        if (!stages.empty()) reading.parted_before = stages.front().water_lines; // as in a run
         stages.push_back(assemble_case(std::move(reading), drawdown_dike()));
+    }
     return stages;
 }
 
@@ -110,6 +114,42 @@ TEST(Drawdown, LeavesSoilWetThatWasUnderWater)
         assembled_stages(drawdown_scene("kind = \"shake\"\nduration = 0.1\n", "head = 0.0\n"));
     EXPECT_GT(wet_volume(stages[1]), wet_volume(stages[0]) + 5.0);
     EXPECT_EQ(wet_volume(stages[2]), wet_volume(stages[1]));
+}
+
+/// Corners of a particle that is no piece.
+std::array<Vector2, 4> corners_of(const Particles& particles, std::size_t p)
+{
+    const Vector2 centre = particles.position[p], a = particles.half_edge_1[p], b = particles.half_edge_2[p];
+    return {centre - a - b, centre + a - b, centre + a + b, centre - a + b};
+}
+
+/// How far the water of a stage stands within single particles at most [m].
+double table_within_particles(const AssembledCase& stage)
+{
+    const Particles& particles = stage.state.particles;
+    const std::vector<std::uint8_t>& pieces = stage.problem.cut_domains.pieces;
+    double within = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        if (pieces[p] != 0) continue;
+        double above = 0.0, below = 0.0;
+        for (const Vector2& corner : corners_of(particles, p)) {
+            const double rise = corner.y() - stage.initial_flow->field.surface(corner.x()).value_or(-2.0);
+            above = std::max(above, rise);
+            below = std::max(below, -rise);
+        }
+        within = std::max(within, std::min(above, below));
+    }
+    return within;
+}
+
+// Later stages have their lines from the first one on: their particles are those of the first.
+TEST(Drawdown, PartsTheParticlesOfAllStagesAtTheLinesOfEach)
+{
+    const auto stages = assembled_stages(drawdown_scene("kind = \"seepage\"\n", "head = 1.3\n"));
+    for (const AssembledCase& stage : stages)
+        EXPECT_EQ(stage.state.particles.size(), stages[0].state.particles.size());
+    // their boxes are 0.25 m high, and a line is straight over each of them
+    for (const std::size_t flows : {1, 2}) EXPECT_LT(table_within_particles(stages[flows]), 0.005) << flows;
 }
 
 TEST(Drawdown, SoilSettlesAnewWithTheWaterOfItsStage)
