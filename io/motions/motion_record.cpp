@@ -17,8 +17,16 @@ namespace quicksand {
 
 namespace {
 
-// Times printed with few digits are not exactly equidistant: this part of the interval is forgiven.
-constexpr double spacing_tolerance = 0.01;
+/// What times may miss of equal intervals [s]: rounding, of which the later ones, which may have fewer
+/// decimals, tell how coarse it is. Rows that are missing are more than a quarter of an interval.
+double forgiven_distance(const std::vector<TimeRow>& rows, double interval)
+{
+    constexpr double least = 0.01, most = 0.25; // of the interval
+    int decimals = 0;
+    for (std::size_t k = rows.size() / 2; k < rows.size(); ++k)
+        decimals = std::max(decimals, rows[k].decimals);
+    return interval * std::clamp(std::pow(10.0, -decimals) / interval, least, most);
+}
 
 /// What is wrong with the times, "" when they are equally spaced.
 std::string check_spacing(const TimeTable& table)
@@ -31,13 +39,14 @@ std::string check_spacing(const TimeTable& table)
         return number_text(std::round(step(k) * 1e9) * 1e-9) + " s (line " + std::to_string(table.lines[k]) +
                ")";
     };
+    const double forgiven = forgiven_distance(rows, interval);
     std::size_t shortest = 1, longest = 1;
     bool even = true;
     for (std::size_t k = 1; k < rows.size(); ++k) {
         if (step(k) < step(shortest)) shortest = k;
         if (step(k) > step(longest)) longest = k;
         const double expected = rows.front().time + static_cast<double>(k) * interval;
-        even = even && std::abs(rows[k].time - expected) <= spacing_tolerance * interval;
+        even = even && std::abs(rows[k].time - expected) <= forgiven;
     }
     return even ? "" : "its time steps are between " + text(shortest) + " and " + text(longest);
 }

@@ -2,6 +2,7 @@
 
 #include "io/keys/scene_units.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -9,7 +10,12 @@ namespace quicksand {
 
 namespace {
 
-std::optional<double> take_number(std::string_view& text)
+struct WrittenNumber {
+    double value = 0.0;
+    std::string_view text;
+};
+
+std::optional<WrittenNumber> take_number(std::string_view& text)
 {
     const auto skip = [&](std::string_view skipped) {
         while (!text.empty() && skipped.find(text.front()) != std::string_view::npos) text.remove_prefix(1);
@@ -19,9 +25,26 @@ std::optional<double> take_number(std::string_view& text)
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc() || !std::isfinite(value)) return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    const std::string_view written = text.substr(0, static_cast<std::size_t>(end - text.data()));
+    text.remove_prefix(written.size());
     skip(" \t");
-    return value;
+    return WrittenNumber{value, written};
+}
+
+/// 7.8125e-3 has seven.
+int decimals_of(std::string_view written)
+{
+    const std::size_t exponent_at = std::min(written.find_first_of("eE"), written.size());
+    const std::string_view mantissa = written.substr(0, exponent_at);
+    const std::size_t point = mantissa.find('.');
+    int exponent = 0;
+    if (exponent_at < written.size()) {
+        std::string_view digits = written.substr(exponent_at + 1);
+        if (digits.starts_with('+')) digits.remove_prefix(1);
+        std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
+    }
+    const std::size_t behind = point == std::string_view::npos ? 0 : mantissa.size() - point - 1;
+    return static_cast<int>(behind) - exponent;
 }
 
 /// A row of exactly two numbers, separated by a comma, a semicolon or blanks.
@@ -32,7 +55,7 @@ std::optional<TimeRow> parse_row(std::string_view line)
     if (!line.empty() && (line.front() == ',' || line.front() == ';')) line.remove_prefix(1);
     const auto value = take_number(line);
     if (!value || !line.empty()) return std::nullopt;
-    return TimeRow{*time, *value};
+    return TimeRow{time->value, value->value, decimals_of(time->text)};
 }
 
 } // namespace

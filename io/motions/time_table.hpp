@@ -13,6 +13,7 @@ namespace quicksand {
 struct TimeRow {
     double time = 0.0;  // [s]
     double value = 0.0; // as in the file
+    int decimals = 0;   // with which the time is written
 };
 
 struct TimeTable {

@@ -5,6 +5,7 @@
 #include "solver/problem/motion_processing.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,6 +89,36 @@ TEST(MotionRecord, BeginsWithItsFirstValueWhateverTheTime)
     for (const std::string rows :
          {"5,0\n5.01,1\n5.02,2\n", "0.01,0\n0.02,1\n0.03,2\n", "-2,0\n-1.99,1\n-1.98,2\n"})
         EXPECT_EQ(read_columns_of(rows, "m/s2").accelerations, (std::vector{0.0, 1.0, 2.0})) << rows;
+}
+
+namespace {
+
+/// 200 rows at an interval, with times in a format; those of `left_out` are missing.
+Reading read_written_times(const std::string& format, double interval, int left_out = -1)
+{
+    std::string text;
+    for (int k = 0; k < 200; ++k)
+        if (k != left_out) text += fmt::format(fmt::runtime(format), k * interval) + ",1\n";
+    return read_columns_of(text, "m/s2");
+}
+
+} // namespace
+
+TEST(MotionRecord, ForgivesTheRoundingOfItsTimes)
+{
+    for (const std::string format : {"{:.3f}", "{:.6g}", "{:.5e}", "{}"})
+        for (const double interval : {1.0 / 128.0, 1.0 / 150.0, 0.005})
+            EXPECT_EQ(read_written_times(format, interval).accelerations.size(), 200u)
+                << format << ' ' << interval;
+}
+
+TEST(MotionRecord, RefusesTimesWithAGap)
+{
+    for (const std::string format : {"{:.2f}", "{:.3f}", "{:.6g}"})
+        for (const int row : {1, 2, 60, 100, 198})
+            EXPECT_NE(read_written_times(format, 0.01, row).findings.find("its time steps are between"),
+                      std::string::npos)
+                << format << ' ' << row;
 }
 
 TEST(MotionCsv, HasHistoriesAndSpectrumWithTheirUnits)
