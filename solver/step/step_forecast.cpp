@@ -35,11 +35,12 @@ bool is_about_motion(const Problem& problem, const Particles& particles)
     return !changes_slowly(problem, crossing_time(problem.grid, shear_speed));
 }
 
-bool is_loaded(const Problem& problem)
+/// Whether a load makes waves.
+bool is_loaded_fast(const Problem& problem, double crossing_time)
 {
-    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [](const Boundary& boundary) {
+    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [&](const Boundary& boundary) {
         const auto* face = std::get_if<FreeFace>(&boundary.soil);
-        return face != nullptr && face->load;
+        return face != nullptr && face->load && !is_slow(face->load->history, crossing_time);
     });
 }
 
@@ -48,8 +49,11 @@ double start_of_growth(const Problem& problem, const Particles& particles)
 {
     if (problem.scheme != TimeScheme::implicit) return std::numeric_limits<double>::infinity();
     const CellExtremes extremes = find_extremes(problem, particles);
-    const double end = end_of_motion(problem, crossing_time(problem.grid, extremes.shear_speed));
-    return end > 0.0 || is_loaded(problem) ? end + afterlife(particles, extremes.shear_slowness) : 0.0;
+    const double crossing = crossing_time(problem.grid, extremes.shear_speed);
+    const double end = end_of_motion(problem, crossing);
+    return end > 0.0 || is_loaded_fast(problem, crossing)
+               ? end + afterlife(particles, extremes.shear_slowness)
+               : 0.0;
 }
 
 /// Longest step in soil that drains `since` a time: pressures change as with the root of the time [s].

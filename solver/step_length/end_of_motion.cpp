@@ -5,6 +5,8 @@
 #include "solver/step_length/own_vibration.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <limits>
 #include <variant>
 
@@ -23,21 +25,25 @@ double end_of_motion(const History& history)
         history.shape);
 }
 
-/// Shortest time over which a history rises or falls [s].
+/// The time in which a table would go through its whole range as fast as it ever rises or falls [s].
 double shortest_rise(const SampledHistory& table)
 {
-    double rise = std::numeric_limits<double>::infinity();
-    for (std::size_t k = 1; k < table.times.size(); ++k)
-        rise = std::min(rise, table.times[k] - table.times[k - 1]);
-    return rise;
+    double steepest = 0.0, least = table.values.front(), most = least; // [1/s], [-]
+    for (std::size_t k = 1; k < table.times.size(); ++k) {
+        least = std::min(least, table.values[k]);
+        most = std::max(most, table.values[k]);
+        steepest = std::max(steepest, std::abs(table.values[k] - table.values[k - 1]) /
+                                          (table.times[k] - table.times[k - 1]));
+    }
+    return steepest > 0.0 ? (most - least) / steepest : std::numeric_limits<double>::infinity();
 }
 
-bool is_slow(const History& history, double crossing_time)
+/// The time over which a history rises or falls [s].
+double shortest_rise(const History& history)
 {
-    const double least = slow_crossings * crossing_time;
-    return std::visit(Overload{[&](const ConstantHistory&) { return history.ramp_time >= least; },
-                               [](const SineHistory&) { return false; },
-                               [&](const SampledHistory& table) { return shortest_rise(table) >= least; }},
+    return std::visit(Overload{[&](const ConstantHistory&) { return history.ramp_time; },
+                               [](const SineHistory& sine) { return 0.25 / sine.frequency; },
+                               [](const SampledHistory& table) { return shortest_rise(table); }},
                       history.shape);
 }
 
@@ -53,6 +59,11 @@ bool moves_on(const Boundary& boundary)
 double crossing_time(const BackgroundGrid& grid, double shear_speed)
 {
     return grid.cell_size * grid.cells_y / shear_speed;
+}
+
+bool is_slow(const History& history, double crossing_time)
+{
+    return shortest_rise(history) >= slow_crossings * crossing_time;
 }
 
 bool changes_slowly(const Problem& problem, double crossing_time)

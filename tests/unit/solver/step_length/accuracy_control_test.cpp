@@ -67,10 +67,26 @@ TEST(AccuracyControl, LetsWhatRisesSlowlyMoveTheSoilWithoutWaves)
     const Problem table = under_load({SampledHistory{{0.0, 2.0, 10.0}, {0, 1, 0}}});
     EXPECT_EQ(end_of_motion(table, 0.03), 10.0);
     EXPECT_EQ(end_of_motion(table, 0.01), 0.0);
-    EXPECT_EQ(end_of_motion(under_load({SineHistory{1e-6}}), 1e-9), std::numeric_limits<double>::infinity());
+    const Problem tide = under_load({SineHistory{0.25}}); // rises in 1 s
+    EXPECT_EQ(end_of_motion(tide, 0.011), std::numeric_limits<double>::infinity());
+    EXPECT_EQ(end_of_motion(tide, 0.009), 0.0);
     Problem shaken = ramp;
     shaken.base_motion = SineMotion{1.0, 10.0, 20.0}; // 2 s
     EXPECT_EQ(end_of_motion(shaken, 0.01), 2.0);
+}
+
+// How often a table has rows says nothing of how fast it rises.
+TEST(AccuracyControl, TellsWhatIsSlowByTheSlope)
+{
+    SampledHistory coarse{{0.0, 2.0, 10.0}, {0.0, 1.0, 0.0}}, fine;
+    for (int k = 0; k <= 1000; ++k) {
+        fine.times.push_back(0.01 * k);
+        fine.values.push_back(history_value({coarse}, 0.01 * k));
+    }
+    for (const double crossing : {0.019, 0.021})
+        EXPECT_EQ(is_slow({fine}, crossing), is_slow({coarse}, crossing)) << crossing;
+    EXPECT_TRUE(is_slow({SampledHistory{{0.0, 1e-3, 10.0}, {0.3, 0.3, 0.3}}}, 1.0)) << "stays as it is";
+    EXPECT_FALSE(is_slow({ConstantHistory{}}, 1e-9)) << "comes at once";
 }
 
 // Free vibrations of 10 m of sand: 20 periods of 4 H / c_s are followed, unless they are small.
