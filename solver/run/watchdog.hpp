@@ -42,6 +42,9 @@ public:
 
 private:
     bool has_nothing_to_check(const State& state) const;
+    /// From rest a load that comes at once makes sound first. Implicit steps that pass over it balance its
+    /// little energy badly, and what they have made of it fades.
+    bool begins_with_sound(const Problem& problem, double dt, const State& state) const;
     void check_growth(const EnergyBalance& energy, double dt, const State& state) const;
     void check_sound(const Problem& problem, const EnergyBalance& energy, double dt,
                      const State& state) const;

@@ -18,15 +18,6 @@ namespace {
 
 constexpr double sound_crossings = 20.0; // of the body: a run that ends by then is about sound
 
-/// In which the fastest wave crosses the body, where water flows through it; else 0 [s].
-double sound_time(const Problem& problem, const Particles& particles)
-{
-    if (water_flow(problem) != WaterFlow::coupled) return 0.0;
-    double speed = 0.0;
-    for (const WaveSpeeds& waves : fastest_waves(problem, particles)) speed = std::max(speed, waves.fast);
-    return body_height(particles) / speed;
-}
-
 /// Whether the motion of the grains is all that goes on, which implicit steps would end.
 bool is_about_motion(const Problem& problem, const Particles& particles)
 {

@@ -4,6 +4,7 @@
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/step_length/accuracy_control.hpp"
 #include "solver/step_length/cell_extremes.hpp"
+#include "solver/step_length/own_vibration.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -160,6 +161,14 @@ std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& p
                                 : wave_speeds(material, water_of(problem, material), material.porosity));
     }
     return waves;
+}
+
+double sound_time(const Problem& problem, const Particles& particles)
+{
+    if (water_flow(problem) != WaterFlow::coupled) return 0.0;
+    double speed = 0.0;
+    for (const WaveSpeeds& waves : fastest_waves(problem, particles)) speed = std::max(speed, waves.fast);
+    return body_height(particles) / speed;
 }
 
 TimeStep stable_time_step(const Problem& problem, const State& state, double scale)

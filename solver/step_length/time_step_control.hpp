@@ -14,6 +14,9 @@ namespace quicksand {
 /// porosity; as without particles where there are none of it.
 std::vector<WaveSpeeds> fastest_waves(const Problem& problem, const Particles& particles);
 
+/// In which the fastest wave crosses the body, where water flows through it; else 0 [s].
+double sound_time(const Problem& problem, const Particles& particles);
+
 /// Step of the shaking [s]: problem.step_fraction of min(0.65 h / fastest_speed(...), 0.2 h / max|v|). With
 /// the semi-implicit scheme 0.72 of the least over the materials of
 ///   slow P wave   (4 M / h^2) dt^2 = 4 m + X / n^2,  m = r_s + ((1-n)/n)^2 r_w
