@@ -109,6 +109,12 @@ std::optional<MotionRecord> read_columns(const std::filesystem::path& file, cons
                      "with at most one header line"));
         return std::nullopt;
     }
+    if (const std::string other = foreign_unit_of_time(table.header); !other.empty()) {
+        findings.add(error_at(place, "motion",
+                              "the header of '" + file.string() + "' says that its times are in " + other,
+                              "times in s", "convert them, and name s in the header"));
+        return std::nullopt;
+    }
     if (const std::string other = unknown_unit_of_column(table.header); !other.empty()) {
         findings.add(error_at(place, "motion",
                               "the header of '" + file.string() + "' says " + other +

@@ -64,6 +64,24 @@ std::string_view last_column(std::string_view header)
     return header.substr(header.find_last_of(",;") + 1);
 }
 
+std::string_view first_column(std::string_view header)
+{
+    return header.substr(0, header.find_first_of(",;"));
+}
+
+/// What a column's name ends with where is_unit(words) is true of it: "[ms]", "(ms)", "time_ms" or "time ms".
+template <class IsUnit>
+std::string ending(std::string_view name, IsUnit&& is_unit)
+{
+    for (const std::string_view words : in_brackets(name))
+        if (is_unit(words)) return std::string(words);
+    const std::size_t last = name.find_last_not_of(" \t");
+    name = name.substr(0, last == std::string_view::npos ? 0 : last + 1);
+    const std::size_t gap = name.find_last_of("_ ");
+    if (gap == std::string_view::npos || !is_unit(name.substr(gap + 1))) return "";
+    return std::string(name.substr(gap + 1));
+}
+
 } // namespace
 
 std::optional<RecordUnit> record_unit(std::string_view words)
@@ -100,6 +118,25 @@ std::string unknown_unit_of_column(std::string_view header)
         if (of_motion || unit == "%G" || unit == "MG") return std::string(words);
     }
     return "";
+}
+
+std::string foreign_unit_of_time(std::string_view header)
+{
+    constexpr std::array<std::string_view, 15> times = {"US",     "MS",      "MSEC", "MIN", "MINS",
+                                                        "MINUTE", "MINUTES", "H",    "HR",  "HRS",
+                                                        "HOUR",   "HOURS",   "D",    "DAY", "DAYS"};
+    return ending(first_column(header), [&](std::string_view words) {
+        return std::find(times.begin(), times.end(), plain(words)) != times.end();
+    });
+}
+
+std::string unit_of_values(std::string_view header)
+{
+    constexpr std::array<std::string_view, 14> units = {"PA",    "KPA", "MPA", "GPA", "BAR", "PSI", "KN/M2",
+                                                        "MN/M2", "M",   "CM",  "MM",  "FT",  "M/S", "MM/S"};
+    return ending(last_column(header), [&](std::string_view words) {
+        return std::find(units.begin(), units.end(), plain(words)) != units.end();
+    });
 }
 
 } // namespace quicksand

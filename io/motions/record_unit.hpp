@@ -1,4 +1,4 @@
-// Units of accelerations as records name them.
+// Units as the headers of records and histories name them.
 #pragma once
 
 #include <optional>
@@ -22,5 +22,13 @@ std::optional<RecordUnit> unit_of_column(std::string_view header);
 /// What stands in brackets after the name of the last column where it is a unit, though none of accelerations
 /// that is known: "ft/s2", "%g", "m/s"; empty otherwise.
 std::string unknown_unit_of_column(std::string_view header);
+
+/// The unit that the first column of a header states where it is one of time but not the second: "time [ms]",
+/// "t_min"; empty otherwise.
+std::string foreign_unit_of_time(std::string_view header);
+
+/// The unit of pressure, length or velocity that the last column states: "pressure [kPa]", "head_m"; empty
+/// where there is none.
+std::string unit_of_values(std::string_view header);
 
 } // namespace quicksand

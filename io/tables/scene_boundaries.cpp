@@ -4,6 +4,7 @@
 #include "io/keys/scene_text.hpp"
 #include "io/keys/scene_units.hpp"
 #include "io/motions/record_limits.hpp"
+#include "io/motions/record_unit.hpp"
 #include "io/motions/time_table.hpp"
 
 #include <algorithm>
@@ -26,6 +27,20 @@ std::optional<SampledHistory> read_table(const BoundaryTable& boundary, const st
     if (!what.empty()) {
         findings.add(error_at(place, "history", "'" + file.string() + "': " + what,
                               "rows `time_s, factor` from time 0 on, at most one header line"));
+        return std::nullopt;
+    }
+    if (const std::string unit = foreign_unit_of_time(table.header); !unit.empty()) {
+        findings.add(error_at(place, "history",
+                              "'" + file.string() + "': its header says that times are in " + unit,
+                              "times in s", "convert them, and name s in the header"));
+        return std::nullopt;
+    }
+    if (const std::string unit = unit_of_values(table.header); !unit.empty()) {
+        findings.add(error_at(place, "history",
+                              "'" + file.string() + "': its header says " + unit +
+                                  ", and its rows are factors on what the curve has in the scene",
+                              "factors, which have no unit",
+                              "divide the values by that of the scene, and name them factor"));
         return std::nullopt;
     }
     SampledHistory history;

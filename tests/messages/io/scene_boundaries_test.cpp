@@ -17,6 +17,8 @@ TEST_P(SceneBoundaries, AreReportedWithPlaceAndCure)
     folder.write("words.csv", "time,factor\n0,0\nlater,1\n");
     folder.write("one.csv", "time,factor\n0,0\n");
     folder.write("good.csv", "0,0\n0.2,1\n");
+    folder.write("minutes.csv", "time [min],factor\n0,0\n1,1\n");
+    folder.write("pressures.csv", "time_s,pressure (kPa)\n0,0\n1,10\n");
     folder.write("huge.csv", "0,0\n0.1,1\n0.2,1e90\n");
     const std::string text = fixtures::replaced(fixtures::column_scene, mistake.sound, mistake.mistaken);
     EXPECT_EQ(folder.message(text), mistake.message.substr(1)); // after the line break that opens it
@@ -227,6 +229,26 @@ huge.csv:3:1: error[history]: a factor of 1e90 is beyond all loads
     3 | 0.2,1e90
       | ^
 expected: at most 1e12 in amount
+)_"},
+SceneMistake{"HistoryInMinutes",
+    "soil = \"free\"",
+    "soil = \"free\"\npressure = 1e4\nhistory = \"minutes.csv\"",
+R"_(
+scene.toml:44:11: error[history]: 'minutes.csv': its header says that times are in min
+   44 | history = "minutes.csv"
+      |           ^~~~~~~~~~~~~
+expected: times in s
+hint: convert them, and name s in the header
+)_"},
+SceneMistake{"HistoryOfPressures",
+    "soil = \"free\"",
+    "soil = \"free\"\npressure = 1e4\nhistory = \"pressures.csv\"",
+R"_(
+scene.toml:44:11: error[history]: 'pressures.csv': its header says kPa, and its rows are factors on what the curve has in the scene
+   44 | history = "pressures.csv"
+      |           ^~~~~~~~~~~~~~~
+expected: factors, which have no unit
+hint: divide the values by that of the scene, and name them factor
 )_"},
 SceneMistake{"HistoryOfWords",
     "soil = \"free\"",

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace quicksand {
@@ -82,6 +83,19 @@ TEST(MotionRecord, RefusesAUnitThatTheHeaderContradicts)
     EXPECT_TRUE(reading.accelerations.empty());
     EXPECT_NE(reading.findings.find("record.csv' says g"), std::string::npos) << reading.findings;
     EXPECT_NE(reading.findings.find("hint: leave motion.unit out"), std::string::npos) << reading.findings;
+}
+
+TEST(MotionRecord, RefusesTimesThatAreNotInSeconds)
+{
+    const std::string rows = "\n0,0\n0.01,1\n";
+    for (const auto& [header, unit] : std::vector<std::pair<std::string, std::string>>{
+             {"time [ms],a (g)", "ms"}, {"Time (min);a [m/s2]", "min"}, {"t_ms,acc_m_s2", "ms"}})
+        EXPECT_NE(read_columns_of(header + rows, "").findings.find("says that its times are in " + unit),
+                  std::string::npos)
+            << header;
+    for (const std::string header :
+         {"time [s],a [m/s2]", "time_s,a_m_s2", "Time (sec), a (m/s2)", "t,a [m/s2]"})
+        EXPECT_EQ(read_columns_of(header + rows, "").accelerations.size(), 2u) << header;
 }
 
 TEST(MotionRecord, BeginsWithItsFirstValueWhateverTheTime)
