@@ -102,6 +102,7 @@ std::string script_of(const Drawing& drawing)
 {
     return fmt::format("reset\n"
                        "set encoding utf8\n"
+                       "set zero 1e-200\n" // narrower axes are refused
                        "set terminal pngcairo noenhanced rounded size {0:.0f},{1:.0f} "
                        "font 'DejaVu Sans,12' background rgb '#ffffff'\n"
                        "set output {2}\n"

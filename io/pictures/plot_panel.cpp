@@ -152,7 +152,9 @@ std::optional<PlotRange> values_of(const std::vector<PlotCurve>& curves,
     for (const PlotCurve& curve : curves)
         for (const double value : curve.*coordinate)
             if (std::isfinite(value)) range = {std::min(range.low, value), std::max(range.high, value)};
-    return range.high > range.low ? std::optional(range) : std::nullopt;
+    constexpr double rounding = 1e-8; // of the values: a course that differs by less is constant
+    const double size = std::max(std::abs(range.low), std::abs(range.high));
+    return range.high - range.low > rounding * size ? std::optional(range) : std::nullopt;
 }
 
 std::string panel_commands(const PlotPanel& panel, const PixelBox& box)

@@ -38,7 +38,7 @@ struct PlotPanel {
 /// Colour of the k-th of `count` curves that differ in kind.
 Colour curve_colour(std::size_t k, std::size_t count);
 
-/// From the least to the largest finite value of the curves; none where there are not two.
+/// From the least to the largest finite value of the curves; none where they differ by rounding at most.
 std::optional<PlotRange> values_of(const std::vector<PlotCurve>& curves,
                                    std::vector<double> PlotCurve::*coordinate);
 

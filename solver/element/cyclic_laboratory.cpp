@@ -187,6 +187,15 @@ void shear_by(double step, Drainage drainage, double vertical_stress, Specimen& 
         specimen);
 }
 
+/// Steps of a way of the shear strain [-]. Where the vertical stress is held they are short: at large strains
+/// it changes by per cents in a longer one, which no strain of the specimen holds.
+double count_steps(const StrainCycles& loading, double way)
+{
+    constexpr double longest_held = 2e-5; // step [-]
+    const double steps = loading.steps_per_leg * way / (2.0 * loading.gamma);
+    return std::ceil(loading.drainage == Drainage::drained ? std::max(steps, way / longest_held) : steps);
+}
+
 CyclicTest shear_cyclically(const StrainCycles& loading, const Consolidation& start, Specimen& specimen)
 {
     CyclicTest test;
@@ -196,8 +205,7 @@ CyclicTest shear_cyclically(const StrainCycles& loading, const Consolidation& st
     for (; leg.number < legs; leg = {leg.number + 1, leg.to, -leg.to}) {
         // quarter legs at the start and at the end, which is at gamma = 0
         const double to = leg.number + 1 == legs ? 0.0 : leg.to;
-        const double steps =
-            std::ceil(loading.steps_per_leg * std::abs(to - leg.from) / (2.0 * loading.gamma));
+        const double steps = count_steps(loading, std::abs(to - leg.from));
         for (double k = 0.0; k < steps; k += 1.0) {
             shear_by((to - leg.from) / steps, loading.drainage, start.vertical_stress, specimen);
             const ElementPoint point = record(specimen, cycle_of(leg, specimen.gamma));

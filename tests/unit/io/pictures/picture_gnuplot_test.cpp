@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace quicksand {
 
@@ -56,6 +57,20 @@ void write_program(const std::filesystem::path& file, const std::string& command
 constexpr const char* still_good = "; the results themselves are untouched";
 
 } // namespace
+
+TEST(Gnuplot, DrawsCoursesThatRoundingAloneMoves)
+{
+    const TemporaryFolder folder;
+    for (const double size : {1e-12, 1e2})
+        for (const double change : {0.0, 1e-14, 1e-12, 1e-9})
+            for (const KeyPlace key : {KeyPlace::above, KeyPlace::upper_left}) {
+                PlotPanel panel{
+                    "Time [s]", "u [m]", {{"u", {}, {0.0, 1.0, 2.0}, {size, size + change, size}}}};
+                panel.key = key;
+                const std::vector<Drawing> drawings{plot_drawing({"A line", "", {panel}}, folder / "a.png")};
+                EXPECT_EQ(complaint(drawings), "") << size << ' ' << change;
+            }
+}
 
 TEST(Gnuplot, DrawsSeveralPicturesTheSameEveryTime)
 {

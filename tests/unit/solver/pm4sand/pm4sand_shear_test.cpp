@@ -54,5 +54,18 @@ TEST(Pm4SandShear, HasTheCyclicStrengthOfTheReportsCalibrations)
     }
 }
 
+// The stress is not continuous in the strain where errors choose the substeps.
+TEST(Pm4SandShear, HoldsTheVerticalStressAtLargeStrains)
+{
+    for (const double density : {0.35, 0.5, 0.75})
+        for (const double gamma : {0.02, 0.2}) {
+            StrainCycles loading{gamma, 1.0};
+            loading.drainage = Drainage::drained;
+            const CyclicTest test = shear_cyclically(sand_of_rate(density, 0.4), {100e3, 0.5, 0.0}, loading);
+            for (const ElementPoint& point : test.path)
+                ASSERT_NEAR(point.sigma_y, 100e3, 100.0) << density << ' ' << gamma << ' ' << point.gamma;
+        }
+}
+
 } // namespace
 } // namespace quicksand
