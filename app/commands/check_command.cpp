@@ -4,6 +4,7 @@
 #include "app/run/plan.hpp"
 #include "app/run/scene_setup.hpp"
 #include "app/run/trial.hpp"
+#include "io/assembly/case_checks.hpp"
 #include "io/results/output_observers.hpp"
 #include "io/results/results_folder.hpp"
 #include "io/scene/stage_changes.hpp"
@@ -107,6 +108,7 @@ ExitCode check_scene(const CheckChoice& choice)
 {
     Journal journal;
     std::vector<SceneReading> stages = read_stages(choice.scene, journal);
+    if (stages.size() > 1) require_sound(stages);
     const SceneSetup setup = set_up_reading(choice.scene, stages.front(), journal);
     const AssembledCase& assembled = setup.assembled;
     const std::vector<PatchTest> patch_tests = test_patches(assembled.problem, assembled.state);

@@ -126,7 +126,12 @@ std::vector<WaterLine> lines_of_parting(const SceneReading& reading, const Secti
     if (!assembled.scene.stage) {
         if (assembled.initial_flow) part_at(assembled.initial_flow->field, assembled.problem);
     } else {
-        for (const SeepingStage& stage : reading.seeping) visit_flow(stage, drawn, part_at);
+        for (const SeepingStage& stage : reading.seeping) {
+            if (assembled.initial_flow && stage.scene.stage->name == assembled.scene.stage->name)
+                part_at(assembled.initial_flow->field, assembled.problem);
+            else
+                visit_flow(stage, drawn, part_at);
+        }
     }
     return lines;
 }

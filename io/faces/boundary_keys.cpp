@@ -86,7 +86,7 @@ std::vector<SceneKey> history_keys()
         {.pattern = "boundaries.*.frequency", .dimension = Dimension::frequency, .default_note = "no wave",
          .allowed = positive, .doc = "What acts on the curve varies as sin(2 pi f t) times its value."},
         {.pattern = "boundaries.*.history", .type = path, .default_note = "constant",
-         .doc = "Two columns, time in s and the factor on what acts on the curve; linear in between."},
+         .doc = "Two columns, time in s and the factor on what acts on the curve; linear in between. Headers with other units are refused."},
     };
 }
 

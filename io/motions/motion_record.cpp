@@ -17,13 +17,14 @@ namespace quicksand {
 
 namespace {
 
-/// What times may miss of equal intervals [s]: rounding, of which the later ones, which may have fewer
+/// What times may miss of equal intervals [s]: rounding, of which the last ones, which may have the fewest
 /// decimals, tell how coarse it is. Rows that are missing are more than a quarter of an interval.
 double forgiven_distance(const std::vector<TimeRow>& rows, double interval)
 {
     constexpr double least = 0.01, most = 0.25; // of the interval
+    constexpr std::size_t last_rows = 10;
     int decimals = 0;
-    for (std::size_t k = rows.size() / 2; k < rows.size(); ++k)
+    for (std::size_t k = rows.size() - std::min(rows.size(), last_rows); k < rows.size(); ++k)
         decimals = std::max(decimals, rows[k].decimals);
     return interval * std::clamp(std::pow(10.0, -decimals) / interval, least, most);
 }

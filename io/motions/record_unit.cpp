@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -64,22 +65,35 @@ std::string_view last_column(std::string_view header)
     return header.substr(header.find_last_of(",;") + 1);
 }
 
+/// Up to a comma or semicolon; in a header without them its first word, with the brackets behind it.
 std::string_view first_column(std::string_view header)
 {
-    return header.substr(0, header.find_first_of(",;"));
+    const std::size_t end = header.find_first_of(",;");
+    if (end != std::string_view::npos) return header.substr(0, end);
+    const std::size_t gap = header.find_first_of(" \t");
+    const std::size_t next = header.find_first_not_of(" \t", gap);
+    if (next == std::string_view::npos || (header[next] != '(' && header[next] != '['))
+        return header.substr(0, gap);
+    return header.substr(0, header.find_first_of(")]", next) + 1);
 }
 
-/// What a column's name ends with where is_unit(words) is true of it: "[ms]", "(ms)", "time_ms" or "time ms".
-template <class IsUnit>
-std::string ending(std::string_view name, IsUnit&& is_unit)
+/// What follows the gaps of a column's name, the longest first: "acc_cm_s2" has "cm_s2" and "s2".
+std::vector<std::string_view> tails_of(std::string_view name, std::string_view gaps)
 {
-    for (const std::string_view words : in_brackets(name))
-        if (is_unit(words)) return std::string(words);
-    const std::size_t last = name.find_last_not_of(" \t");
-    name = name.substr(0, last == std::string_view::npos ? 0 : last + 1);
-    const std::size_t gap = name.find_last_of("_ ");
-    if (gap == std::string_view::npos || !is_unit(name.substr(gap + 1))) return "";
-    return std::string(name.substr(gap + 1));
+    std::vector<std::string_view> tails;
+    for (std::size_t k = 0; k < name.size(); ++k)
+        if (gaps.find(name[k]) != std::string_view::npos) tails.push_back(name.substr(k + 1));
+    return tails;
+}
+
+/// The unit in a column's name, one of `units`: "[ms]", "(ms)" or "time_ms"; empty where there is none.
+std::string unit_in(std::string_view name, std::span<const std::string_view> units)
+{
+    std::vector<std::string_view> candidates = in_brackets(name);
+    for (const std::string_view tail : tails_of(name, "_")) candidates.push_back(tail);
+    for (const std::string_view words : candidates)
+        if (std::find(units.begin(), units.end(), plain(words)) != units.end()) return std::string(words);
+    return "";
 }
 
 } // namespace
@@ -97,10 +111,9 @@ std::optional<RecordUnit> unit_of_column(std::string_view header)
     const std::string_view name = last_column(header);
     for (const std::string_view words : in_brackets(name))
         if (const auto unit = record_unit(words)) return unit;
-    // "acc_cm_s2": what follows an underscore or a blank, the longest first; a_g is the ground's acceleration
-    for (std::size_t k = 0; k < name.size(); ++k) {
-        if (name[k] != '_' && name[k] != ' ') continue;
-        const auto unit = record_unit(name.substr(k + 1));
+    // a_g is the ground's acceleration
+    for (const std::string_view tail : tails_of(name, "_ ")) {
+        const auto unit = record_unit(tail);
         if (unit && plain(unit->name) != "G") return unit;
     }
     return std::nullopt;
@@ -122,21 +135,17 @@ std::string unknown_unit_of_column(std::string_view header)
 
 std::string foreign_unit_of_time(std::string_view header)
 {
-    constexpr std::array<std::string_view, 15> times = {"US",     "MS",      "MSEC", "MIN", "MINS",
-                                                        "MINUTE", "MINUTES", "H",    "HR",  "HRS",
-                                                        "HOUR",   "HOURS",   "D",    "DAY", "DAYS"};
-    return ending(first_column(header), [&](std::string_view words) {
-        return std::find(times.begin(), times.end(), plain(words)) != times.end();
-    });
+    constexpr std::string_view units[] = {"US",     "MS",      "MSEC", "MILLISECONDS", "MIN", "MINS",
+                                          "MINUTE", "MINUTES", "H",    "HR",           "HRS", "HOUR",
+                                          "HOURS",  "D",       "DAY",  "DAYS"};
+    return unit_in(first_column(header), units);
 }
 
 std::string unit_of_values(std::string_view header)
 {
-    constexpr std::array<std::string_view, 14> units = {"PA",    "KPA", "MPA", "GPA", "BAR", "PSI", "KN/M2",
-                                                        "MN/M2", "M",   "CM",  "MM",  "FT",  "M/S", "MM/S"};
-    return ending(last_column(header), [&](std::string_view words) {
-        return std::find(units.begin(), units.end(), plain(words)) != units.end();
-    });
+    constexpr std::string_view units[] = {"PA",    "KPA", "MPA", "GPA", "BAR", "PSI", "N/M2", "KN/M2",
+                                          "MN/M2", "M",   "CM",  "MM",  "FT",  "M/S", "CM/S", "MM/S"};
+    return unit_in(last_column(header), units);
 }
 
 } // namespace quicksand

@@ -189,7 +189,7 @@ void shear_by(double step, Drainage drainage, double vertical_stress, Specimen& 
 
 /// Steps of a way of the shear strain [-]. Where the vertical stress is held they are short: at large strains
 /// it changes by per cents in a longer one, which no strain of the specimen holds.
-double count_steps(const StrainCycles& loading, double way)
+double steps_over_way(const StrainCycles& loading, double way)
 {
     constexpr double longest_held = 2e-5; // step [-]
     const double steps = loading.steps_per_leg * way / (2.0 * loading.gamma);
@@ -205,7 +205,7 @@ CyclicTest shear_cyclically(const StrainCycles& loading, const Consolidation& st
     for (; leg.number < legs; leg = {leg.number + 1, leg.to, -leg.to}) {
         // quarter legs at the start and at the end, which is at gamma = 0
         const double to = leg.number + 1 == legs ? 0.0 : leg.to;
-        const double steps = count_steps(loading, std::abs(to - leg.from));
+        const double steps = steps_over_way(loading, std::abs(to - leg.from));
         for (double k = 0.0; k < steps; k += 1.0) {
             shear_by((to - leg.from) / steps, loading.drainage, start.vertical_stress, specimen);
             const ElementPoint point = record(specimen, cycle_of(leg, specimen.gamma));

@@ -20,9 +20,10 @@ struct StressCycles {
 
 /// Shear between -gamma_a and gamma_a, upward first.
 struct StrainCycles {
-    double gamma = 0.001;         // gamma_a [-]
-    double cycles = 10.0;         // [-]
-    double steps_per_leg = 400.0; // steps from peak to peak; every fourth is a point of the path [-]
+    double gamma = 0.001; // gamma_a [-]
+    double cycles = 10.0; // [-]
+    double steps_per_leg =
+        400.0; // from peak to peak, drained at least one for 2e-5; every fourth is a point [-]
     Drainage drainage = Drainage::undrained; // drained: at constant vertical stress
 };
 

@@ -201,8 +201,9 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
             steps.take(report.time_step.dt, event, state);
             report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
                                       state.step % steps_between_restarts == 0;
-            if (report.is_restart_point) watchdog.check(problem, report.time_step.dt, state);
-            if (is_observed(observers, state)) watchdog.check_growth(problem, report.time_step.dt, state);
+            if (report.is_restart_point) watchdog.check(steps.form(), report.time_step.dt, state);
+            if (is_observed(observers, state))
+                watchdog.check_growth(steps.form(), report.time_step.dt, state);
         } catch (const NumericalError& error) {
             watchdog.go_back(error, state);
             steps.begin_anew();

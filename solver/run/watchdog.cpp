@@ -4,6 +4,7 @@
 #include "solver/measure/monitors.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/step/scheme_choice.hpp"
+#include "solver/step_length/end_of_motion.hpp"
 #include "solver/step_length/time_step_control.hpp"
 #include "solver/vibration/small_motion.hpp"
 
@@ -140,7 +141,8 @@ bool Watchdog::has_nothing_to_check(const State& state) const
 
 bool Watchdog::begins_with_sound(const Problem& problem, double dt, const State& state) const
 {
-    return energy_.kinetic == 0.0 && passes_over_sound(problem, dt, state);
+    return energy_.kinetic == 0.0 && !(duration(problem.base_motion) > 0.0) &&
+           passes_over_sound(problem, dt, state) && is_loaded_fast(problem, state.particles);
 }
 
 void Watchdog::go_back(const NumericalError& error, State& state)

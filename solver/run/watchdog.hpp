@@ -27,12 +27,13 @@ public:
     void keep(const Problem& problem, State& state);
 
     /// Throws NumericalError where the steps since keep() have made energy: the balances are off by a tenth
-    /// of what was turned over, and the kinetic energy has grown fourfold. Costs a sum over the particles.
+    /// of what was turned over, and the kinetic energy has grown fourfold. `problem` has the scheme of the
+    /// steps. Costs a sum over the particles.
     void check_growth(const Problem& problem, double dt, const State& state) const;
 
     /// The same, and where the energy that they made is lost again between particles and grid: a tenth of all
     /// that was ever put in, or is held by stress and water at keep(), since then, and twice of it in all.
-    /// Likewise where semi-implicit steps, or implicit ones not much longer than those of sound, have lost
+    /// Likewise where semi-implicit steps, or implicit ones that follow the sound of the water, have lost
     /// energy since keep(), and 1 % of what was turned over in all.
     void check(const Problem& problem, double dt, const State& state) const;
 
@@ -42,8 +43,8 @@ public:
 
 private:
     bool has_nothing_to_check(const State& state) const;
-    /// From rest a load that comes at once makes sound first. Implicit steps that pass over it balance its
-    /// little energy badly, and what they have made of it fades.
+    /// From rest, without shaking, a load that comes at once makes sound first. Implicit steps that pass over
+    /// it balance its little energy badly, and what they have made of it fades. Until the next restart point.
     bool begins_with_sound(const Problem& problem, double dt, const State& state) const;
     void check_growth(const EnergyBalance& energy, double dt, const State& state) const;
     void check_sound(const Problem& problem, const EnergyBalance& energy, double dt,

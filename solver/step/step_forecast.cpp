@@ -26,23 +26,13 @@ bool is_about_motion(const Problem& problem, const Particles& particles)
     return !changes_slowly(problem, crossing_time(problem.grid, shear_speed));
 }
 
-/// Whether a load makes waves.
-bool is_loaded_fast(const Problem& problem, double crossing_time)
-{
-    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [&](const Boundary& boundary) {
-        const auto* face = std::get_if<FreeFace>(&boundary.soil);
-        return face != nullptr && face->load && !is_slow(face->load->history, crossing_time);
-    });
-}
-
 /// Time from which implicit steps grow, where the motion and the vibration that it leaves are over [s].
 double start_of_growth(const Problem& problem, const Particles& particles)
 {
     if (problem.scheme != TimeScheme::implicit) return std::numeric_limits<double>::infinity();
     const CellExtremes extremes = find_extremes(problem, particles);
-    const double crossing = crossing_time(problem.grid, extremes.shear_speed);
-    const double end = end_of_motion(problem, crossing);
-    return end > 0.0 || is_loaded_fast(problem, crossing)
+    const double end = end_of_motion(problem, crossing_time(problem.grid, extremes.shear_speed));
+    return end > 0.0 || is_loaded_fast(problem, particles)
                ? end + afterlife(particles, extremes.shear_slowness)
                : 0.0;
 }

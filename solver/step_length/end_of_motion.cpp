@@ -1,5 +1,6 @@
 #include "solver/step_length/end_of_motion.hpp"
 
+#include "solver/base/failure.hpp"
 #include "solver/base/overload.hpp"
 #include "solver/step_length/histories.hpp"
 #include "solver/step_length/own_vibration.hpp"
@@ -8,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <numbers>
 #include <variant>
 
 namespace quicksand {
@@ -28,6 +30,7 @@ double end_of_motion(const History& history)
 /// The time in which a table would go through its whole range as fast as it ever rises or falls [s].
 double shortest_rise(const SampledHistory& table)
 {
+    ENSURE(!table.values.empty());
     double steepest = 0.0, least = table.values.front(), most = least; // [1/s], [-]
     for (std::size_t k = 1; k < table.times.size(); ++k) {
         least = std::min(least, table.values[k]);
@@ -41,10 +44,11 @@ double shortest_rise(const SampledHistory& table)
 /// The time over which a history rises or falls [s].
 double shortest_rise(const History& history)
 {
-    return std::visit(Overload{[&](const ConstantHistory&) { return history.ramp_time; },
-                               [](const SineHistory& sine) { return 0.25 / sine.frequency; },
-                               [](const SampledHistory& table) { return shortest_rise(table); }},
-                      history.shape);
+    return std::visit(
+        Overload{[&](const ConstantHistory&) { return history.ramp_time; },
+                 [](const SineHistory& sine) { return 1.0 / (std::numbers::pi * sine.frequency); },
+                 [](const SampledHistory& table) { return shortest_rise(table); }},
+        history.shape);
 }
 
 /// Walls that move at constant velocity go on moving.
@@ -66,11 +70,22 @@ bool is_slow(const History& history, double crossing_time)
     return shortest_rise(history) >= slow_crossings * crossing_time;
 }
 
+bool is_loaded_fast(const Problem& problem, const Particles& particles)
+{
+    const double crossing = crossing_time(problem.grid, find_extremes(problem, particles).shear_speed);
+    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [&](const Boundary& boundary) {
+        const auto* face = std::get_if<FreeFace>(&boundary.soil);
+        return face != nullptr && face->load &&
+               (history_value(face->load->history, 0.0) != 0.0 || !is_slow(face->load->history, crossing));
+    });
+}
+
 bool changes_slowly(const Problem& problem, double crossing_time)
 {
     bool slowly = false;
     for_each_history(problem, [&](const History& history) {
-        slowly = slowly || (end_of_motion(history) > 0.0 && is_slow(history, crossing_time));
+        const bool changes = end_of_motion(history) > 0.0 && std::isfinite(shortest_rise(history));
+        slowly = slowly || (changes && is_slow(history, crossing_time));
     });
     return slowly;
 }

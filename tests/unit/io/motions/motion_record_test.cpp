@@ -1,6 +1,7 @@
 // Records and what is written of motions, read back.
 #include "io/motions/motion_csv.hpp"
 #include "io/motions/motion_record.hpp"
+#include "io/motions/record_unit.hpp"
 #include "io/pictures/picture_table.hpp"
 #include "solver/problem/motion_processing.hpp"
 #include "tests/fixtures/temporary_folder.hpp"
@@ -98,6 +99,21 @@ TEST(MotionRecord, RefusesTimesThatAreNotInSeconds)
         EXPECT_EQ(read_columns_of(header + rows, "").accelerations.size(), 2u) << header;
 }
 
+TEST(ColumnUnits, AreThoseOfTheColumnAlone)
+{
+    for (const std::string header : {"t,f", "time [s],u [-]", "t, m", "t h", "t d", "time_s,load_factor",
+                                     "time_s,factor of 10 kPa", ""}) {
+        EXPECT_EQ(foreign_unit_of_time(header), "") << header;
+        EXPECT_EQ(unit_of_values(header), "") << header;
+    }
+    EXPECT_EQ(foreign_unit_of_time("time (ms) a (g)"), "ms");
+    EXPECT_EQ(foreign_unit_of_time("time_ms a_m_s2"), "ms");
+    EXPECT_EQ(foreign_unit_of_time("Time [hours],f"), "hours");
+    EXPECT_EQ(unit_of_values("t_s,v_m_s"), "m_s");
+    EXPECT_EQ(unit_of_values("t_s;p [kN/m2]"), "kN/m2");
+    EXPECT_EQ(unit_of_values("t,head (m)"), "m");
+}
+
 TEST(MotionRecord, BeginsWithItsFirstValueWhateverTheTime)
 {
     for (const std::string rows :
@@ -107,11 +123,11 @@ TEST(MotionRecord, BeginsWithItsFirstValueWhateverTheTime)
 
 namespace {
 
-/// 200 rows at an interval, with times in a format; those of `left_out` are missing.
-Reading read_written_times(const std::string& format, double interval, int left_out = -1)
+/// Rows at an interval, with times in a format; that of the number `left_out` is missing.
+Reading read_written_times(const std::string& format, double interval, int rows = 200, int left_out = -1)
 {
     std::string text;
-    for (int k = 0; k < 200; ++k)
+    for (int k = 0; k < rows; ++k)
         if (k != left_out) text += fmt::format(fmt::runtime(format), k * interval) + ",1\n";
     return read_columns_of(text, "m/s2");
 }
@@ -124,13 +140,15 @@ TEST(MotionRecord, ForgivesTheRoundingOfItsTimes)
         for (const double interval : {1.0 / 128.0, 1.0 / 150.0, 0.005})
             EXPECT_EQ(read_written_times(format, interval).accelerations.size(), 200u)
                 << format << ' ' << interval;
+    for (const std::string format : {"{:.4f}", "{:.6g}", "{:.5e}"}) // 150 s: fewer decimals from 100 s on
+        EXPECT_EQ(read_written_times(format, 1.0 / 128.0, 19200).accelerations.size(), 19200u) << format;
 }
 
 TEST(MotionRecord, RefusesTimesWithAGap)
 {
     for (const std::string format : {"{:.2f}", "{:.3f}", "{:.6g}"})
         for (const int row : {1, 2, 60, 100, 198})
-            EXPECT_NE(read_written_times(format, 0.01, row).findings.find("its time steps are between"),
+            EXPECT_NE(read_written_times(format, 0.01, 200, row).findings.find("its time steps are between"),
                       std::string::npos)
                 << format << ' ' << row;
 }
