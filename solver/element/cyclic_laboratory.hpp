@@ -18,12 +18,11 @@ struct StressCycles {
     double cycles_after = 1e9;  // after ru > 0.95 it goes on for this many only [-]
 };
 
-/// Shear between -gamma_a and gamma_a, upward first.
+/// Shear between -gamma_a and gamma_a, upward first; every fourth step is a point of the path.
 struct StrainCycles {
-    double gamma = 0.001; // gamma_a [-]
-    double cycles = 10.0; // [-]
-    double steps_per_leg =
-        400.0; // from peak to peak, drained at least one for 2e-5; every fourth is a point [-]
+    double gamma = 0.001;                    // gamma_a [-]
+    double cycles = 10.0;                    // [-]
+    double steps_per_leg = 400.0;            // from peak to peak; drained at least one for 2e-5 [-]
     Drainage drainage = Drainage::undrained; // drained: at constant vertical stress
 };
 
