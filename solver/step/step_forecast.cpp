@@ -5,12 +5,14 @@
 #include "solver/step_length/accuracy_control.hpp"
 #include "solver/step_length/cell_extremes.hpp"
 #include "solver/step_length/end_of_motion.hpp"
+#include "solver/step_length/histories.hpp"
 #include "solver/step_length/own_vibration.hpp"
 #include "solver/step_length/time_step_control.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 namespace quicksand {
 
@@ -44,6 +46,19 @@ double step_of_drainage(const Problem& problem, double since)
                                                      : std::numeric_limits<double>::infinity();
 }
 
+/// Mean step under loads and water that vary as a sine: pressures that pass zero with it change by a part of
+/// themselves in a step down to a twentieth of their peak, 4 ln(20)/part steps a period [s].
+double step_of_sines(const Problem& problem)
+{
+    double step = std::numeric_limits<double>::infinity();
+    if (water_flow(problem) != WaterFlow::coupled) return step;
+    for_each_history(problem, [&](const History& history) {
+        if (const auto* sine = std::get_if<SineHistory>(&history.shape))
+            step = std::min(step, pressure_change / (4.0 * std::log(20.0) * sine->frequency));
+    });
+    return step;
+}
+
 } // namespace
 
 std::int64_t count_steps(const Problem& problem, const Particles& particles, double dt,
@@ -59,7 +74,8 @@ std::int64_t count_steps(const Problem& problem, const Particles& particles, dou
         }
         for (; time < event; ++steps) {
             const double longest =
-                std::min(resolving_step_of_histories(problem, time), step_of_drainage(problem, time - start));
+                std::min({resolving_step_of_histories(problem, time), step_of_drainage(problem, time - start),
+                          step_of_sines(problem)});
             dt = std::min(step_growth * dt, std::max(dt, longest));
             const double left = steps_over(event - time, dt);
             time = left > 1.0 ? time + (event - time) / left : event;
