@@ -27,6 +27,13 @@ FlowStart start_after(const std::vector<Scene>& stages, const std::vector<std::o
     return {last ? &*last : nullptr, stages[flows.size() - 1].water->level};
 }
 
+/// The flow of a stage whose case has begun.
+std::optional<InitialFlow> flow_of(const FlowStart& start, AssembledCase& stage)
+{
+    return find_initial_flow(stage.scene, stage.section, materials_of_regions(stage.scene, stage.section),
+                             stage.problem, start, stage.warnings);
+}
+
 /// Whether two lines are one but for the meshes on which their flows were found.
 bool is_same_line(const WaterLine& a, const WaterLine& b, double cell_size)
 {
@@ -45,10 +52,7 @@ void visit_flow(const SeepingStage& stage, const Section& drawn, Visit&& visit)
 {
     AssembledCase of_stage = begin_case(stage.scene, Diagnostics(),
                                         without_soil_of(absent_regions(stage.keys, drawn), drawn), drawn);
-    const auto flow =
-        find_initial_flow(stage.scene, of_stage.section, materials_of_regions(stage.scene, of_stage.section),
-                          of_stage.problem, {}, of_stage.warnings);
-    if (flow) visit(flow->field, of_stage.problem);
+    if (const auto flow = flow_of({}, of_stage)) visit(flow->field, of_stage.problem);
 }
 
 } // namespace
@@ -85,8 +89,7 @@ std::vector<std::optional<InitialFlow>> flows_before(const std::vector<Scene>& s
     for (const Scene& scene : stages) {
         AssembledCase before = begin_case(scene, Diagnostics(), section, drawn);
         const FlowStart start = start_after(stages, flows, before.problem);
-        flows.push_back(find_initial_flow(scene, before.section, materials_of_regions(scene, before.section),
-                                          before.problem, start, before.warnings));
+        flows.push_back(flow_of(start, before));
     }
     return flows;
 }

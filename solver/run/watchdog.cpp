@@ -141,8 +141,11 @@ bool Watchdog::has_nothing_to_check(const State& state) const
 
 bool Watchdog::begins_with_sound(const Problem& problem, double dt, const State& state) const
 {
-    return energy_.kinetic == 0.0 && !(duration(problem.base_motion) > 0.0) &&
-           passes_over_sound(problem, dt, state) && is_loaded_fast(problem, state.particles);
+    if (energy_.kinetic != 0.0 || duration(problem.base_motion) > 0.0 ||
+        !passes_over_sound(problem, dt, state))
+        return false;
+    const double shear_speed = find_extremes(problem, state.particles).shear_speed;
+    return is_loaded_fast(problem, crossing_time(problem.grid, shear_speed));
 }
 
 void Watchdog::go_back(const NumericalError& error, State& state)

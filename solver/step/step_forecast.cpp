@@ -33,8 +33,9 @@ double start_of_growth(const Problem& problem, const Particles& particles)
 {
     if (problem.scheme != TimeScheme::implicit) return std::numeric_limits<double>::infinity();
     const CellExtremes extremes = find_extremes(problem, particles);
-    const double end = end_of_motion(problem, crossing_time(problem.grid, extremes.shear_speed));
-    return end > 0.0 || is_loaded_fast(problem, particles)
+    const double crossing = crossing_time(problem.grid, extremes.shear_speed);
+    const double end = end_of_motion(problem, crossing);
+    return end > 0.0 || is_loaded_fast(problem, crossing)
                ? end + afterlife(particles, extremes.shear_slowness)
                : 0.0;
 }
@@ -64,7 +65,7 @@ double step_of_sines(const Problem& problem)
 std::int64_t count_steps(const Problem& problem, const Particles& particles, double dt,
                          const std::vector<double>& events)
 {
-    const double start = start_of_growth(problem, particles);
+    const double start = start_of_growth(problem, particles), of_sines = step_of_sines(problem);
     double steps = 0.0, time = 0.0;
     for (const double event : events) {
         if (time < start) {
@@ -73,9 +74,8 @@ std::int64_t count_steps(const Problem& problem, const Particles& particles, dou
             time = until;
         }
         for (; time < event; ++steps) {
-            const double longest =
-                std::min({resolving_step_of_histories(problem, time), step_of_drainage(problem, time - start),
-                          step_of_sines(problem)});
+            const double longest = std::min({resolving_step_of_histories(problem, time),
+                                             step_of_drainage(problem, time - start), of_sines});
             dt = std::min(step_growth * dt, std::max(dt, longest));
             const double left = steps_over(event - time, dt);
             time = left > 1.0 ? time + (event - time) / left : event;

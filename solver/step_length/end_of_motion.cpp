@@ -70,13 +70,13 @@ bool is_slow(const History& history, double crossing_time)
     return shortest_rise(history) >= slow_crossings * crossing_time;
 }
 
-bool is_loaded_fast(const Problem& problem, const Particles& particles)
+bool is_loaded_fast(const Problem& problem, double crossing_time)
 {
-    const double crossing = crossing_time(problem.grid, find_extremes(problem, particles).shear_speed);
     return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [&](const Boundary& boundary) {
         const auto* face = std::get_if<FreeFace>(&boundary.soil);
         return face != nullptr && face->load &&
-               (history_value(face->load->history, 0.0) != 0.0 || !is_slow(face->load->history, crossing));
+               (history_value(face->load->history, 0.0) != 0.0 ||
+                !is_slow(face->load->history, crossing_time));
     });
 }
 

@@ -20,7 +20,7 @@ double crossing_time(const BackgroundGrid& grid, double shear_speed);
 bool is_slow(const History& history, double crossing_time);
 
 /// Whether a load makes waves: it comes at once, or rises fast.
-bool is_loaded_fast(const Problem& problem, const Particles& particles);
+bool is_loaded_fast(const Problem& problem, double crossing_time);
 
 /// Whether something on the boundaries changes, and slowly.
 bool changes_slowly(const Problem& problem, double crossing_time);
