@@ -9,7 +9,7 @@ namespace quicksand {
 
 FrameWriter::FrameWriter(std::vector<FrameSeries> all_series, const ObservationClock& clock,
                          double start_time, std::shared_ptr<BackgroundWriter> background)
-    : all_series_(std::move(all_series)), clocks_(all_series_.size(), clock),
+    : all_series_(std::move(all_series)), interval_(clock.interval()), clocks_(all_series_.size(), clock),
       background_(std::move(background))
 {
     for (std::size_t k = 0; k < clocks_.size(); ++k) {

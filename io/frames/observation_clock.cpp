@@ -19,6 +19,11 @@ ObservationClock::ObservationClock(double interval, double end_time)
 {
 }
 
+double ObservationClock::interval() const
+{
+    return interval_ > 0.0 ? interval_ : never;
+}
+
 void ObservationClock::go_on(double time, std::optional<double> last_observed)
 {
     if (interval_ <= 0.0) return;

@@ -17,6 +17,9 @@ public:
     /// Go to the first time at or after `time`, and after `last_observed` if there is one [s].
     void go_on(double time, std::optional<double> last_observed);
 
+    /// Infinite if it never strikes [s].
+    double interval() const;
+
     /// The next time to observe, infinite when there is none [s].
     double next() const { return next_; }
     void advance();

@@ -24,6 +24,7 @@ public:
                 const std::filesystem::path& results, bool resume);
 
     double next_time() const override { return clock_.next(); }
+    double interval() const override { return clock_.interval(); }
     bool marks_restarts() const override { return false; }
     bool looks_into_steps() const override { return true; }
     void before_step(const Problem& problem, const State& state, double end) override;

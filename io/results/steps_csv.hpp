@@ -23,6 +23,7 @@ public:
                 const std::filesystem::path& path, bool resume);
 
     double next_time() const override { return clock_.next(); }
+    double interval() const override { return clock_.interval(); }
     bool looks_into_steps() const override { return true; }
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
     void after_step(const StepReport& report) override { remember(report); }

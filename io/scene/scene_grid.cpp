@@ -66,6 +66,25 @@ struct Room {
     double left = 0.0, right = 0.0, below = 0.0, above = 0.0; // [cells]
 };
 
+/// Room for walls that go on beyond the soil, along which it may slide.
+void make_room_for_walls(const Scene& scene, const Section& section, double h, Room& room)
+{
+    const auto reach = [h](double beyond, double& cells) {
+        if (beyond > on_grid_line * h) cells = std::max(cells, std::ceil(beyond / h) + least_room);
+    };
+    for (const NamedCurve& curve : section.curves) {
+        if (std::holds_alternative<FreeFace>(soil_at(scene, curve))) continue;
+        for (const Segment& segment : curve.segments) {
+            const Vector2 lower = segment.start.cwiseMin(segment.end);
+            const Vector2 upper = segment.start.cwiseMax(segment.end);
+            reach(section.lower.x() - lower.x(), room.left);
+            reach(upper.x() - section.upper.x(), room.right);
+            reach(section.lower.y() - lower.y(), room.below);
+            reach(upper.y() - section.upper.y(), room.above);
+        }
+    }
+}
+
 Room find_room(const Scene& scene, const Section& section, double h)
 {
     const double cells_high = (section.upper.y() - section.lower.y()) / h;
@@ -76,6 +95,7 @@ Room find_room(const Scene& scene, const Section& section, double h)
     room.below = !base.meets_wall || base.has_moving_wall ? least_room : 0.0;
     room.above =
         std::max(scene.cell_size > 0.0 ? 2.0 : least_room, std::ceil(room_above * cells_high - on_grid_line));
+    make_room_for_walls(scene, section, h, room);
     return room;
 }
 

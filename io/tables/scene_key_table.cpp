@@ -241,7 +241,7 @@ std::vector<SceneKey> run_keys()
          .derived = {.key = "run.end_time", .divisor = 50.0},
          .allowed = positive, .doc = "Time between the frames of fields.pvd."},
         {.pattern = "output.probe_interval", .dimension = Dimension::time,
-         .derived = {.key = "run.end_time", .divisor = 500.0},
+         .derived = {.key = "run.end_time", .divisor = 400.0},
          .allowed = positive, .doc = "Time between the rows of a probe; accelerations are means over it."},
         {.pattern = "output.history_interval", .dimension = Dimension::time,
          .derived = {.key = "run.end_time", .divisor = 200.0}, .allowed = positive,

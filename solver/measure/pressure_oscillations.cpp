@@ -97,12 +97,23 @@ double scatter(const BackgroundGrid& grid, const Particles& particles, const Cel
     return total > least * volume ? apart / total : 0.0;
 }
 
+constexpr double negligible = 1e-3; // part of a stress [-]
+
 /// A thousandth of the weight of half a cell, at the density of soil or water [Pa].
 double negligible_pressure(const Problem& problem, double density)
 {
-    constexpr double part = 1e-3;
-    return std::max(part * 0.5 * problem.grid.cell_size * density * problem.gravity,
+    return std::max(negligible * 0.5 * problem.grid.cell_size * density * problem.gravity,
                     std::numeric_limits<double>::min());
+}
+
+/// The mean shear stress [Pa]: pure shear has no mean stress but that of rounding.
+double mean_shear(const Particles& particles, double volume)
+{
+    const SymmetricTensors& stress = particles.stress;
+    double sum = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        sum += particles.volume[p] * std::hypot(0.5 * (stress.xx[p] - stress.yy[p]), stress.xy[p]);
+    return volume > 0.0 ? sum / volume : 0.0;
 }
 
 } // namespace
@@ -120,7 +131,8 @@ PressureOscillations measure_pressure_oscillations(const Problem& problem, const
         volume += particles.volume[p];
     }
     PressureOscillations oscillations;
-    const double least = negligible_pressure(problem, volume > 0.0 ? mass / volume : 0.0);
+    const double least = std::max(negligible_pressure(problem, volume > 0.0 ? mass / volume : 0.0),
+                                  negligible * mean_shear(particles, volume));
     const CellField field = cell_field(grid, particles, mean_stress);
     oscillations.mean_stress_checkerboard = checkerboard(grid, field, least);
     oscillations.mean_stress_scatter = scatter(grid, particles, field, least, mean_stress);

@@ -1,6 +1,7 @@
 #include "solver/run/column_observer.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/run/events.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -36,6 +37,13 @@ double ColumnObserver::next_time() const
     double next = std::numeric_limits<double>::infinity();
     for (const Observer* observer : observers_) next = std::min(next, observer->next_time());
     return next;
+}
+
+double ColumnObserver::interval() const
+{
+    double interval = std::numeric_limits<double>::infinity();
+    for (const Observer* observer : observers_) interval = common_interval(interval, observer->interval());
+    return interval;
 }
 
 bool ColumnObserver::marks_restarts() const

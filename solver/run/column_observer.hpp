@@ -16,6 +16,7 @@ public:
     ColumnObserver(const SoilColumn& column, const Problem& body, std::vector<Observer*> observers);
 
     double next_time() const override;
+    double interval() const override;
     bool marks_restarts() const override;
     bool looks_into_steps() const override;
     void before_step(const Problem& problem, const State& state, double end) override;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <vector>
 
 namespace quicksand {
@@ -23,13 +24,15 @@ struct StepReport {
 
 /// Looks at the run without changing it. `observe` is called when the time `next_time` is hit exactly (the
 /// loop shortens dt for it), also at the start of the stage; `after_step` after every step, when all that is
-/// due has been observed. Implicit steps are longer than the intervals of histories may be: they are not
-/// shortened for observers that look into steps.
+/// due has been observed. Steps are not always shortened for observers that look into them, see
+/// events_to_hit.
 class Observer {
 public:
     virtual ~Observer() = default;
     /// Next time to observe [s], infinite when there is none.
     virtual double next_time() const = 0;
+    /// The times it waits for are multiples of this, but for the last; infinite when there are none [s].
+    virtual double interval() const { return std::numeric_limits<double>::infinity(); }
     /// Whether the run may be continued from the times it waits for. Those of histories lie close: setting up
     /// anew there what serves many steps would cost more than the steps.
     virtual bool marks_restarts() const { return true; }
@@ -54,11 +57,8 @@ using StopRule = std::function<bool()>;
 /// Whether an observer waits for the state's time or an earlier one.
 bool is_observed(const std::vector<Observer*>& observers, const State& state);
 
-/// The earliest time that steps of the scheme must hit for one of the observers, `latest` when there is no
-/// earlier one; the last of several that differ by rounding alone [s].
-double next_event(const Problem& problem, const std::vector<Observer*>& observers, double latest);
-
-/// Show the state at the start of a step to `end` to the observers whose time lies within it.
+/// Show the state at the start of a step to `end` to the observers whose time lies within it and that look
+/// into steps.
 void show_start(const Problem& problem, const std::vector<Observer*>& observers, const State& state,
                 double end);
 

@@ -5,6 +5,7 @@
 #include "solver/free_field/wave_steps.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/wrapping.hpp"
+#include "solver/run/events.hpp"
 #include "solver/run/held_reactions.hpp"
 #include "solver/run/watchdog.hpp"
 #include "solver/step/scheme_choice.hpp"
@@ -21,15 +22,6 @@ namespace {
 
 constexpr std::int64_t steps_between_restarts = 32;
 
-/// Equal steps to the next event: the step is shortened a little each time rather than much at the end.
-TimeStep divide_evenly(TimeStep stable, double remaining)
-{
-    const double steps = std::max(1.0, steps_over(remaining, stable.dt));
-    if (steps == 1.0 && remaining < 0.5 * stable.dt) stable.limiter = TimeStepLimiter::output;
-    stable.dt = remaining / steps;
-    return stable;
-}
-
 /// Whether an observer that marks restarts waits for the state's time.
 bool marks_restart(const std::vector<Observer*>& observers, const State& state)
 {
@@ -38,22 +30,31 @@ bool marks_restart(const std::vector<Observer*>& observers, const State& state)
     });
 }
 
-/// The step to the next time that an observer waits for, or to the end.
-TimeStep choose_step(const Problem& problem, double event, State& state)
+/// A step, and the time that it must not pass [s].
+struct StepToEvent {
+    TimeStep step;
+    double event;
+};
+
+/// The step to the next time that it has to hit.
+template <class EventsOf>
+StepToEvent choose_step(const Problem& problem, EventsOf&& events_of, State& state)
 {
     TimeStep step = shortest_time_step(problem, state);
     step.scheme = problem.scheme;
     note_whole_step(step.dt, state);
-    return divide_evenly(step, event - state.time);
+    const Events events = events_of(problem, step.dt);
+    return {divide_evenly(step, events, state.time), events.next};
 }
 
 /// The same in a run of implicit steps, where waves limit it in place of `replaced`.
-TimeStep choose_wave_step(const Problem& wave_form, double replaced, double event, State& state)
+template <class EventsOf>
+StepToEvent choose_wave_step(const Problem& wave_form, double replaced, EventsOf&& events_of, State& state)
 {
-    TimeStep step = choose_step(wave_form, event, state);
-    step.dt = std::min(step.dt, step_after(state.last_step, state.whole_step));
-    step.replaced = replaced;
-    return step;
+    StepToEvent chosen = choose_step(wave_form, events_of, state);
+    chosen.step.dt = std::min(chosen.step.dt, step_after(state.last_step, state.whole_step));
+    chosen.step.replaced = replaced;
+    return chosen;
 }
 
 /// Forces act from the middle of the last step to that of the next: after long steps of consolidation a stage
@@ -110,14 +111,13 @@ public:
     const Problem& form() const { return *form_; }
 
     /// The step of that kind, or the explicit one that the watchdog asks for.
-    /// `event_of` is the time that steps of a form must hit.
-    template <class EventOf>
-    TimeStep choose(EventOf&& event_of, State& state)
+    /// `events_of` gives what steps of a form of at most a length [s] have to hit.
+    template <class EventsOf>
+    StepToEvent choose(EventsOf&& events_of, State& state)
     {
-        if (state.step < state.explicit_end) return choose_explicit(event_of, state);
-        const double event = event_of(*form_);
-        return replaced_ ? choose_wave_step(*wave_form_, replaced_->dt, event, state)
-                         : choose_step(problem_, event, state);
+        if (state.step < state.explicit_end) return choose_explicit(events_of, state);
+        return replaced_ ? choose_wave_step(*wave_form_, replaced_->dt, events_of, state)
+                         : choose_step(problem_, events_of, state);
     }
 
     /// One step, to the event at most.
@@ -142,18 +142,21 @@ public:
     std::int64_t limited_domains() const { return stepper_->limited_domains(); }
 
 private:
-    template <class EventOf>
-    TimeStep choose_explicit(EventOf&& event_of, State& state)
+    template <class EventsOf>
+    StepToEvent choose_explicit(EventsOf&& events_of, State& state)
     {
-        TimeStep step = choose_step(explicit_form_, event_of(explicit_form_), state);
+        StepToEvent chosen = choose_step(explicit_form_, events_of, state);
+        TimeStep& step = chosen.step;
         if (step.limiter == TimeStepLimiter::wave) step.limiter = TimeStepLimiter::sound;
         // forces act from the middle of the last step on: over a long interval pressures have to be implicit
         constexpr double most_shrinking = 0.5;
         const double least = most_shrinking * state.last_step * part_after_halvings(state);
         change_over(step.dt >= least ? explicit_form_ : problem_);
         step.scheme = form_->scheme;
-        if (step.dt < least) step.dt = std::min(least, event_of(*form_) - state.time);
-        return step;
+        if (step.dt >= least) return chosen;
+        chosen.event = events_of(*form_, least).next;
+        step.dt = std::min(least, chosen.event - state.time);
+        return chosen;
     }
 
     void change_over(const Problem& form)
@@ -194,9 +197,11 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
     while (state.time < end_time) {
         try {
             steps.choose_kind(state);
-            const auto event_of = [&](const Problem& form) { return next_event(form, observers, end_time); };
-            report.time_step = steps.choose(event_of, state);
-            const double event = event_of(steps.form());
+            const auto events_of = [&](const Problem& form, double dt) {
+                return events_to_hit(form, observers, end_time, dt);
+            };
+            const auto [step, event] = steps.choose(events_of, state);
+            report.time_step = step;
             show_start(steps.form(), observers, state, std::min(event, state.time + report.time_step.dt));
             steps.take(report.time_step.dt, event, state);
             report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||

@@ -42,7 +42,7 @@ TEST(SceneFile, ConvertsToSiAndTakesDefaults)
     EXPECT_EQ(scene.k0, 0.5);
     EXPECT_FALSE(scene.relaxation);
     EXPECT_EQ(scene.output.frame_interval, 0.2 / 50.0);
-    EXPECT_EQ(scene.output.probe_interval, 0.2 / 500.0);
+    EXPECT_EQ(scene.output.probe_interval, 0.2 / 400.0);
     EXPECT_EQ(scene.output.history_interval, 0.2 / 200.0);
     EXPECT_EQ(scene.output.checkpoint_interval, 60.0);
 }

@@ -114,6 +114,18 @@ TEST(SceneGrid, LeavesRoomWhereNoWallHolds)
     EXPECT_NEAR(below.origin.y(), -4 * below.cell_size, 1e-9);
 }
 
+/// A block may slide on a floor that goes on beyond it.
+TEST(SceneGrid, CoversWallsThatGoOnBeyondTheSoil)
+{
+    Section section = rectangular_section(0.0, 0.0, 6.0, 3.0);
+    section.curves.push_back({"floor", {{{6.0, 0.0}, {16.0, -2.0}}}});
+    Scene scene = scene_with_walls({});
+    scene.boundaries.push_back(wall("floor", RollerWall{}));
+    const BackgroundGrid grid = choose(scene, section).grid;
+    EXPECT_GE(grid.origin.x() + grid.cells_x * grid.cell_size, 16.0);
+    EXPECT_LE(grid.origin.y(), -2.0);
+}
+
 TEST(SceneGrid, HasFourCellsThroughTheThinnestRegion)
 {
     Section section = rectangular_section(0.0, 0.0, 6.0, 3.0);

@@ -62,6 +62,32 @@ TEST(Watchdog, HalvesAStepThatIsTooLong)
     EXPECT_LT(monitor(patch.problem, patch.state, {}).kinetic_energy, energy);
 }
 
+/// Two histories.
+class Metronome : public Observer {
+public:
+    explicit Metronome(double interval) : interval_(interval) {}
+    double next_time() const override { return interval_ * static_cast<double>(beats_); }
+    double interval() const override { return interval_; }
+    void observe(const Problem&, const State&, const StepReport&) override { ++beats_; }
+
+private:
+    double interval_; // [s]
+    int beats_ = 1;
+};
+
+/// Rows 0.95 and 2.5 x 0.95 steps apart once made steps of 1, 1, 1/2 and 1/2, by which elastic soil blew up.
+TEST(Watchdog, IsNotNeededWhereHistoriesWouldMakeStepsAlternate)
+{
+    Patch patch(1.0);
+    const double dt = stable_time_step(patch.problem, patch.state.particles).dt;
+    Metronome probes(0.95 * dt), history(2.5 * 0.95 * dt);
+    Counter counter;
+    EXPECT_TRUE(run(patch.problem, 300.0 * dt, {&probes, &history, &counter}, patch.state));
+    EXPECT_EQ(counter.times, 0);
+    EXPECT_LT(energy_balance(patch.problem, patch.state).error(), 0.01);
+    EXPECT_EQ(counter.last_step, 632) << "all of 0.475 dt";
+}
+
 TEST(Watchdog, LeavesAStableRunAlone)
 {
     Patch patch(1.0);
