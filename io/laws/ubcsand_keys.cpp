@@ -45,13 +45,14 @@ constexpr std::array<std::pair<const char*, Parameter>, 18> parameters_of_keys =
 }};
 
 /// Those whose standard value hangs on the word of `law`.
-constexpr std::array<std::pair<const char*, Parameter>, 11> parameters_of_words = {{
+constexpr std::array<std::pair<const char*, Parameter>, 12> parameters_of_words = {{
     {"softened_factor", &UbcSandParameters::softened_factor},
     {"secondary_factor", &UbcSandParameters::secondary_factor},
     {"confining_exponent", &UbcSandParameters::confining_exponent},
     {"lateral_exponent", &UbcSandParameters::lateral_exponent},
     {"static_shear_stiffening", &UbcSandParameters::static_shear_stiffening},
     {"least_start_ratio", &UbcSandParameters::least_start_ratio},
+    {"dilation_factor", &UbcSandParameters::dilation_factor},
     {"dilation_strain", &UbcSandParameters::dilation_strain},
     {"reference_strain", &UbcSandParameters::reference_strain},
     {"least_modulus_fraction", &UbcSandParameters::least_modulus_fraction},
@@ -204,8 +205,8 @@ std::vector<SceneKey> memory_keys()
     return {
         {.pattern = "materials.*.virgin_factor", .default_value = m.virgin_factor, .allowed = positive,
          .plausible = {0.2, 5.0}, .doc = "h1, factor on the plastic modulus in all loading."},
-        {.pattern = "materials.*.secondary_factor", .default_note = "0.6; calibrated 0.6 (6/(N1)60)^0.25", .allowed = positive,
-         .plausible = {0.1, 5.0},
+        {.pattern = "materials.*.secondary_factor", .default_note = "0.6; calibrated 0.6 (6/(N1)60)^0.3", .allowed = positive,
+         .plausible = {0.05, 5.0},
          .doc = "h2 in h1 h2 (s0 + s1 n) below the largest ratio so far; calibrated to the triggering curve."},
         {.pattern = "materials.*.secondary_start", .default_value = m.secondary_start, .allowed = positive,
          .plausible = {1.0, 10.0}, .doc = "s0, the stiffening of the first reloading."},
@@ -217,8 +218,8 @@ std::vector<SceneKey> memory_keys()
         {.pattern = "materials.*.dilation_softening", .default_value = m.dilation_softening, .allowed = not_negative,
          .plausible = {0.0, 5000.0},
          .doc = "The plastic modulus falls by exp(-dilation_softening times shear strain in dilation)."},
-        {.pattern = "materials.*.softened_factor", .default_note = "0.05; calibrated 0.02", .allowed = positive,
-         .plausible = {0.005, 1.0},
+        {.pattern = "materials.*.softened_factor", .default_note = "0.05; calibrated 0.02 (6/(N1)60)^0.8", .allowed = positive,
+         .plausible = {0.002, 1.0},
          .doc = "Least factor after dilation; with 1 there is no softening, and ru never reaches 1."},
     };
 }
@@ -234,7 +235,7 @@ std::vector<SceneKey> calibration_keys()
                 "bounds the stress out of the plane by the failure limit."},
         {.pattern = "materials.*.confining_exponent", .default_note = "0; calibrated 0.18", .allowed = not_negative,
          .plausible = {0.0, 0.5},
-         .doc = "m_v: the plastic modulus goes with (sigma'_v/Pa)^-m_v of the start of shaking, which sets K_sigma [own]."},
+         .doc = "m_v: the plastic modulus goes with max(1, sigma'_v/Pa)^-m_v of the start of shaking, which sets K_sigma [own]."},
         {.pattern = "materials.*.lateral_exponent", .default_note = "0; calibrated 12/(N1)60", .allowed = not_negative,
          .plausible = {0.0, 4.0},
          .doc = "m_h: it goes with ((1 + K0)/1.5)^m_h of the start of shaking [own]."},
@@ -244,9 +245,12 @@ std::vector<SceneKey> calibration_keys()
         {.pattern = "materials.*.least_start_ratio", .default_note = "0; calibrated 1/3",
          .allowed = {.lower = 0.0, .upper = 1.0, .upper_open = true}, .plausible = {0.0, 0.5},
          .doc = "The sand remembers at least this stress ratio from before the shaking; 1/3 is that of K0 = 1/2 [own]."},
-        {.pattern = "materials.*.dilation_strain", .default_note = "without end; calibrated 2/(N1)60", .allowed = positive,
-         .plausible = {0.01, 10.0},
-         .doc = "Shear strain in dilation after which later half cycles dilate half as much, so that strain grows from cycle to cycle [own]."},
+        {.pattern = "materials.*.dilation_factor", .default_note = "1; calibrated 4 (6/(N1)60)^(1/2), at most 4", .allowed = {.lower = 1.0},
+         .plausible = {1.0, 20.0},
+         .doc = "Dilation above the friction of constant volume over that of the generic set: it limits the strain of a cycle after liquefaction [own]."},
+        {.pattern = "materials.*.dilation_strain", .default_note = "without end; calibrated 0.1 (6/(N1)60)^1.6", .allowed = positive,
+         .plausible = {0.002, 10.0},
+         .doc = "Shear strain in dilation after which the softened factor of later half cycles is halved, so that strain grows from cycle to cycle [own]."},
         {.pattern = "materials.*.reference_strain", .default_note = "without end; calibrated 4.5e-4", .allowed = positive,
          .plausible = {1e-4, 0.01},
          .doc = "gamma_r: G falls by (1 + gamma/(2 gamma_r))^-2 with the shear strain since it turned: small-strain modulus and damping."},
@@ -258,7 +262,7 @@ std::vector<SceneKey> calibration_keys()
          .doc = "Volumetric strain of reconsolidation over the largest shear strain, which counts to 8 % [Yoshimine et al. 2006]."},
         {.pattern = "materials.*.liquefied_conductivity", .default_note = "1; calibrated 5",
          .allowed = {.lower = 1.0}, .plausible = {1.0, 20.0},
-         .doc = "Hydraulic conductivity at ru = 1 over that of sand at rest; it returns as ru falls [Shahir et al. 2012]."},
+         .doc = "Hydraulic conductivity at ru = 1 over that of sand at rest; between them it goes with ru^8.9 [Shahir et al. 2012]."},
     };
 }
 

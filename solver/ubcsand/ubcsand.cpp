@@ -115,7 +115,7 @@ double start_factor_of(const UbcSand& law, const UbcSandState& start)
     const double vertical = ubcsand::larger(start.sigma_y, law.s_min);
     const double k0 = ubcsand::larger(start.sigma_x, law.s_min) / vertical;
     constexpr double usual_k0 = 0.5; // of the triggering curve
-    return std::pow(vertical / atmospheric_pressure, -law.m_v) *
+    return std::pow(ubcsand::larger(1.0, vertical / atmospheric_pressure), -law.m_v) *
            std::pow((1.0 + k0) / (1.0 + usual_k0), law.m_h) *
            (1.0 + law.static_shear * std::abs(start.tau_xy) / vertical);
 }
@@ -150,6 +150,7 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.m_h = m.lateral_exponent;
     law.static_shear = m.static_shear_stiffening;
     law.least_start_ratio = m.least_start_ratio;
+    law.dilation = m.dilation_factor;
     law.per_dilation = 1.0 / m.dilation_strain;
     law.per_small_strain = 0.5 / m.reference_strain;
     law.least_fraction = m.least_modulus_fraction;

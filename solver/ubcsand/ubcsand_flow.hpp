@@ -62,23 +62,18 @@ inline double softening(const UbcSand& m, const Deviator& q, const UbcSandState&
     return select(least_accord(q, state) <= 0.0, factor, 1.0);
 }
 
-/// Of the dilation of sand that has not dilated, what remains when it has faded. [own]
-inline constexpr double least_dilation = 0.25; // [-]
-
 /// F of secondary loading, up to the largest ratio so far, and of virgin loading beyond it. [8a, 8b]
 struct HardeningFactors {
     double secondary, virgin; // [-]
-    double dilates;           // of the dilation of sand that has not dilated [-]
 };
 
 inline HardeningFactors hardening_factors(const UbcSand& m, const Deviator& q, const UbcSandState& state)
 {
     const double factor = softening(m, q, state);
-    const double least = select(factor < 1.0, m.fac_post, 0.0);
-    const double faded = state.active_dilation * m.per_dilation;
+    const double least =
+        select(factor < 1.0, m.fac_post / (1.0 + state.active_dilation * m.per_dilation), 0.0);
     return {larger(least, factor * (m.h1 * m.h2 * (m.s0 + m.s1 * state.half_cycles)) * state.start_factor),
-            larger(least, factor * m.h1 * state.start_factor),
-            (1.0 + least_dilation * faded) / (1.0 + faded)};
+            larger(least, factor * m.h1 * state.start_factor)};
 }
 
 /// K_G^p P_a (s/P_a)^np [Pa]
@@ -120,19 +115,19 @@ struct Place {
 };
 
 /// D at a ratio [-].
-inline double contraction(const UbcSand& m, const Trial& trial, double dilates, double eta)
+inline double contraction(const UbcSand& m, const Trial& trial, double eta)
 {
     const double D = m.sin_cv - eta;
-    return smaller(trial.most_D, larger(trial.least_D, select(D < 0.0, dilates * D, D)));
+    return smaller(trial.most_D, larger(trial.least_D, select(D < 0.0, m.dilation * D, D)));
 }
 
 /// [8, 8c] Return to the locus or to the failure line with the coefficients of the start, in first order:
 /// lambda = (t - eta_y sb)/(G + G^p - eta_y K' D), ds = -K' D lambda, dt = -G lambda.
-inline PlasticFlow flow_from_start(const UbcSand& m, const Trial& trial, double dilates, double G_p)
+inline PlasticFlow flow_from_start(const UbcSand& m, const Trial& trial, double G_p)
 {
     const double G = trial.start.moduli.G, K = trial.start.moduli.K, sb = trial.s + m.a;
-    const double D = contraction(m, trial, dilates, trial.eta_y);
-    const double D_f = contraction(m, trial, dilates, m.eta_f);
+    const double D = contraction(m, trial, trial.eta_y);
+    const double D_f = contraction(m, trial, m.eta_f);
     const double lambda = (trial.t - trial.eta_y * sb) / (G + G_p - trial.eta_y * K * D);
     const double failing = larger(0.0, (trial.t - m.eta_f * sb) / (G - m.eta_f * K * D_f));
     const bool fails = trial.t - G * lambda > m.eta_f * (trial.s - K * D * lambda + m.a);
@@ -163,8 +158,8 @@ inline PlasticFlow flow_on_locus(const UbcSand& m, const Trial& trial, const Har
                                  double eta_max, const Place& at)
 {
     const double G = at.moduli.G, K = at.moduli.K, eta_y = trial.eta_y;
-    const double D = contraction(m, trial, F.dilates, at.eta);
-    const double D_f = contraction(m, trial, F.dilates, m.eta_f);
+    const double D = contraction(m, trial, at.eta);
+    const double D_f = contraction(m, trial, m.eta_f);
     const double modulus = plastic_modulus(m, at.number, at.eta);
     const double elastic = G - eta_y * K * D;
     const double secondary = F.secondary * modulus, virgin = F.virgin * modulus;
@@ -247,7 +242,7 @@ inline PlasticFlow finish_in_first_order(const UbcSand& m, const Trial& trial, U
     const HardeningFactors F = hardening_factors(m, at_middle<order>(trial), state);
     const double number = plastic_number(m, trial.start.s);
     const double G_p = modulus_of_locus(m, trial, F, number, state);
-    const PlasticFlow end = flow_from_start(m, trial, F.dilates, G_p);
+    const PlasticFlow end = flow_from_start(m, trial, G_p);
     PlasticFlow flow = select(end.s < m.s_min, flow_at_floor(m, trial, G_p), end);
     finish_flow(m, trial, {trial.q_x, trial.q_y}, trial.start.moduli.E2, flow, state);
     return flow;

@@ -9,10 +9,10 @@ namespace quicksand {
 
 namespace {
 
-constexpr double most_shear = 0.08;      // that counts for reconsolidation [-] [YWS06]
-constexpr double liquefied_stress = 0.1; // of s_0, at which sand has liquefied [-]
-constexpr double least_distance = 0.02;  // of root s to root s_0, over the latter [-]
-constexpr double falling_exponent = 8.9; // of ru once the sand has liquefied, 1 before [-] [Sha12]
+constexpr double most_shear = 0.08;           // that counts for reconsolidation [-] [YWS06]
+constexpr double liquefied_stress = 0.1;      // of s_0, at which sand has liquefied [-]
+constexpr double least_distance = 0.02;       // of root s to root s_0, over the latter [-]
+constexpr double conductivity_exponent = 8.9; // of ru [-] [Sha12]
 
 double mean_stress_of(const UbcSand& law, const Particles& particles, std::size_t p)
 {
@@ -90,13 +90,12 @@ void advance_history(const UbcSand& law, double dt, std::size_t first, std::size
     }
 }
 
-double conductivity_factor(const UbcSand& law, double s, double start_mean, bool has_liquefied)
+double conductivity_factor(const UbcSand& law, double s, double start_mean)
 {
     // counted from the floor, so that sand at the floor floats however little stress it had
     const double lost = start_mean - s, whole = start_mean - law.s_min;
     const double ru = whole > 0.0 ? std::clamp(lost / whole, 0.0, 1.0) : 1.0;
-    const double part = has_liquefied ? std::pow(ru, falling_exponent) : ru;
-    return 1.0 + (law.liquefied_conductivity - 1.0) * part;
+    return 1.0 + (law.liquefied_conductivity - 1.0) * std::pow(ru, conductivity_exponent);
 }
 
 } // namespace quicksand

@@ -30,7 +30,7 @@ ParticleModuli expected_moduli(const UbcSand& law, double dt, std::size_t first,
                                const double* volume)
 {
     const double *L_xx = L.xx.data(), *L_xy = L.xy.data(), *L_yx = L.yx.data(), *L_yy = L.yy.data();
-    const double dilation = larger(0.0, law.eta_f - law.sin_cv); // of a shear strain
+    const double dilation = law.dilation * larger(0.0, law.eta_f - law.sin_cv); // of a shear strain
     return collect_moduli(first, last, volume, [&](std::size_t p) {
         const double s = larger(law.s_min, -0.5 * (stress_xx[p] + stress_yy[p]));
         const Moduli present = moduli_at(law, s);

@@ -79,13 +79,14 @@ UbcSandParameters calibrated(UbcSandParameters generic)
 {
     const double N = blow_count(generic.relative_density);
     UbcSandParameters parameters = generic;
-    parameters.secondary_factor = 0.6 * std::pow(6.0 / N, 0.25);
-    parameters.softened_factor = 0.02;
+    parameters.secondary_factor = 0.6 * std::pow(6.0 / N, 0.33);
+    parameters.softened_factor = 0.02 * std::pow(6.0 / N, 0.8);
     parameters.confining_exponent = 0.18;
     parameters.lateral_exponent = 12.0 / N;
     parameters.static_shear_stiffening = 9.0 + N * N / 50.0;
     parameters.least_start_ratio = 1.0 / 3.0; // that of K_0 = 1/2
-    parameters.dilation_strain = 2.0 / N;
+    parameters.dilation_factor = 5.0 * std::min(1.0, std::sqrt(6.0 / N));
+    parameters.dilation_strain = 0.12 * std::pow(6.0 / N, 1.5);
     parameters.reference_strain = 4.5e-4;
     parameters.least_modulus_fraction = 0.35;
     parameters.reconsolidation_slope = 1.5 * std::exp(-0.369 * std::sqrt(N));
@@ -139,6 +140,8 @@ void check(const UbcSandParameters& m)
     require_not_negative("static_shear_stiffening", m.static_shear_stiffening);
     require(m.least_start_ratio >= 0.0 && m.least_start_ratio < 1.0, "least_start_ratio", m.least_start_ratio,
             "from 0 to below 1");
+    require(m.dilation_factor >= 1.0 && std::isfinite(m.dilation_factor), "dilation_factor",
+            m.dilation_factor, "at least 1");
     require(m.dilation_strain > 0.0, "dilation_strain", m.dilation_strain, "positive");
     require(m.reference_strain > 0.0, "reference_strain", m.reference_strain, "positive");
     require(m.least_modulus_fraction > 0.0 && m.least_modulus_fraction <= 1.0, "least_modulus_fraction",

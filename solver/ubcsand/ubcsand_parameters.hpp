@@ -3,6 +3,8 @@
 // Sources    [BB11] the generic set of Beaty and Byrne (2011), report 904aR, as the literature repeats it
 //            [IB08] Idriss and Boulanger (2008): relative density; triggering curve at 15 cycles
 //            [own]  the memory of cycles, a reconstruction: h2 calibrated to [IB08], the others chosen
+//            [B86]  Bolton (1986): sand of a relative density of 45 % dilates by some 10 deg more than the
+//            friction of constant volume at 25 kPa, not by 1
 //            [DL82] Dobry, Ladd, Yokel, Chung and Powell (1982): sand keeps its volume below a shear strain
 //            of 1e-4
 //            [YWS06] Yoshimine, Nishizaki, Amano and Hosono (2006), after Ishihara and Yoshimine (1992):
@@ -54,15 +56,19 @@ struct UbcSandParameters {
     double dilation_softening = 1000.0; // a_dil [-]; F falls by exp(-a_dil x shear strain in dilation)
     double softened_factor = 0.05;      // least F after dilation [-]
 
-    // strength by the stress at the start of shaking: F times (sigma'_v/P_a)^-m_v ((1 + K_0)/1.5)^m_h
-    // (1 + a |tau|/sigma'_v) [own], as practice fits h1 to depth and slope
+    // strength by the stress at the start of shaking: F times max(1, sigma'_v/P_a)^-m_v ((1 + K_0)/1.5)^m_h
+    // (1 + a |tau|/sigma'_v) [own], as practice fits h1 to depth and slope; under less than one atmosphere
+    // the exponents of the moduli alone bring K_sigma to its limit of 1.1 [IB08]
     double confining_exponent = 0.0;      // m_v [-]
     double lateral_exponent = 0.0;        // m_h [-]
     double static_shear_stiffening = 0.0; // a [-]
     double least_start_ratio = 0.0;       // of the stress that the start remembers as its largest [-]
 
-    // dilation fades: above the ratio of constant volume D over 1 + g_dil/this, g_dil of the last half cycle
-    double dilation_strain = std::numeric_limits<double>::infinity(); // [-] [own]
+    // after liquefaction: above the ratio of constant volume D times a factor, for sand dilates more under
+    // little stress than the friction of the generic set says [B86], and the least F over 1 + g_dil/strain,
+    // g_dil of the last half cycle, so that strains grow where the sand flows, on both sides alike [own]
+    double dilation_factor = 1.0;                                     // [-]
+    double dilation_strain = std::numeric_limits<double>::infinity(); // [-]
 
     // small strains: G falls by (1 + gamma/(2 gamma_r))^-2 with the shear strain since it turned, which is
     // the hyperbola of Hardin and Drnevich (1972) with the rule of Masing (1926); not below a fraction [own]

@@ -188,7 +188,7 @@ double conductivity_factor(const UbcSand& law, std::size_t p, const Particles& p
     if (law.liquefied_conductivity <= 1.0 || !has_history) return 1.0;
     const double s = std::max(law.s_min, -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]));
     const SoilMemory& m = particles.memory;
-    return conductivity_factor(law, s, m[of_cycles + 1][p], m[of_cycles + 5][p] > 0.0);
+    return conductivity_factor(law, s, m[of_cycles + 1][p]);
 }
 
 void hold_water(UbcSand& law, double dry_fraction)
