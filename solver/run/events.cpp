@@ -8,13 +8,13 @@ namespace quicksand {
 
 namespace {
 
-constexpr double least_interval = 1.0 / 3.0; // of a step: what steps may be shortened to
+constexpr double least_interval = 1.0 / 3.0; // of what steps are without it
 constexpr double many_steps = 16.0;          // in an interval: parts of it differ by a 16th at most
 
-/// Whether parts of the interval are steps that do not cost much more than those of dt.
+/// Whether parts of the interval are steps that do not cost much more than those of dt to single events.
 bool divides_well(const Events& events, double dt)
 {
-    return std::isinf(events.interval) || events.interval >= least_interval * dt;
+    return std::isinf(events.interval) || events.interval >= least_interval * std::min(dt, events.shortest);
 }
 
 } // namespace

@@ -57,7 +57,7 @@ TEST(Events, LeaveOutHistoriesByWhichStepsWouldAlternate)
 {
     EXPECT_TRUE(hit_history(0.1, 0.2)) << "parts of 0.1";
     EXPECT_TRUE(hit_history(0.3, 0.2)) << "likewise, a third of dt";
-    EXPECT_FALSE(hit_history(0.31, 0.2));
+    EXPECT_TRUE(hit_history(9.0, 0.2)) << "half of the shortest";
     EXPECT_FALSE(hit_history(0.1, 0.17)) << "1/17 of 0.3 is far less than dt";
     EXPECT_TRUE(hit_history(0.01, 0.17)) << "17 steps are as good as even";
     EXPECT_FALSE(hit_history(0.01, 0.2, TimeScheme::implicit));
@@ -75,7 +75,8 @@ TEST(Events, AreReachedInEqualSteps)
 {
     EXPECT_DOUBLE_EQ(step_to({0.3, 0.1, 0.2}, 0.095), 0.05);
     EXPECT_DOUBLE_EQ(step_to({0.3, 0.1, 0.2}, 0.095, 0.2), 0.05);
-    EXPECT_DOUBLE_EQ(step_to({0.3, 0.1, 0.2}, 0.5), 0.3) << "an interval of less than a third of dt";
+    EXPECT_DOUBLE_EQ(step_to({0.3, 0.1, 0.2}, 0.5), 0.1);
+    EXPECT_DOUBLE_EQ(step_to({0.3, 0.0, 0.2}, 0.16), 0.15) << "no interval";
     EXPECT_DOUBLE_EQ(step_to({0.3, infinite, infinite}, 0.11), 0.1) << "the end alone";
 }
 
