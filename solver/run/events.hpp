@@ -10,10 +10,9 @@ namespace quicksand {
 
 /// The times that steps have to hit.
 struct Events {
-    double next; // [s]
-    double
-        interval; // of which all are multiples, infinite for none, 0 if there is none of a useful length [s]
-    double shortest; // of the intervals of single observers, infinite for none [s]
+    double next;     // the earliest [s]
+    double interval; // of which all are multiples [s], infinite for none; 0: see common_interval
+    double shortest; // of the intervals of single observers [s], infinite for none
 };
 
 /// Of which observers: all, or those alone that do not look into steps.
