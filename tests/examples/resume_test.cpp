@@ -130,7 +130,7 @@ TEST_F(SameBits, AfterAKillAndAResume)
 {
     const std::string results = (folder / "killed").string();
     const Outcome killed =
-        run_until(column_run + results, "grep -q '^0.0005,' " + results + "/history.csv 2>/dev/null");
+        run_until(column_run + results, "grep -q '^0.0004,' " + results + "/history.csv 2>/dev/null");
     ASSERT_EQ(killed.code, 0) << killed.output;
     EXPECT_NE(
         killed.output.find("\nStopping at the next restart point, a few dozen steps on at most. A second "
@@ -195,7 +195,7 @@ TEST(Hangup, StopsARunWithACheckpoint)
     const std::string results = (folder / "hung_up").string();
     std::signal(SIGHUP, SIG_DFL); // for the program: under nohup it is ignored, and then stays so
     const Outcome outcome =
-        run_until(column_run + results, "grep -q '^0.0005,' " + results + "/history.csv 2>/dev/null", "HUP");
+        run_until(column_run + results, "grep -q '^0.0004,' " + results + "/history.csv 2>/dev/null", "HUP");
     EXPECT_EQ(outcome.code, 0) << outcome.output;
     EXPECT_NE(outcome.output.find("Stopped on request"), std::string::npos) << outcome.output;
     EXPECT_TRUE(std::filesystem::exists(results + "/checkpoint/state.h5"));
