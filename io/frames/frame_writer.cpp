@@ -9,13 +9,18 @@ namespace quicksand {
 
 FrameWriter::FrameWriter(std::vector<FrameSeries> all_series, const ObservationClock& clock,
                          double start_time, std::shared_ptr<BackgroundWriter> background)
-    : all_series_(std::move(all_series)), interval_(clock.interval()), clocks_(all_series_.size(), clock),
+    : all_series_(std::move(all_series)), clocks_(all_series_.size(), clock),
       background_(std::move(background))
 {
     for (std::size_t k = 0; k < clocks_.size(); ++k) {
         const std::vector<FrameEntry>& entries = all_series_[k].series.entries();
         clocks_[k].go_on(start_time, entries.empty() ? std::nullopt : std::optional(entries.back().time));
     }
+}
+
+double FrameWriter::interval() const
+{
+    return clocks_.empty() ? std::numeric_limits<double>::infinity() : clocks_.front().interval();
 }
 
 double FrameWriter::next_time() const

@@ -32,14 +32,13 @@ public:
     FrameWriter& operator=(const FrameWriter&) = delete;
 
     double next_time() const override;
-    double interval() const override { return interval_; }
+    double interval() const override;
     void observe(const Problem& problem, const State& state, const StepReport& report) override;
     void after_step(const StepReport&) override { background_->report_failure(); }
     void finish() override { background_->finish(); }
 
 private:
     std::vector<FrameSeries> all_series_;
-    double interval_;                      // of all clocks [s]
     std::vector<ObservationClock> clocks_; // of each: a kill may come between their frames
     std::shared_ptr<BackgroundWriter> background_;
 };
