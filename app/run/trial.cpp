@@ -6,6 +6,7 @@
 #include "solver/base/threads.hpp"
 #include "solver/measure/balances.hpp"
 #include "solver/problem/material_runs.hpp"
+#include "solver/run/events.hpp"
 #include "solver/step/step_forecast.hpp"
 
 #include <stdlib.h>
@@ -16,7 +17,6 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <string>
 #include <system_error>
 #include <thread>
@@ -200,17 +200,22 @@ std::int64_t count_steps(const AssembledCase& assembled, double dt)
 {
     const Scene& scene = assembled.scene;
     const Problem& problem = assembled.problem;
-    std::set<double> times = {scene.end_time};
-    const auto hit = [&](double interval) {
-        const std::vector<double> strikes = observation_times(interval, scene.end_time);
-        times.insert(strikes.begin(), strikes.end());
+    std::vector<double> times = observation_times(scene.output.frame_interval, scene.end_time);
+    if (times.empty()) times.push_back(scene.end_time);
+    constexpr double none = std::numeric_limits<double>::infinity();
+    Events events{scene.end_time, none, none};
+    const auto hit = [&events](double interval) {
+        if (interval <= 0.0) return;
+        events.interval = common_interval(events.interval, interval);
+        events.shortest = std::min(events.shortest, interval);
     };
     hit(scene.output.frame_interval);
-    if (problem.scheme != TimeScheme::implicit) { // whose histories look into steps
-        hit(scene.output.history_interval);
-        if (!scene.probes.empty()) hit(scene.output.probe_interval);
-    }
-    return count_steps(problem, assembled.state.particles, dt, {times.begin(), times.end()});
+    hit(scene.output.history_interval);
+    if (!scene.probes.empty()) hit(scene.output.probe_interval);
+    if (problem.scheme != TimeScheme::implicit && std::isfinite(events.interval) && divides_well(events, dt))
+        return count_steps(problem, assembled.state.particles, step_of_interval(events.interval, dt),
+                           {scene.end_time});
+    return count_steps(problem, assembled.state.particles, dt, times);
 }
 
 RelaxationForecast forecast_settling(const RelaxationControls& controls, StagedRun& run)

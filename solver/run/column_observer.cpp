@@ -46,6 +46,13 @@ double ColumnObserver::interval() const
     return interval;
 }
 
+double ColumnObserver::shortest_interval() const
+{
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const Observer* observer : observers_) shortest = std::min(shortest, observer->shortest_interval());
+    return shortest;
+}
+
 bool ColumnObserver::marks_restarts() const
 {
     const double next = next_time();

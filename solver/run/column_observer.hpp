@@ -17,6 +17,7 @@ public:
 
     double next_time() const override;
     double interval() const override;
+    double shortest_interval() const override;
     bool marks_restarts() const override;
     bool looks_into_steps() const override;
     void before_step(const Problem& problem, const State& state, double end) override;

@@ -23,14 +23,22 @@ enum class Hit { all, those_that_do_not_look };
 Events events_of(const std::vector<Observer*>& observers, Hit hit, double latest);
 
 /// The events that steps of at most dt [s] by the scheme of the problem hit. Implicit steps are longer than
-/// histories are dense. Others hit all, unless their lengths would alternate by that: leapfrog with steps of
-/// 1, 1, 1/2 and 1/2 drives motion by itself (parametric resonance).
+/// histories are dense. Others hit all whose interval can be parted into steps: leapfrog with steps of 1, 1,
+/// 1/2 and 1/2 drives motion by itself (parametric resonance).
 Events events_to_hit(const Problem& problem, const std::vector<Observer*>& observers, double latest,
                      double dt);
 
 /// Equal steps to the next event, of at most that length: the step is shortened a little each time rather
-/// than much at the end. Where it can be, all are parts of the interval of the events.
+/// than much at the end. Where it can be, all are parts of the interval of the events, and differ only by
+/// what the events are rounded by, a nanosecond.
 TimeStep divide_evenly(TimeStep stable, const Events& events, double time);
+
+/// Whether parts of the interval of the events are steps that do not cost much more than those of at most
+/// dt [s] to single events.
+bool divides_well(const Events& events, double dt);
+
+/// The longest part of the interval [s] that is at most dt [s].
+double step_of_interval(double interval, double dt);
 
 /// The longest interval of which both are multiples [s], either infinite for none; 0 if it is less than a
 /// 16th of the shorter one.

@@ -33,6 +33,9 @@ public:
     virtual double next_time() const = 0;
     /// The times it waits for are multiples of this, but for the last; infinite when there are none [s].
     virtual double interval() const { return std::numeric_limits<double>::infinity(); }
+    /// The shortest time from one of them to the next, unless two of its own fall between: of several clocks,
+    /// whose interval is less, that of the fastest [s].
+    virtual double shortest_interval() const { return interval(); }
     /// Whether the run may be continued from the times it waits for. Those of histories lie close: setting up
     /// anew there what serves many steps would cost more than the steps.
     virtual bool marks_restarts() const { return true; }

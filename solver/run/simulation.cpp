@@ -37,21 +37,21 @@ struct StepToEvent {
 };
 
 /// The step to the next time that it has to hit.
-template <class EventsOf>
-StepToEvent choose_step(const Problem& problem, EventsOf&& events_of, State& state)
+template <class EventsFor>
+StepToEvent choose_step(const Problem& problem, EventsFor&& events_for, State& state)
 {
     TimeStep step = shortest_time_step(problem, state);
     step.scheme = problem.scheme;
     note_whole_step(step.dt, state);
-    const Events events = events_of(problem, step.dt);
+    const Events events = events_for(problem, step.dt);
     return {divide_evenly(step, events, state.time), events.next};
 }
 
 /// The same in a run of implicit steps, where waves limit it in place of `replaced`.
-template <class EventsOf>
-StepToEvent choose_wave_step(const Problem& wave_form, double replaced, EventsOf&& events_of, State& state)
+template <class EventsFor>
+StepToEvent choose_wave_step(const Problem& wave_form, double replaced, EventsFor&& events_for, State& state)
 {
-    StepToEvent chosen = choose_step(wave_form, events_of, state);
+    StepToEvent chosen = choose_step(wave_form, events_for, state);
     chosen.step.dt = std::min(chosen.step.dt, step_after(state.last_step, state.whole_step));
     chosen.step.replaced = replaced;
     return chosen;
@@ -111,13 +111,13 @@ public:
     const Problem& form() const { return *form_; }
 
     /// The step of that kind, or the explicit one that the watchdog asks for.
-    /// `events_of` gives what steps of a form of at most a length [s] have to hit.
-    template <class EventsOf>
-    StepToEvent choose(EventsOf&& events_of, State& state)
+    /// `events_for` gives what steps of a form of at most a length [s] have to hit.
+    template <class EventsFor>
+    StepToEvent choose(EventsFor&& events_for, State& state)
     {
-        if (state.step < state.explicit_end) return choose_explicit(events_of, state);
-        return replaced_ ? choose_wave_step(*wave_form_, replaced_->dt, events_of, state)
-                         : choose_step(problem_, events_of, state);
+        if (state.step < state.explicit_end) return choose_explicit(events_for, state);
+        return replaced_ ? choose_wave_step(*wave_form_, replaced_->dt, events_for, state)
+                         : choose_step(problem_, events_for, state);
     }
 
     /// One step, to the event at most.
@@ -142,10 +142,10 @@ public:
     std::int64_t limited_domains() const { return stepper_->limited_domains(); }
 
 private:
-    template <class EventsOf>
-    StepToEvent choose_explicit(EventsOf&& events_of, State& state)
+    template <class EventsFor>
+    StepToEvent choose_explicit(EventsFor&& events_for, State& state)
     {
-        StepToEvent chosen = choose_step(explicit_form_, events_of, state);
+        StepToEvent chosen = choose_step(explicit_form_, events_for, state);
         TimeStep& step = chosen.step;
         if (step.limiter == TimeStepLimiter::wave) step.limiter = TimeStepLimiter::sound;
         // forces act from the middle of the last step on: over a long interval pressures have to be implicit
@@ -154,7 +154,7 @@ private:
         change_over(step.dt >= least ? explicit_form_ : problem_);
         step.scheme = form_->scheme;
         if (step.dt >= least) return chosen;
-        chosen.event = events_of(*form_, least).next;
+        chosen.event = events_for(*form_, least).next;
         step.dt = std::min(least, chosen.event - state.time);
         return chosen;
     }
@@ -197,10 +197,10 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
     while (state.time < end_time) {
         try {
             steps.choose_kind(state);
-            const auto events_of = [&](const Problem& form, double dt) {
+            const auto events_for = [&](const Problem& form, double dt) {
                 return events_to_hit(form, observers, end_time, dt);
             };
-            const auto [step, event] = steps.choose(events_of, state);
+            const auto [step, event] = steps.choose(events_for, state);
             report.time_step = step;
             show_start(steps.form(), observers, state, std::min(event, state.time + report.time_step.dt));
             steps.take(report.time_step.dt, event, state);
