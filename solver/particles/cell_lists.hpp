@@ -32,6 +32,7 @@ struct CellLists {
     std::vector<std::int32_t> cell_start;       // slot -> first entry of `order`; one more than slots [-]
     std::vector<std::int32_t> order;            // particles, cell by cell [-]
     std::vector<std::uint8_t> takes_others;     // by slot: has particles of other cells; none: no slot does
+    std::vector<std::uint8_t> takes_table;      // by slot: of cells that the water table parts; none: no slot does
     std::vector<Tile> tiles;                    // by number
     std::array<std::vector<Tile>, 4> tiles_of_colour;
     std::vector<std::int32_t> scratch; // buffer of the counting sort
@@ -49,6 +50,9 @@ struct CellLists {
 
     /// Whether badly filled cells are aggregated with that of a slot.
     bool is_root(std::size_t slot) const { return !takes_others.empty() && takes_others[slot] != 0; }
+
+    /// Whether one of them holds little water because the rest of its soil is dry.
+    bool is_below_table(std::size_t slot) const { return !takes_table.empty() && takes_table[slot] != 0; }
 };
 
 /// Lists for a grid, still without particles.

@@ -72,13 +72,6 @@ bool passes_over_sound(const Problem& problem, double dt, const State& state)
     throw NumericalError(record);
 }
 
-bool has_moving_wall(const Problem& problem)
-{
-    return std::any_of(problem.boundaries.begin(), problem.boundaries.end(), [](const Boundary& boundary) {
-        return std::holds_alternative<MovingWall>(boundary.soil);
-    });
-}
-
 } // namespace
 
 void Watchdog::keep(const Problem& problem, State& state)
@@ -149,7 +142,6 @@ bool Watchdog::has_nothing_to_check(const State& state) const
 bool Watchdog::begins_with_sound(const Problem& problem, double dt, const State& state) const
 {
     if (energy_.kinetic != 0.0 || duration(problem.base_motion) > 0.0) return false;
-    if (has_moving_wall(problem)) return problem.scheme != TimeScheme::explicit_steps;
     if (!passes_over_sound(problem, dt, state)) return false;
     const double shear_speed = find_extremes(problem, state.particles).shear_speed;
     return is_loaded_fast(problem, crossing_time(problem.grid, shear_speed));

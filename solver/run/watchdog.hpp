@@ -43,9 +43,8 @@ public:
 
 private:
     bool has_nothing_to_check(const State& state) const;
-    /// From rest, without shaking, a load that comes at once or a wall that moves makes sound first. Implicit
-    /// steps that pass over it balance its little energy badly, and what they have made of it fades. Until
-    /// the next restart point.
+    /// From rest, without shaking, a load that comes at once makes sound first. Implicit steps that pass over
+    /// it balance its little energy badly, and what they have made of it fades. Until the next restart point.
     bool begins_with_sound(const Problem& problem, double dt, const State& state) const;
     void check_growth(const EnergyBalance& energy, double dt, const State& state) const;
     void check_sound(const Problem& problem, const EnergyBalance& energy, double dt,

@@ -5,6 +5,7 @@
 #include "solver/motion/particle_order.hpp"
 #include "solver/water/pore_pressure.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -41,6 +42,17 @@ void keep_reference_weights(const Problem& problem, double dt, State& state, Ste
     return_to_reference(undisplaced);
     for_each_weighted_tile(problem, undisplaced, work, [](const Tile&) {});
     work.stencils_are_kept = true;
+}
+
+/// Mark the roots of cells that hold little water and are well filled by soil.
+void mark_water_table(const WallRows& walls, CellLists& lists)
+{
+    const std::vector<AggregatedCell>& ill = walls.roots.aggregated;
+    lists.takes_table.assign(lists.takes_others.size(), 0);
+    for (const AggregatedCell& cell : walls.shared_pressures())
+        if (!std::binary_search(ill.begin(), ill.end(), cell,
+                                [](const auto& a, const auto& b) { return a.slot < b.slot; }))
+            lists.takes_table[static_cast<std::size_t>(cell.root)] = 1;
 }
 
 } // namespace
@@ -109,7 +121,9 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
     if (walls.aggregates_water || walls.shares_pressures)
         find_roots(problem, work.conditions, work.wet_lists, state.particles,
                    slots_with_solids(problem, work.lists, state.particles), walls.wet_roots);
-    if (work.partly_wet) aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);
+    if (!work.partly_wet) return;
+    aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);
+    if (!has_soil_and_solids(problem)) mark_water_table(walls, work.aggregated_wet_lists.lists);
 }
 
 } // namespace quicksand

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <variant>
 
 namespace quicksand {
 
@@ -37,6 +38,14 @@ double lift_above_level(const Problem& problem, double y)
     return y > level ? pressure_below(problem, y, level) : 0.0; // most soil lies below, without a call
 }
 
+/// Pressure of a particle in the mean of its cell, lifted [Pa].
+double lifted_pressure(const Problem& problem, const Vectors& place, const Particles& particles,
+                       std::size_t p)
+{
+    const double deficit = particles.tension_deficit.empty() ? 0.0 : particles.tension_deficit[p];
+    return particles.pore_pressure[p] + deficit + lift_above_level(problem, place.y[p]);
+}
+
 /// Sums over the particles of one cell.
 struct CellSums {
     double volume = 0.0;              // [m3/m]
@@ -53,8 +62,7 @@ CellSums sum_cell(const Problem& problem, const CellLists& lists, std::size_t fi
         const auto p = static_cast<std::size_t>(lists.order[k]);
         const double V = particles.volume[p];
         sums.volume += V;
-        sums.pressure += V * (particles.pore_pressure[p] + lift_above_level(problem, place.y[p]));
-        if (!particles.tension_deficit.empty()) sums.pressure += V * particles.tension_deficit[p];
+        sums.pressure += V * lifted_pressure(problem, place, particles, p);
         sums.rise += V * particles.velocity_solid.y[p];
         sums.moment += V * place[p];
     }
@@ -84,11 +92,14 @@ std::optional<Neighbour> find_image(const Problem& problem, const CellLists& lis
     return std::nullopt;
 }
 
+/// Of the pressure of the cells, pressure_of(slot) [Pa].
+template <class PressureOf>
 Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const CellMeans& means,
-                       const Scalars& pressure, std::size_t slot)
+                       std::size_t slot, PressureOf&& pressure_of)
 {
     const std::int32_t cell = lists.cell_of_slot[slot], columns = problem.grid.all_cells_x();
     const Vector2 centre = means.centre[slot];
+    const double pressure = pressure_of(slot);
     SlopeFit fit;
     for (std::int32_t b = -1; b <= 1; ++b) {
         for (std::int32_t a = -1; a <= 1; ++a) {
@@ -97,14 +108,14 @@ Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const Cel
             const auto other = static_cast<std::size_t>(lists.slot_of_cell[static_cast<std::size_t>(beside)]);
             if (other == slot) continue;
             if (means.volume[other] > 0.0) {
-                fit.add(means.centre[other] - centre, pressure[other] - pressure[slot]);
+                fit.add(means.centre[other] - centre, pressure_of(other) - pressure);
                 continue;
             }
             const auto image =
                 problem.tied_sides ? find_image(problem, lists, means, beside) : std::optional<Neighbour>();
             if (image)
                 fit.add(means.centre[image->slot] + Vector2(image->shift, 0.0) - centre,
-                        pressure[image->slot] - pressure[slot]);
+                        pressure_of(image->slot) - pressure);
         }
     }
     return fit.slope(problem.grid.cell_size);
@@ -146,6 +157,52 @@ void cavitate(double lowest, double deficit_of_cell, std::size_t p, Particles& p
     const double wanted = particles.pore_pressure[p];
     particles.pore_pressure[p] = std::max(wanted, lowest);
     particles.tension_deficit[p] = deficit_of_cell + wanted - particles.pore_pressure[p];
+}
+
+/// A slope, and the part of it that the particles take over in a step; the rest stays as it is [-].
+struct FollowedSlope {
+    Vector2 slope; // [Pa/m]
+    double part = 1.0;
+};
+
+/// Planes through the means of the cells with slope_in(slot), a FollowedSlope.
+template <class SlopeIn>
+void lay_planes(const Problem& problem, const CellLists& lists, const Tile& tile, const CellMeans& means,
+                Particles& particles, SlopeIn&& slope_in)
+{
+    const Vectors& place = place_in_equations(problem, particles);
+    const bool cavitates = problem.water->cavitation_pressure.has_value();
+    const bool has_solids = has_soil_and_solids(problem);
+    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
+        const Vector2 centre = means.centre[slot];
+        const bool is_flat = has_solids && is_enlarged(problem, means.volume[slot]);
+        const auto [slope, part] = is_flat ? FollowedSlope{Vector2::Zero()} : slope_in(slot);
+        const double mean = means.pore_pressure[slot];
+        const double old_mean =
+            part == 1.0
+                ? 0.0
+                : sum_cell(problem, lists, first, last, particles, place).pressure / means.volume[slot];
+        for (std::size_t k = first; k < last; ++k) {
+            const auto p = static_cast<std::size_t>(lists.order[k]);
+            double beside = slope.dot(place[p] - centre); // of the mean
+            if (part != 1.0)
+                beside =
+                    part * beside + (1.0 - part) * (lifted_pressure(problem, place, particles, p) - old_mean);
+            particles.pore_pressure[p] = mean + beside - lift_above_level(problem, place.y[p]);
+            if (cavitates)
+                cavitate(lowest_excess(problem, place.y[p]), means.tension_deficit[slot], p, particles);
+        }
+    });
+}
+
+/// Part of a step in the time h^2/c_v in which pressures even out over a cell, c_v = M k/gamma_w = M n^2/C
+/// of the material with a drag C [-].
+double part_evened_out(const Problem& problem, const Material& material, double dt)
+{
+    const double n = material.porosity, h = problem.grid.cell_size;
+    const double modulus = std::visit([](const auto& law) { return constrained_modulus(law); }, material.law);
+    const double time = h * h * drag_coefficient(material, *problem.water, n) / (n * n * modulus);
+    return dt / (dt + time);
 }
 
 } // namespace
@@ -299,32 +356,40 @@ void follow_solved_pressure(double dt, const CellLists& lists, const Tile& tile,
         const double rate = // r + following_part b (dp/dt - r)
             (solved.following_part * increment + solved.expected[slot] / acting_weight) / dt;
         const double change = (increment + solved.expected[slot]) / acting_weight; // dp without deficit
-        const double new_part = lists.is_root(slot) ? new_part_of_long_slopes : new_part_of_slopes;
-        means.sloping_pressure[slot] = means.pore_pressure[slot] - (1.0 - new_part) * (change - increment);
+        means.unfelt_change[slot] = change - increment;
         for (std::size_t k = first; k < last; ++k)
             particles.pore_pressure_rate[static_cast<std::size_t>(lists.order[k])] = rate;
     });
 }
 
 void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
-                               const CellMeans& means, const Scalars& sloping, Particles& particles)
+                               const CellMeans& means, Particles& particles)
 {
-    const Vectors& place = place_in_equations(problem, particles);
-    const bool cavitates = problem.water->cavitation_pressure.has_value();
-    const bool has_solids = has_soil_and_solids(problem);
-    for_each_filled_cell(lists, tile, [&](std::size_t slot, std::size_t first, std::size_t last) {
-        const Vector2 centre = means.centre[slot];
-        const Vector2 slope = has_solids && is_enlarged(problem, means.volume[slot])
-                                  ? Vector2::Zero()
-                                  : pressure_slope(problem, lists, means, sloping, slot);
-        for (std::size_t k = first; k < last; ++k) {
-            const auto p = static_cast<std::size_t>(lists.order[k]);
-            particles.pore_pressure[p] = means.pore_pressure[slot] + slope.dot(place[p] - centre) -
-                                         lift_above_level(problem, place.y[p]);
-            if (cavitates)
-                cavitate(lowest_excess(problem, place.y[p]), means.tension_deficit[slot], p, particles);
-        }
-    });
+    const auto slope_in = [&](std::size_t slot) {
+        return FollowedSlope{pressure_slope(problem, lists, means, slot,
+                                            [&](std::size_t other) { return means.pore_pressure[other]; })};
+    };
+    lay_planes(problem, lists, tile, means, particles, slope_in);
+}
+
+void reconstruct_solved_pressure(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                                 const CellMeans& means, Particles& particles)
+{
+    const auto part_in = [&](std::size_t slot) {
+        if (!lists.is_below_table(slot)) return 1.0;
+        const auto p =
+            static_cast<std::size_t>(lists.order[static_cast<std::size_t>(lists.cell_start[slot])]);
+        return part_evened_out(problem, problem.materials[static_cast<std::size_t>(particles.material[p])],
+                               dt);
+    };
+    const auto slope_in = [&](std::size_t slot) {
+        const double old_part = 1.0 - (lists.is_root(slot) ? new_part_of_long_slopes : new_part_of_slopes);
+        const auto pressure_of = [&](std::size_t other) {
+            return means.pore_pressure[other] - old_part * means.unfelt_change[other];
+        };
+        return FollowedSlope{pressure_slope(problem, lists, means, slot, pressure_of), part_in(slot)};
+    };
+    lay_planes(problem, lists, tile, means, particles, slope_in);
 }
 
 } // namespace quicksand

@@ -39,11 +39,11 @@ inline constexpr double new_part_of_long_slopes = -0.5;
 
 /// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
 struct CellMeans {
-    Scalars volume;           // of soil [m3/m]
-    Scalars pore_pressure;    // above the level with rho_w g (y - level) besides: smooth there [Pa]
-    Scalars sloping_pressure; // whose slopes the particles get after a semi-implicit step [Pa]
-    Vectors centre;           // of the soil in the cell [m]
-    Scalars tension_deficit;  // of the cell's water, none without a cavitation limit [Pa]
+    Scalars volume;          // of soil [m3/m]
+    Scalars pore_pressure;   // above the level with rho_w g (y - level) besides: smooth there [Pa]
+    Scalars unfelt_change;   // of the pressure in a semi-implicit step, which forces have not felt yet [Pa]
+    Vectors centre;          // of the soil in the cell [m]
+    Scalars tension_deficit; // of the cell's water, none without a cavitation limit [Pa]
 };
 
 /// What a semi-implicit step has solved for, by slot of the cell lists: the mean p of a cell acted on the
@@ -104,14 +104,21 @@ void prepare_cavities(const Problem& problem, const CellLists& lists, const Tile
 void apply_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
                       const Scalars& increment, Particles& particles, CellMeans& means);
 
-/// Set the sloping pressure of a tile's cells, and advance the rate r, after the means.
+/// Set the unfelt change dp - x of a tile's cells, and advance the rate r, after the means.
 void follow_solved_pressure(double dt, const CellLists& lists, const Tile& tile, const SolvedPressure& solved,
                             Particles& particles, CellMeans& means);
 
-/// Give the particles of a tile a plane through their cell's mean, with the slope that `sloping` has by least
+/// Give the particles of a tile a plane through their cell's mean, with the slope of the means by least
 /// squares to the up to eight neighbours that hold soil.
 void reconstruct_pore_pressure(const Problem& problem, const CellLists& lists, const Tile& tile,
-                               const CellMeans& means, const Scalars& sloping, Particles& particles);
+                               const CellMeans& means, Particles& particles);
+
+/// The same after a semi-implicit step, with the slope of p - (1 - m) (dp - x). All cells of a slope count
+/// with the m of the cell in the middle: pressures at unlike times would have slopes in uniform changes. A
+/// cell that shares its pressure with the few wet particles below a water table in the cell above takes its
+/// slope over in the time in which pressures even out over a cell: at once, vibrations grow with any m.
+void reconstruct_solved_pressure(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
+                                 const CellMeans& means, Particles& particles);
 
 /// Advance the pressure of all cells; set_increments(tile) sets the increments of a tile.
 template <class SetIncrements>
@@ -123,12 +130,11 @@ void advance_pore_pressure(const Problem& problem, double dt, const CellLists& l
         set_increments(tile);
         apply_increments(problem, dt, lists, tile, increment, particles, means);
     });
-    for_each_tile(lists, [&](const Tile& tile) {
-        reconstruct_pore_pressure(problem, lists, tile, means, means.pore_pressure, particles);
-    });
+    for_each_tile(
+        lists, [&](const Tile& tile) { reconstruct_pore_pressure(problem, lists, tile, means, particles); });
 }
 
-/// The same after a semi-implicit step, with slopes of the sloping pressure.
+/// The same after a semi-implicit step.
 inline void advance_solved_pressure(const Problem& problem, double dt, const CellLists& lists,
                                     const SolvedPressure& solved, Particles& particles, CellMeans& means)
 {
@@ -137,7 +143,7 @@ inline void advance_solved_pressure(const Problem& problem, double dt, const Cel
         follow_solved_pressure(dt, lists, tile, solved, particles, means);
     });
     for_each_tile(lists, [&](const Tile& tile) {
-        reconstruct_pore_pressure(problem, lists, tile, means, means.sloping_pressure, particles);
+        reconstruct_solved_pressure(problem, dt, lists, tile, means, particles);
     });
 }
 

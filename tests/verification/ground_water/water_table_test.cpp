@@ -195,5 +195,48 @@ TEST(WaterTable, WithinCellsLeavesTheirParticlesTheSlopeOfTheExcessPressure)
         }
 }
 
+std::string shared_cell_scene(double level, const std::string& scheme)
+{
+    return "[analysis]\nscheme = \"" + scheme + "\"\n[water]\nlevel = " + std::to_string(level) + R"(
+[sampling]
+particles_per_cell = [3, 3]
+[materials.soil]
+model = "linear_elastic"
+shear_modulus = "10 MPa"
+poisson_ratio = 0.3
+porosity = 0.5
+hydraulic_conductivity = 1e-5
+[regions.soil]
+material = "soil"
+)" + base_and_sides +
+           "[boundaries.surface]\npressure = 2e4\nramp_time = 1.0\n";
+}
+
+/// The largest size of the energy error of 6 s from rest, over those of whole seconds [-].
+double energy_error_with_table_at(double level, const std::string& scheme)
+{
+    AssembledCase assembled = assemble(
+        scene_with(0.5, {0.0, 0.0}, 4, 18, shared_cell_scene(level, scheme)),
+        polygon_section(
+            {{{0.0, 0.0}, "base"}, {{2.0, 0.0}, "right"}, {{2.0, 8.0}, "surface"}, {{0.0, 8.0}, "left"}}));
+    State& state = assembled.state;
+    begin_shaking(assembled.problem, state);
+    open_balances(assembled.problem, state);
+    double largest = 0.0;
+    for (double time = 1.0; time <= 6.0; ++time) {
+        run(assembled.problem, time, {}, state);
+        largest = std::max(largest, std::abs(energy_balance(assembled.problem, state).error()));
+    }
+    EXPECT_EQ(state.times_halved, 0);
+    return largest;
+}
+
+TEST(WaterTable, MakesNoEnergyAnywhereWithinACell)
+{
+    for (const std::string scheme : {"semi_implicit", "implicit"})
+        for (const double level : {4.0, 4.05, 4.1, 4.2, 4.3, 4.45, 4.6, 4.7})
+            EXPECT_LT(energy_error_with_table_at(level, scheme), 1e-3) << level << " m, " << scheme;
+}
+
 } // namespace
 } // namespace quicksand

@@ -147,7 +147,7 @@ protected:
                 apply_increments(problem_, 1.0, lists_, tile, increment_, particles, means_);
             });
             for_each_tile(lists_, [&](const Tile& tile) {
-                reconstruct_pore_pressure(problem_, lists_, tile, means_, means_.pore_pressure, particles);
+                reconstruct_pore_pressure(problem_, lists_, tile, means_, particles);
             });
         }
     }
