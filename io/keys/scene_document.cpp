@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
 #include <exception>
+#include <system_error>
 
 namespace {
 
@@ -196,7 +198,16 @@ void replace_places(const SourcePlace& place, DocumentNode& node)
     for (DocumentNode& child : node.children) replace_places(place, child);
 }
 
-/// Parse `path=value`; a value that is no TOML is taken as a bare word.
+/// A value that is no TOML as TOML: a number written otherwise, as .5, or a bare word.
+std::string toml_of_bare(std::string_view value)
+{
+    double number = 0.0;
+    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
+    const bool is_number = error == std::errc() && end == value.data() + value.size();
+    return is_number ? fmt::format("{}", number) : toml_text(value);
+}
+
+/// Parse `path=value`; a value that is no TOML is taken as a number written otherwise or as a bare word.
 std::optional<DocumentNode> parse_override(const std::string& text, Diagnostics& findings)
 {
     const SourcePlace place{"--set '" + text + "'", 0, 0};
@@ -216,7 +227,7 @@ std::optional<DocumentNode> parse_override(const std::string& text, Diagnostics&
     Diagnostics first_try, second_try;
     auto node = parse("", text, first_try);
     if (!node && !value.empty() && value.find_first_of("\"'[{") != 0) {
-        node = parse("", text.substr(0, equals) + "= " + toml_text(value), second_try);
+        node = parse("", text.substr(0, equals) + "= " + toml_of_bare(value), second_try);
     }
     if (!node) {
         refuse(value.empty() ? "there is no value" : first_try.findings().front().what);

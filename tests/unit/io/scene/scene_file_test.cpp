@@ -113,6 +113,19 @@ TEST(SceneFile, TakesOverridesAsTomlOrAsBareWords)
     EXPECT_EQ(scene.title, "a = b");
 }
 
+TEST(SceneFile, TakesNumbersOfOverridesAsTheyAreTyped)
+{
+    const SceneFolder folder;
+    const auto porosity = [&](const std::string& value) {
+        return folder.read(column_scene, {"materials.sand.porosity=" + value})
+            .scene.materials.at(0)
+            .material.porosity;
+    };
+    EXPECT_EQ(porosity(".4"), 0.4);
+    EXPECT_EQ(porosity("00.4"), 0.4);
+    EXPECT_EQ(porosity("4.e-1"), 0.4);
+}
+
 TEST(SceneFile, TakesTheLastOfTwoOverrides)
 {
     EXPECT_EQ(SceneFolder().read(column_scene, {"run.end_time=1", "run.end_time=\"2 ms\""}).scene.end_time,
