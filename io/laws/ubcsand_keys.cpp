@@ -262,7 +262,7 @@ std::vector<SceneKey> calibration_keys()
          .doc = "Volumetric strain of reconsolidation over the largest shear strain, which counts to 8 % [Yoshimine et al. 2006]."},
         {.pattern = "materials.*.liquefied_conductivity", .default_note = "1; calibrated 5",
          .allowed = {.lower = 1.0}, .plausible = {1.0, 20.0},
-         .doc = "Hydraulic conductivity at ru = 1 over that of sand at rest; between them it goes with ru^8.9 [Shahir et al. 2012]."},
+         .doc = "Hydraulic conductivity at ru = 1 over that of sand at rest; between them it goes with ru^8.9 [own; Shahir et al. 2012: with ru]."},
     };
 }
 
