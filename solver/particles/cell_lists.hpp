@@ -32,8 +32,8 @@ struct CellLists {
     std::vector<std::int32_t> cell_start;       // slot -> first entry of `order`; one more than slots [-]
     std::vector<std::int32_t> order;            // particles, cell by cell [-]
     std::vector<std::uint8_t> takes_others;     // by slot: has particles of other cells; none: no slot does
-    std::vector<std::uint8_t> takes_table;      // by slot: of cells that the water table parts; none: no slot does
-    std::vector<Tile> tiles;                    // by number
+    std::vector<std::uint8_t> takes_table; // by slot: of cells that the water table parts; none: no slot does
+    std::vector<Tile> tiles;               // by number
     std::array<std::vector<Tile>, 4> tiles_of_colour;
     std::vector<std::int32_t> scratch; // buffer of the counting sort
     std::int64_t changes = 0;          // how often `order` has been set up anew [-]

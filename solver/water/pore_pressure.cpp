@@ -195,14 +195,21 @@ void lay_planes(const Problem& problem, const CellLists& lists, const Tile& tile
     });
 }
 
-/// Part of a step in the time h^2/c_v in which pressures even out over a cell, c_v = M k/gamma_w = M n^2/C
-/// of the material with a drag C [-].
-double part_evened_out(const Problem& problem, const Material& material, double dt)
+/// Part of a step in the time h^2/c_v in which pressures even out over a cell, of its least permeable soil;
+/// c_v = M k/gamma_w = M n^2/C with the drag C [-].
+double part_evened_out(const Problem& problem, double dt, const CellLists& lists, const Particles& particles,
+                       std::size_t slot)
 {
-    const double n = material.porosity, h = problem.grid.cell_size;
-    const double modulus = std::visit([](const auto& law) { return constrained_modulus(law); }, material.law);
-    const double time = h * h * drag_coefficient(material, *problem.water, n) / (n * n * modulus);
-    return dt / (dt + time);
+    const double h = problem.grid.cell_size;
+    double longest = 0.0; // [s]
+    for (std::int32_t k = lists.cell_start[slot]; k < lists.cell_start[slot + 1]; ++k) {
+        const auto p = static_cast<std::size_t>(lists.order[static_cast<std::size_t>(k)]);
+        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        const double n = material.porosity, C = drag_coefficient(material, *problem.water, n);
+        const double M = std::visit([](const auto& law) { return constrained_modulus(law); }, material.law);
+        longest = std::max(longest, h * h * C / (n * n * M));
+    }
+    return dt / (dt + longest);
 }
 
 } // namespace
@@ -376,11 +383,7 @@ void reconstruct_solved_pressure(const Problem& problem, double dt, const CellLi
                                  const CellMeans& means, Particles& particles)
 {
     const auto part_in = [&](std::size_t slot) {
-        if (!lists.is_below_table(slot)) return 1.0;
-        const auto p =
-            static_cast<std::size_t>(lists.order[static_cast<std::size_t>(lists.cell_start[slot])]);
-        return part_evened_out(problem, problem.materials[static_cast<std::size_t>(particles.material[p])],
-                               dt);
+        return lists.is_below_table(slot) ? part_evened_out(problem, dt, lists, particles, slot) : 1.0;
     };
     const auto slope_in = [&](std::size_t slot) {
         const double old_part = 1.0 - (lists.is_root(slot) ? new_part_of_long_slopes : new_part_of_slopes);
