@@ -205,9 +205,7 @@ std::int64_t count_steps(const AssembledCase& assembled, double dt)
     constexpr double none = std::numeric_limits<double>::infinity();
     Events events{scene.end_time, none, none};
     const auto hit = [&events](double interval) {
-        if (interval <= 0.0) return;
-        events.interval = common_interval(events.interval, interval);
-        events.shortest = std::min(events.shortest, interval);
+        if (interval > 0.0) add_interval(interval, interval, events);
     };
     hit(scene.output.frame_interval);
     hit(scene.output.history_interval);

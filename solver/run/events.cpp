@@ -44,6 +44,12 @@ double step_of_interval(double interval, double dt)
     return interval / std::max(1.0, steps_over(interval + time_rounding, dt));
 }
 
+void add_interval(double interval, double shortest, Events& events)
+{
+    events.interval = common_interval(events.interval, interval);
+    events.shortest = std::min(events.shortest, shortest);
+}
+
 Events events_of(const std::vector<Observer*>& observers, Hit hit, double latest)
 {
     constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -54,8 +60,7 @@ Events events_of(const std::vector<Observer*>& observers, Hit hit, double latest
     for (const Observer* observer : observers) {
         if (!is_hit(observer)) continue;
         events.next = std::min(events.next, observer->next_time());
-        events.interval = common_interval(events.interval, observer->interval());
-        events.shortest = std::min(events.shortest, observer->shortest_interval());
+        add_interval(observer->interval(), observer->shortest_interval(), events);
     }
     // those that differ by rounding are one: a step from one to the other would be of no length
     constexpr double rounding = 1e-10; // of the time

@@ -15,6 +15,9 @@ struct Events {
     double shortest; // of the intervals of single observers [s], infinite for none
 };
 
+/// Let the events be those of one more clock, too, of that interval [s], infinite for none.
+void add_interval(double interval, double shortest, Events& events);
+
 /// Of which observers: all, or those alone that do not look into steps.
 enum class Hit { all, those_that_do_not_look };
 

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace quicksand {
 namespace {
@@ -139,22 +140,10 @@ TEST(Piston, FeelsNoGridLines)
 /// after 0.1 s.
 std::string slab_scene(int particles)
 {
-    const std::string count = std::to_string(particles);
-    return "[analysis]\nstrain = \"small\"\nscheme = \"semi_implicit\"\n[sampling]\nparticles_per_cell = [" +
-           count + ", " + count + R"(]
-[gravity]
-acceleration = 0.0
-[water]
-level = 20.0
-[materials.soil]
-model = "linear_elastic"
-shear_modulus = "4 MPa"
-poisson_ratio = 0.2
-porosity = 0.4
-hydraulic_conductivity = 1e-4
-[regions.soil]
-material = "soil"
-[boundaries.base]
+    const std::string two = "[2, 2]", count = std::to_string(particles);
+    std::string tables = saturated;
+    tables.replace(tables.find(two), two.size(), "[" + count + ", " + count + "]");
+    return "[analysis]\nstrain = \"small\"\nscheme = \"semi_implicit\"\n" + tables + R"([boundaries.base]
 soil = "roller"
 [boundaries.middle]
 soil = "roller"
