@@ -89,9 +89,12 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
     // slivers of soil get into the cells of a solid as soon as it moves, wherever it was drawn
     const bool has_slivers = has_solids && problem.strain == StrainForm::large;
     walls.aggregates_soil = !walls.edges.empty() || has_cut_soil(problem) || has_slivers;
-    const bool divides_pressures =
-        walls.divides_water && stage == Stage::shaking && water_flow(problem) == WaterFlow::coupled;
-    walls.aggregates_water = divides_pressures && problem.scheme == TimeScheme::explicit_steps;
+    const bool shakes = stage == Stage::shaking;
+    const bool flows = shakes && water_flow(problem) == WaterFlow::coupled;
+    const bool is_undrained =
+        shakes ? water_flow(problem) == WaterFlow::undrained : settles_undrained(problem);
+    const bool divides_pressures = walls.divides_water && (flows || is_undrained);
+    walls.aggregates_water = divides_pressures && flows && problem.scheme == TimeScheme::explicit_steps;
     walls.shares_pressures = has_solids || (divides_pressures && !walls.aggregates_water);
     walls.any = walls.aggregates_soil || walls.aggregates_water || walls.shares_pressures;
     if (!walls.any) return;

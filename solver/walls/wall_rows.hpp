@@ -40,8 +40,9 @@ struct WallRows {
     /// So have those that hold little water, where soil above the water table is dry: explicit steps would be
     /// short without bound where almost no water reaches a node. Implicit pressure and drag are stable there.
     bool aggregates_water = false;
-    /// Solids, or dry soil in implicit pressures, lie beside soil whose water has a pressure: cells that both
-    /// share have roots, for the pressure. The strain of the whole cell would set that of little water.
+    /// Solids, or dry soil in implicit or undrained pressures, lie beside soil whose water has a pressure:
+    /// cells that both share have roots, for the pressure. The strain of the whole cell would set that of
+    /// little water.
     bool shares_pressures = false;
     bool divides_water = false; // wet and other particles meet: their normals differ
     WallContacts contacts;

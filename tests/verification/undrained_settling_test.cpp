@@ -17,7 +17,7 @@ constexpr double clay_height = 4.0, fill_height = 1.0, clay_modulus = 3.5e6,
                  clay_porosity = 0.5; // [m], M [Pa]
 
 /// Clay under water up to its surface, on which dry fill can be placed, between rollers.
-Problem clay_and_fill(StrainForm strain)
+Problem clay_and_fill(StrainForm strain, double height = clay_height)
 {
     Problem problem;
     problem.grid = {{0.0, 0.0}, 0.5, 4, 12};
@@ -32,20 +32,22 @@ Problem clay_and_fill(StrainForm strain)
     fill.saturated = false;
     problem.materials = {clay, fill};
     problem.region_names = {"clay", "fill"};
-    problem.water = water_to(clay_height);
+    problem.water = water_to(height);
     problem.boundaries =
-        rectangle(0.0, 0.0, 2.0, clay_height + fill_height, FixedWall{}, RollerWall{}, FreeFace{});
+        rectangle(0.0, 0.0, 2.0, height + fill_height, FixedWall{}, RollerWall{}, FreeFace{});
     return problem;
 }
 
-State drawn_state(const Problem& problem, double top, double fill_width = 2.0)
+/// Soil up to `top` [m], the fill to a width [m], with `rows` of particles a cell.
+State drawn_state(const Problem& problem, double top, double fill_width = 2.0, int rows = 2)
 {
-    State state = fill(problem, 2, [&](const Vector2& x) {
-        return x.y() < clay_height || (x.y() < top && x.x() < fill_width);
+    const double height = problem.water->level;
+    State state = fill(problem, rows, [&](const Vector2& x) {
+        return x.y() < height || (x.y() < top && x.x() < fill_width);
     });
     Particles& particles = state.particles;
     for (std::size_t p = 0; p < particles.size(); ++p)
-        if (particles.position.y[p] > clay_height) particles.material[p] = particles.region[p] = 1;
+        if (particles.position.y[p] > height) particles.material[p] = particles.region[p] = 1;
     state.stage = Stage::relaxation;
     return state;
 }
@@ -117,6 +119,27 @@ TEST_P(UndrainedSettling, LetsTheWaterBearWhatIsPlaced)
 }
 
 INSTANTIATE_TEST_SUITE_P(Strains, UndrainedSettling, testing::Values(StrainForm::large, StrainForm::small));
+
+// The pressure of little water in a cell whose other soil is dry was 2.5 times the weight: the strain of the
+// cell was kept at that of its water.
+TEST(UndrainedSettling, LetsWaterWithinACellBearWhatIsPlaced)
+{
+    constexpr double height = 4.125; // a quarter of a cell above whole ones [m]
+    constexpr int rows = 4;
+    Problem problem = clay_and_fill(StrainForm::large, height);
+    State clay = drawn_state(problem, height, 2.0, rows);
+    ASSERT_TRUE(relax(problem, precisely(), clay).settled);
+    problem.water->while_settling = WaterFlow::undrained;
+    StagedRun run(problem, drawn_state(problem, height + fill_height, 2.0, rows),
+                  {400.0 * 86400.0, ColumnsComputed::all, true});
+    run.go_on_from(clay, {.settles = true});
+    ASSERT_TRUE(run.settle(precisely()).settled);
+    const double weight = fill_weight(problem);
+    const Particles& particles = run.state().particles;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        EXPECT_NEAR(particles.pore_pressure[p], particles.region[p] == 0 ? weight : 0.0, 0.02 * weight)
+            << particles.position.y[p];
+}
 
 // Elastic soil that consolidates after it was loaded undrained comes to where drained soil is at once.
 TEST(UndrainedSettling, EndsAsDrainedSettlingDoes)
