@@ -68,8 +68,10 @@ std::vector<std::string> probe_comments(const SceneProbe& probe, std::int32_t id
         const std::string_view name = scalar ? quantity->name : quantity->symbol;
         if (!name.empty()) comments.push_back(fmt::format("{}: {}", name, quantity->meaning));
     }
+    const bool of_particle = probe.kind == ProbeKind::material || probe.kind == ProbeKind::surface;
+    if (of_particle)
+        comments.emplace_back("stresses: of a plane through the particles of its soil within a cell around");
     if (problem.water) {
-        const bool of_particle = probe.kind == ProbeKind::material || probe.kind == ProbeKind::surface;
         comments.push_back(
             of_particle
                 ? fmt::format(

@@ -1,6 +1,7 @@
 #include "solver/measure/point_sample.hpp"
 
 #include "solver/base/failure.hpp"
+#include "solver/base/slope_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,6 +34,59 @@ double shear_strain(const BackgroundGrid& grid, const NodalFields& fields, const
         strain += slope_y * displacement[0][node] + slope_x * displacement[1][node];
     }
     return strain;
+}
+
+/// A particle of the same soil near another one.
+struct NearParticle {
+    std::size_t index = 0;
+    double weight = 0.0; // its volume times (1 - |x|/h)(1 - |y|/h), h a cell; the sum of all is 1 [-]
+    Vector2 apart;       // from the mean place of all [m]
+};
+
+std::vector<NearParticle> particles_near(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    std::vector<NearParticle> found;
+    double sum = 0.0;
+    Vector2 centre = Vector2::Zero();
+    for (std::size_t q = 0; q < particles.size(); ++q) {
+        const Vector2 apart = particles.position[q] - particles.position[p];
+        const Vector2 part = Vector2::Ones() - apart.cwiseAbs() / problem.grid.cell_size;
+        if (part.minCoeff() <= 0.0 || particles.material[q] != particles.material[p]) continue;
+        const double weight = particles.volume[q] * part.x() * part.y();
+        found.push_back({q, weight, apart});
+        sum += weight;
+        centre += weight * apart;
+    }
+    for (NearParticle& near : found) {
+        near.weight /= sum;
+        near.apart -= centre / sum;
+    }
+    return found;
+}
+
+/// What a plane through the values of the particles near p, by weighted least squares, has at p; exact where
+/// values are linear.
+QuantityValues fitted_value(const Problem& problem, const Particles& particles, std::size_t p,
+                            const Quantity& quantity, const std::vector<NearParticle>& all_near)
+{
+    QuantityValues fitted{};
+    for (std::size_t c = 0; c < component_count(quantity.form); ++c) {
+        const auto value = [&](const NearParticle& near) {
+            return quantity.value(problem, particles, near.index)[c];
+        };
+        double mean = 0.0;
+        for (const NearParticle& near : all_near) mean += near.weight * value(near);
+        SlopeFit fit;
+        Vector2 to_particle = Vector2::Zero(); // from the mean place
+        for (const NearParticle& near : all_near) {
+            const double root = std::sqrt(near.weight);
+            fit.add(root * near.apart, root * (value(near) - mean));
+            if (near.index == p) to_particle = near.apart;
+        }
+        constexpr double distance = 1.0 / 3.0; // of the particles, about, from their mean place [cells]
+        fitted[c] = mean + fit.slope(distance * problem.grid.cell_size).dot(to_particle);
+    }
+    return fitted;
 }
 
 /// The mean of the nodes around the point; `values` keeps what it has where the scene has no such field.
@@ -68,10 +122,12 @@ QuantityValues& PointSample::operator[](std::string_view name)
 PointSample sample_particle(const Problem& problem, const Particles& particles, std::size_t p)
 {
     PointSample sample;
+    const std::vector<NearParticle> near = particles_near(problem, particles, p);
     for (std::size_t k = 0; k < sampled().size(); ++k) {
         const Quantity& quantity = *sampled()[k];
-        if (quantity.value != nullptr && have(particles, quantity))
-            sample.values[k] = quantity.value(problem, particles, p);
+        if (quantity.value == nullptr || !have(particles, quantity)) continue;
+        sample.values[k] = quantity.scatters ? fitted_value(problem, particles, p, quantity, near)
+                                             : quantity.value(problem, particles, p);
     }
     return sample;
 }

@@ -25,7 +25,8 @@ public:
     std::vector<QuantityValues> values;
 };
 
-/// The particle's own values.
+/// The particle's own values; of quantities that scatter those of a plane through the particles of its soil
+/// within a cell around it.
 PointSample sample_particle(const Problem& problem, const Particles& particles, std::size_t p);
 
 /// Bilinear values of the nodal fields at a point; only the position where there is no soil.

@@ -65,17 +65,20 @@ constexpr std::array quantity_table = {
     Quantity{.name = "mean_effective_stress", .symbol = "p'", .unit = "Pa", .label = "Mean effective stress",
         .meaning = "-(sigma'_xx + sigma'_yy + sigma'_zz) / 3, compression positive", .places = everywhere,
         .value = [](const Problem&, const Particles& particles, std::size_t p) {
-            return QuantityValues{mean_effective_stress(particles.stress, p)}; }},
+            return QuantityValues{mean_effective_stress(particles.stress, p)}; },
+        .scatters = true},
     Quantity{.name = "vertical_effective_stress", .symbol = "sigma'_v", .unit = "Pa", .label = "Vertical effective stress",
         .meaning = "-sigma'_yy, compression positive", .places = everywhere,
-        .value = [](const Problem&, const Particles& particles, std::size_t p) { return QuantityValues{-particles.stress.yy[p]}; }},
+        .value = [](const Problem&, const Particles& particles, std::size_t p) { return QuantityValues{-particles.stress.yy[p]}; },
+        .scatters = true},
     Quantity{.name = "deviatoric_stress", .symbol = "q", .unit = "Pa", .label = "Deviatoric stress",
         .meaning = "sqrt(3 J_2)", .places = on_particles,
         .value = [](const Problem&, const Particles& particles, std::size_t p) {
             return QuantityValues{deviatoric_stress(particles.stress, p)}; }, .range = QuantityRange::not_negative},
     Quantity{.name = "shear_stress_xy", .symbol = "tau_xy", .unit = "Pa", .label = "Shear stress",
         .meaning = "sigma'_xy of the tensor that is positive in tension", .places = on_nodes | at_probes,
-        .value = [](const Problem&, const Particles& particles, std::size_t p) { return QuantityValues{particles.stress.xy[p]}; }},
+        .value = [](const Problem&, const Particles& particles, std::size_t p) { return QuantityValues{particles.stress.xy[p]}; },
+        .scatters = true},
     Quantity{.name = "stress", .symbol = "sigma'", .unit = "Pa", .label = "Effective stress",
         .meaning = "effective stress tensor, tension positive", .form = QuantityForm::tensor, .places = on_particles,
         .value = [](const Problem&, const Particles& particles, std::size_t p) {

@@ -64,7 +64,8 @@ struct Quantity {
     ParticleValue value = nullptr;    // of a particle; none where a probe alone can know it
     ParticleValue averaged = nullptr; // what nodes average where it is not the value
     FoundBy found_by = FoundBy::average;
-    int length_power = 0; // where lengths and times are drawn s times as large, it is by s to this power [-]
+    bool scatters = false; // from particle to particle, as once soil has liquefied: probes fit those around
+    int length_power = 0;  // where lengths and times are drawn s times as large, it is by s to this power [-]
     QuantityRange range = QuantityRange::any;
     std::string_view drawn = {}; // unit in pictures where it is not the SI unit
 };

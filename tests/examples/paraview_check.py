@@ -5,7 +5,8 @@
 
 Opens fields.pvd and grid.pvd, lists their times, and compares at every frame
   - each fixed probe's CSV with the grid probed at the same point,
-  - each material probe's CSV with the cell of its particle in fields.pvd.
+  - each material probe's CSV with the cell of its particle in fields.pvd, but for stresses: probes have
+    those of a plane through the particles around.
 Differences count relative to the largest magnitude of the history. Exit code 0: all agree.
 """
 import argparse
@@ -21,6 +22,7 @@ PROBED = {
     "mean_effective_stress_Pa": "mean_effective_stress",
     "vertical_effective_stress_Pa": "vertical_effective_stress",
 }
+OF_PARTICLE = {column: field for column, field in PROBED.items() if "stress" not in column}
 
 
 class ParaViewSeries:
@@ -94,7 +96,7 @@ def cell_values(grid, particle):
     numbers = data.GetArray("particle_id")
     for cell in range(grid.GetNumberOfCells()):
         if int(numbers.GetTuple1(cell)) == particle:
-            return {name: data.GetArray(name).GetTuple1(cell) for name in PROBED.values() if data.HasArray(name)}
+            return {name: data.GetArray(name).GetTuple1(cell) for name in OF_PARTICLE.values() if data.HasArray(name)}
     return None
 
 
@@ -135,7 +137,7 @@ def compare(probe, fields, grid):
         values = read_there(probe, row, time, fields, grid)
         if values is None:
             return count, float("inf"), f"no value at t = {time} s"
-        for column, field in PROBED.items():
+        for column, field in (PROBED if probe.kind == "fixed" else OF_PARTICLE).items():
             if not row.get(column) or field not in values:
                 continue
             scale = probe.largest(column)

@@ -74,4 +74,45 @@ TEST(PointSample, AParticlesShearStrainFollowsItsEdges)
     EXPECT_NEAR(sample_particle(problem, state.particles, 3)["shear_strain_xy"][0], 0.02, 1e-14);
 }
 
+// Stresses of neighbouring particles of liquefied sand are as far apart as they are large.
+TEST(PointSample, AParticlesStressesAreThoseOfASmoothFieldAroundIt)
+{
+    const Problem problem = fixtures::small_problem(false);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    const auto smooth = [](const Vector2& x) { return 2e3 + 7e3 * x.x() - 5e3 * x.y(); };
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Vector2 row = particles.position[p] / 0.25; // .5, 1.5, ...
+        const bool black = (static_cast<int>(row.x()) + static_cast<int>(row.y())) % 2 == 0;
+        const double stress = -smooth(particles.position[p]);
+        particles.stress.xx[p] = particles.stress.yy[p] = particles.stress.zz[p] = stress;
+        particles.stress.xy[p] = black ? 1e3 : -1e3;
+    }
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const PointSample sample = sample_particle(problem, particles, p);
+        const Vector2 x = particles.position[p];
+        EXPECT_NEAR(sample["mean_effective_stress"][0], smooth(x), 1e-9);
+        EXPECT_NEAR(sample["vertical_effective_stress"][0], smooth(x), 1e-9);
+        const bool inside = x.x() > 0.25 && x.x() < 1.75 && x.y() > 0.25 && x.y() < 1.25;
+        if (inside) {
+            EXPECT_NEAR(sample["shear_stress_xy"][0], 0.0, 1e-9);
+        }
+    }
+}
+
+TEST(PointSample, AParticlesStressesAreThoseOfItsOwnSoil)
+{
+    Problem problem = fixtures::small_problem(false);
+    problem.materials.push_back(problem.materials[0]);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        particles.material[p] = particles.position.y[p] > 0.75 ? 1 : 0; // in the middle of a cell
+        particles.stress.xy[p] = particles.material[p] == 0 ? 1e3 : 2e3;
+    }
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        EXPECT_NEAR(sample_particle(problem, particles, p)["shear_stress_xy"][0], particles.stress.xy[p],
+                    1e-9);
+}
+
 } // namespace quicksand
