@@ -1,5 +1,6 @@
 #include "io/results/history_csv.hpp"
 
+#include "solver/base/failure.hpp"
 #include "solver/measure/body_quantities.hpp"
 
 #include <fmt/format.h>
@@ -71,6 +72,7 @@ void HistoryWriter::observe(const Problem& problem, const State& state, const St
     clock_.strike(start_time_, state.time, [&](double time, double weight) {
         std::vector<double> values = ends_;
         if (weight < 1.0) {
+            ENSURE(starts_.size() == ends_.size());
             for (std::size_t k = 0; k < ends_.size(); ++k)
                 if (!quantities[k]->is_counted) values[k] = std::lerp(starts_[k], ends_[k], weight);
             values.front() = time;

@@ -202,7 +202,7 @@ bool run(const Problem& problem, double end_time, const std::vector<Observer*>& 
             };
             const auto [step, event] = steps.choose(events_for, state);
             report.time_step = step;
-            show_start(steps.form(), observers, state, std::min(event, state.time + report.time_step.dt));
+            show_start(problem, observers, state, std::min(event, state.time + report.time_step.dt));
             steps.take(report.time_step.dt, event, state);
             report.is_restart_point = state.time >= end_time || marks_restart(observers, state) ||
                                       state.step % steps_between_restarts == 0;

@@ -200,6 +200,35 @@ TEST(WaveSteps, TheRunSaysOfWhichKindItsStepsAre)
     }
 }
 
+/// Looks into all steps, and counts those whose start and end it is shown with unlike schemes.
+class Comparison final : public Observer {
+public:
+    double next_time() const override { return next; }
+    bool looks_into_steps() const override { return true; }
+    void before_step(const Problem& problem, const State&, double) override { at_start = problem.scheme; }
+    void observe(const Problem& problem, const State& state, const StepReport&) override
+    {
+        unlike += state.step > 0 && at_start != problem.scheme;
+        next = state.time + 1e-5;
+    }
+
+    TimeScheme at_start = TimeScheme::implicit;
+    double next = 0.0; // [s]
+    int unlike = 0;
+};
+
+// Columns of histories hang on the scheme: rows within wave steps had the values of other columns.
+TEST(WaveSteps, StartAndEndForObserversInTheSchemeOfTheRun)
+{
+    const Problem problem = shaken_patch(true);
+    State state = still(problem);
+    Record record;
+    Comparison comparison;
+    ASSERT_TRUE(run(problem, 4e-3, {&record, &comparison}, state));
+    EXPECT_EQ(record.reports.back().time_step.scheme, TimeScheme::semi_implicit);
+    EXPECT_EQ(comparison.unlike, 0);
+}
+
 TEST(WaveSteps, GoOnWithTheSameBitsFromEveryRestartPoint)
 {
     for (const bool saturated : {false, true}) {
