@@ -133,6 +133,24 @@ TEST(Watchdog, TellsThatStepsMakeEnergy)
     }
 }
 
+// Pressures of a wall that begins to move make a tenth of the little that its first step turns over.
+TEST(Watchdog, WaitsAFewStepsFromRest)
+{
+    Patch patch(1.0);
+    Particles& particles = patch.state.particles;
+    const Vectors still = {Scalars(particles.size(), 0.0), Scalars(particles.size(), 0.0)};
+    const Vectors moving = particles.velocity_solid;
+    particles.velocity_solid = particles.velocity_fluid = still;
+    open_balances(patch.problem, patch.state);
+    const Watchdog watchdog(patch.problem, patch.state);
+    particles.velocity_solid = moving;
+    patch.state.balance_terms->skeleton_work = 1.0;
+    patch.state.step = 3;
+    EXPECT_NO_THROW(watchdog.check_growth(patch.problem, 1e-6, patch.state));
+    patch.state.step = 4;
+    EXPECT_THROW(watchdog.check_growth(patch.problem, 1e-6, patch.state), NumericalError);
+}
+
 // Going back would make nothing better.
 TEST(Watchdog, DoesNotBlameStepsForEnergyThatWasMadeBefore)
 {
