@@ -44,15 +44,18 @@ void keep_reference_weights(const Problem& problem, double dt, State& state, Ste
     work.stencils_are_kept = true;
 }
 
-/// Mark the roots of cells that hold little water and are well filled by soil.
-void mark_water_table(const WallRows& walls, CellLists& lists)
+/// Mark the roots of cells that hold little water and are well filled by soil; `solids` has the slots with
+/// solids, which take the place of water.
+void mark_water_table(const WallRows& walls, const std::vector<std::uint8_t>& solids, CellLists& lists)
 {
     const std::vector<AggregatedCell>& ill = walls.roots.aggregated;
     lists.takes_table.assign(lists.takes_others.size(), 0);
-    for (const AggregatedCell& cell : walls.shared_pressures())
+    for (const AggregatedCell& cell : walls.shared_pressures()) {
+        if (!solids.empty() && solids[static_cast<std::size_t>(cell.slot)] != 0) continue;
         if (!std::binary_search(ill.begin(), ill.end(), cell,
                                 [](const auto& a, const auto& b) { return a.slot < b.slot; }))
             lists.takes_table[static_cast<std::size_t>(cell.root)] = 1;
+    }
 }
 
 } // namespace
@@ -118,12 +121,12 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
         find_roots(problem, work.conditions, work.lists, state.particles, {}, walls.roots);
         aggregate_cells(work.lists, walls.roots.aggregated, work.aggregated_lists);
     }
+    const std::vector<std::uint8_t> solids = slots_with_solids(problem, work.lists, state.particles);
     if (walls.aggregates_water || walls.shares_pressures)
-        find_roots(problem, work.conditions, work.wet_lists, state.particles,
-                   slots_with_solids(problem, work.lists, state.particles), walls.wet_roots);
+        find_roots(problem, work.conditions, work.wet_lists, state.particles, solids, walls.wet_roots);
     if (!work.partly_wet) return;
     aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);
-    if (!has_soil_and_solids(problem)) mark_water_table(walls, work.aggregated_wet_lists.lists);
+    mark_water_table(walls, solids, work.aggregated_wet_lists.lists);
 }
 
 } // namespace quicksand
