@@ -64,7 +64,7 @@ void say_run(const SceneSetup& setup, const std::string& start, const ResultsFol
     const StagedRun run(assembled.problem, assembled.state, run_controls(assembled.scene));
     const TimeStep step = first_time_step(run.problem(), run.state());
     journal.say(describe_time_step(assembled, step));
-    journal.say(describe_cost(forecast_run(assembled, run, step.dt, folder.directory)));
+    journal.say(describe_cost(forecast_run(assembled, run, step, folder.directory)));
     if (drains_sand(assembled))
         journal.say(
             "  after liquefaction more steps: the pressures that the shaking leaves are not known yet; 5 "

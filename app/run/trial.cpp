@@ -196,7 +196,7 @@ double peak_memory()
 
 } // namespace
 
-std::int64_t count_steps(const AssembledCase& assembled, double dt)
+std::int64_t count_steps(const AssembledCase& assembled, const TimeStep& step)
 {
     const Scene& scene = assembled.scene;
     const Problem& problem = assembled.problem;
@@ -210,10 +210,11 @@ std::int64_t count_steps(const AssembledCase& assembled, double dt)
     hit(scene.output.frame_interval);
     hit(scene.output.history_interval);
     if (!scene.probes.empty()) hit(scene.output.probe_interval);
-    if (problem.scheme != TimeScheme::implicit && std::isfinite(events.interval) && divides_well(events, dt))
-        return count_steps(problem, assembled.state.particles, step_of_interval(events.interval, dt),
+    const bool is_implicit = step.scheme == TimeScheme::implicit;
+    if (!is_implicit && std::isfinite(events.interval) && divides_well(events, step.dt))
+        return count_steps(problem, assembled.state.particles, step_of_interval(events.interval, step.dt),
                            {scene.end_time});
-    return count_steps(problem, assembled.state.particles, dt, times);
+    return count_steps(problem, assembled.state.particles, step.dt, times);
 }
 
 RelaxationForecast forecast_settling(const RelaxationControls& controls, StagedRun& run)
@@ -238,11 +239,11 @@ RelaxationForecast forecast_settling(const RelaxationControls& controls, StagedR
     return forecast;
 }
 
-Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, double dt,
+Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, const TimeStep& step,
                       const fs::path& directory)
 {
     Forecast forecast;
-    forecast.steps = count_steps(assembled, dt);
+    forecast.steps = count_steps(assembled, step);
     forecast.step_seconds = measure_step(run);
     if (assembled.scene.relaxation) {
         StagedRun trial = run;

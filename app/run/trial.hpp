@@ -44,16 +44,16 @@ struct Forecast {
     }
 };
 
-/// Steps that a run takes at a time step, which it shortens so that the output times are hit.
-std::int64_t count_steps(const AssembledCase& assembled, double dt);
+/// Steps that a run takes that begins with one, which it shortens so that the output times are hit.
+std::int64_t count_steps(const AssembledCase& assembled, const TimeStep& step);
 
 /// Let the run settle for a few seconds: it then stands where the trial ended.
 RelaxationForecast forecast_settling(const RelaxationControls& controls, StagedRun& run);
 
 /// Let copies of the run of the scene go on for a few seconds and write a few frames into a folder of their
-/// own in `directory`, which is removed again: so the disk of the results is measured. `dt` is the time step
-/// of the shaking [s]. Throws FileError.
-Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, double dt,
+/// own in `directory`, which is removed again: so the disk of the results is measured. `step` is the first
+/// one of the shaking. Throws FileError.
+Forecast forecast_run(const AssembledCase& assembled, const StagedRun& run, const TimeStep& step,
                       const std::filesystem::path& directory);
 
 } // namespace quicksand
