@@ -198,12 +198,14 @@ void replace_places(const SourcePlace& place, DocumentNode& node)
     for (DocumentNode& child : node.children) replace_places(place, child);
 }
 
-/// A value that is no TOML as TOML: a number written otherwise, as .5, or a bare word.
+/// A value that is no TOML as TOML: a number written otherwise, as .5 or 5., or a bare word.
 std::string toml_of_bare(std::string_view value)
 {
     double number = 0.0;
-    const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), number);
-    const bool is_number = error == std::errc() && end == value.data() + value.size();
+    const std::string_view digits = value.starts_with('+') ? value.substr(1) : value;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    const bool is_number = error == std::errc() && end == digits.data() + digits.size() &&
+                           digits.find('.') != std::string_view::npos;
     return is_number ? fmt::format("{}", number) : toml_text(value);
 }
 

@@ -124,6 +124,9 @@ TEST(SceneFile, TakesNumbersOfOverridesAsTheyAreTyped)
     EXPECT_EQ(porosity(".4"), 0.4);
     EXPECT_EQ(porosity("00.4"), 0.4);
     EXPECT_EQ(porosity("4.e-1"), 0.4);
+    EXPECT_EQ(porosity("+.4"), 0.4);
+    for (const char* word : {"007", "infinity", "NaN"})
+        EXPECT_EQ(folder.read(column_scene, {std::string("title=") + word}).scene.title, word);
 }
 
 TEST(SceneFile, TakesTheLastOfTwoOverrides)
