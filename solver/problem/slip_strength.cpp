@@ -112,9 +112,9 @@ std::optional<SlipStrength> slip_strength(const SkeletonLaw& law)
                                                  soil.cohesion));
                  },
                  [](const UbcSand& sand) {
-                     return Strength(along_plane(sand.eta_f,
-                                                 sand.dilation * std::max(0.0, sand.eta_f - sand.sin_cv),
-                                                 cohesion_of(sand)));
+                     const double dilation = sand.dilation * std::max(0.0, sand.eta_f - sand.sin_cv);
+                     return Strength(
+                         along_plane(sand.eta_f, std::min(dilation, sand.eta_f), cohesion_of(sand)));
                  },
                  [](const Pm4Sand& sand) {
                      return Strength({0.5 * sand.critical_ratio, 0.0});

@@ -195,8 +195,8 @@ void lay_planes(const Problem& problem, const CellLists& lists, const Tile& tile
     });
 }
 
-/// Part of a step in the time h^2/c_v in which pressures even out over a cell, of its least permeable soil;
-/// c_v = M k/gamma_w = M n^2/C with the drag C [-].
+/// Part of a step in the time h^2/c_v in which pressures even out over a cell, of that of its soils in which
+/// they do last; c_v = M k/gamma_w = M n^2/C with the drag C, of the material as it is given [-].
 double part_evened_out(const Problem& problem, double dt, const CellLists& lists, const Particles& particles,
                        std::size_t slot)
 {

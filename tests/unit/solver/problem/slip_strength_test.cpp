@@ -27,6 +27,14 @@ TEST(SlipStrength, OfSoilAlongAPlaneHangsOnItsDilation)
     EXPECT_NEAR(dilating.cohesion, 1000.0, 1e-9);
 }
 
+// More dilation than friction is none of a soil: the strength fell with it, to no number in the end.
+TEST(SlipStrength, OfSandIsAtMostThatOfItsFriction)
+{
+    UbcSand sand = make_ubcsand(nevada_sand_55());
+    sand.dilation = 1e3;
+    EXPECT_NEAR(slip_strength(sand)->friction, std::tan(std::asin(sand.eta_f)), 1e-12);
+}
+
 TEST(SlipStrength, OfALayerIsThatOfTheInterface)
 {
     const SlipStrength face{std::tan(20.0 * degrees), 500.0};
