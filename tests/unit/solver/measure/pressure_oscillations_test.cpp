@@ -75,6 +75,20 @@ TEST(PressureOscillations, WithinCellsIsScatter)
     EXPECT_LT(oscillations.mean_stress_checkerboard, 1e-12);
 }
 
+// Mean stresses of a body in pure shear are rounding, however large beside the weight of half a cell.
+TEST(PressureOscillations, OfPureShearIsZero)
+{
+    const Problem problem = block();
+    State state = filled(problem);
+    for (std::size_t p = 0; p < state.particles.size(); ++p) {
+        state.particles.stress.xy[p] = 1e12;
+        set_mean_stress(p, 1e8 * alternating(state.particles.position[p], 0.5), state.particles);
+    }
+    EXPECT_EQ(measure_pressure_oscillations(problem, state.particles).mean_stress_checkerboard, 0.0);
+    for (double& shear : state.particles.stress.xy) shear = 0.0;
+    EXPECT_NEAR(measure_pressure_oscillations(problem, state.particles).mean_stress_checkerboard, 1.0, 1e-12);
+}
+
 TEST(PressureOscillations, OfSoilWithoutPressureIsZero)
 {
     const Problem problem = block();

@@ -87,6 +87,48 @@ TEST(UbcSand, TheFactorStiffensReloadingAndSoftensAfterDilation)
     EXPECT_DOUBLE_EQ(factors().secondary, 4.2);
 }
 
+TEST(UbcSand, TheLeastFactorFallsWithTheDilationOfTheLastHalfCycle)
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.dilation_strain = 0.02;
+    const UbcSand law = make_ubcsand(parameters);
+    UbcSandState state;
+    state.origin_x = state.peak_x = 0.3;
+    for (const double dilation : {0.02, 0.06}) {
+        state.active_dilation = dilation;
+        EXPECT_NEAR(ubcsand::hardening_factors(law, {-1.0, 0.0}, state).secondary,
+                    0.05 / (1.0 + dilation / 0.02), 1e-15);
+    }
+}
+
+TEST(UbcSand, TheFactorOfDilationLeavesContractionAlone)
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.dilation_factor = 3.0;
+    const UbcSand law = make_ubcsand(parameters);
+    ubcsand::Trial trial{};
+    trial.least_D = -1.0, trial.most_D = 1.0;
+    EXPECT_NEAR(ubcsand::contraction(law, trial, law.sin_cv - 0.1), 0.1, 1e-15);
+    EXPECT_NEAR(ubcsand::contraction(law, trial, law.sin_cv + 0.1), -0.3, 1e-15);
+}
+
+// K_sigma falls with depth, and is not above its limit near the surface.
+TEST(UbcSand, TheStartWeakensUnderMoreThanOneAtmosphereAlone)
+{
+    UbcSandParameters parameters = nevada_sand_55();
+    parameters.confining_exponent = 0.2;
+    const UbcSand law = make_ubcsand(parameters);
+    const auto factor_under = [&](double vertical) {
+        UbcSandState state;
+        state.sigma_x = state.sigma_z = 0.5 * vertical;
+        state.sigma_y = vertical;
+        begin_shaking(law, state);
+        return state.start_factor;
+    };
+    EXPECT_EQ(factor_under(0.1 * atmospheric_pressure), 1.0);
+    EXPECT_NEAR(factor_under(4.0 * atmospheric_pressure), std::pow(4.0, -0.2), 1e-12);
+}
+
 TEST(UbcSand, UnloadingIsElasticAndKeepsTheMeanStress)
 {
     const UbcSand law = make_ubcsand(nevada_sand_55());
