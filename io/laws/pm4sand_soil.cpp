@@ -47,7 +47,8 @@ void check_void_ratios(const Pm4Sand& law, const LawSource& source)
 Pm4Sand resolve(const LawSource& source)
 {
     if (!check_density(source)) return complete(Pm4Sand{.relative_density = 0.5});
-    Pm4Sand law;
+    const bool is_calibrated = source.values.text(source.table.path + ".law") == "calibrated";
+    Pm4Sand law = is_calibrated ? calibrated_pm4sand() : Pm4Sand();
     const auto path_of = [&](const LawKey<Pm4Sand>& key) {
         return source.table.path + "." + std::string(key.text.name);
     };
@@ -55,7 +56,7 @@ Pm4Sand resolve(const LawSource& source)
         if (const auto value = source.values.find<double>(path_of(key)))
             law.*key.member = key.factor * *value;
     check_void_ratios(law, source);
-    law = complete(law);
+    law = is_calibrated ? complete_calibrated(law) : complete(law);
     for (const LawKey<Pm4Sand>& key : keys_of(law))
         if (std::isfinite(law.*key.member)) show(path_of(key), law.*key.member / key.factor, source.values);
     return law;

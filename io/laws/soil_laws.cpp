@@ -72,6 +72,13 @@ std::vector<SceneKey> rows_of(const SkeletonLaw& law)
     return rows;
 }
 
+std::vector<SceneKey> pm4sand_scene_keys()
+{
+    std::vector<SceneKey> rows = rows_of(Pm4Sand());
+    rows.push_back(law_choice_key());
+    return rows;
+}
+
 /// The laws that do not leave all to their keys.
 std::vector<SoilLaw> particular_laws()
 {
@@ -85,6 +92,7 @@ std::vector<SoilLaw> particular_laws()
          .read_for_element = read_ubcsand_for_element,
          .example = example_of_ubcsand},
         {.form = Pm4Sand(),
+         .keys = pm4sand_scene_keys(),
          .read = read_pm4sand,
          .describe = describe_pm4sand,
          .read_for_element = read_pm4sand_for_element,

@@ -224,15 +224,24 @@ std::vector<SceneKey> memory_keys()
     };
 }
 
+} // namespace
+
+SceneKey law_choice_key()
+{
+    return {.pattern = "materials.*.law", .type = ValueType::word, .default_value = "published",
+            .words = {"published", "calibrated"},
+            .doc = "Standard values of the keys that have two: those of the published law, or those that meet what laboratories "
+                   "measure [own]: of UBCSAND K_sigma, K_alpha, K0, strains after liquefaction and small strains, with the stress "
+                   "out of the plane bounded by the failure limit; of PM4Sand damping, and settlement by the post-shaking option."};
+}
+
+namespace {
+
 /// What follows the stress at the start, liquefaction and small strains, by the word of `law`.
 std::vector<SceneKey> calibration_keys()
 {
     return {
-        {.pattern = "materials.*.law", .type = ValueType::word, .default_value = "published",
-         .words = {"published", "calibrated"},
-         .doc = "Standard values of the keys that have two: those of the published law, or those that meet K_sigma, K_alpha, "
-                "K0, strains after liquefaction and small strains as laboratories measure them [own]. Calibrated also "
-                "bounds the stress out of the plane by the failure limit."},
+        law_choice_key(),
         {.pattern = "materials.*.confining_exponent", .default_note = "0; calibrated 0.18", .allowed = not_negative,
          .plausible = {0.0, 0.5},
          .doc = "m_v: the plastic modulus goes with max(1, sigma'_v/Pa)^-m_v of the start of shaking, which sets K_sigma [own]."},

@@ -9,6 +9,9 @@
 
 namespace quicksand {
 
+/// The row of the word that chooses between a published law and a calibrated one.
+SceneKey law_choice_key();
+
 /// The rows of the key table below [materials.NAME]: the parameters of the law, with the substeps of element
 /// tests.
 std::vector<SceneKey> ubcsand_keys();

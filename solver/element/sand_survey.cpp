@@ -58,6 +58,13 @@ ShearCurvePoint measure_shear(const SkeletonLaw& law, double gamma)
     return {second.secant_modulus / largest, second.damping_ratio};
 }
 
+/// With the post-shaking option, where the law has one.
+SkeletonLaw settling_after_shaking(SkeletonLaw law)
+{
+    if (auto* sand = std::get_if<Pm4Sand>(&law)) sand->reconsolidation = 1.0;
+    return law;
+}
+
 } // namespace
 
 SandSurvey survey(const SkeletonLaw& law)
@@ -71,7 +78,7 @@ SandSurvey survey(const SkeletonLaw& law)
         survey.k_alpha = ratio(csr_to_liquefaction(law, {100e3, 0.5, 10e3}, cycles_of_strength), csr);
         follow_liquefaction(law, csr, survey);
     }
-    const CyclicTest drained = reconsolidate(law, usual, {0.08, 10.0});
+    const CyclicTest drained = reconsolidate(settling_after_shaking(law), usual, {0.08, 10.0});
     survey.reconsolidation = drained.path.back().volumetric_strain();
     survey.k_0_after = drained.path.back().sigma_x / drained.path.back().sigma_y;
     for (std::size_t k = 0; k < survey_strains.size(); ++k)

@@ -24,6 +24,32 @@ double strain_accumulation_at(double relative_density)
     return std::clamp(0.5 - 1.5 * (relative_density - 0.55), 0.2, 0.5);
 }
 
+/// hpo by density.
+struct CalibratedRate {
+    double density, rate; // [-]
+};
+using RateTable = std::array<CalibratedRate, 8>;
+
+double interpolated(const RateTable& table, double density)
+{
+    if (density <= table.front().density) return table.front().rate;
+    for (std::size_t k = 1; k < table.size(); ++k) {
+        const CalibratedRate &below = table[k - 1], &above = table[k];
+        if (density > above.density) continue;
+        const double part = (density - below.density) / (above.density - below.density);
+        return below.rate + part * (above.rate - below.rate);
+    }
+    return table.back().rate;
+}
+
+/// Each of density and blow count by the other.
+void fill_density(Pm4Sand& law)
+{
+    ENSURE(std::isfinite(law.relative_density) || std::isfinite(law.n1_60));
+    fill(law.relative_density, std::sqrt(law.n1_60 / blow_count(1.0)));
+    fill(law.n1_60, blow_count(law.relative_density));
+}
+
 } // namespace
 
 double shear_coefficient_at(double n1_60)
@@ -33,32 +59,45 @@ double shear_coefficient_at(double n1_60)
 
 double contraction_rate_at(double relative_density)
 {
-    struct Calibrated {
-        double density, rate; // [-]
-    };
-    constexpr std::array<Calibrated, 8> table = {{{0.25, 0.58},
-                                                  {0.35, 0.56},
-                                                  {0.45, 0.49},
-                                                  {0.55, 0.43},
-                                                  {0.65, 0.41},
-                                                  {0.70, 0.45},
-                                                  {0.75, 0.72},
-                                                  {0.80, 2.9}}};
-    if (relative_density <= table.front().density) return table.front().rate;
-    for (std::size_t k = 1; k < table.size(); ++k) {
-        const Calibrated &below = table[k - 1], &above = table[k];
-        if (relative_density > above.density) continue;
-        const double part = (relative_density - below.density) / (above.density - below.density);
-        return below.rate + part * (above.rate - below.rate);
-    }
-    return table.back().rate;
+    constexpr RateTable table = {{{0.25, 0.58},
+                                  {0.35, 0.56},
+                                  {0.45, 0.49},
+                                  {0.55, 0.43},
+                                  {0.65, 0.41},
+                                  {0.70, 0.45},
+                                  {0.75, 0.72},
+                                  {0.80, 2.9}}};
+    return interpolated(table, relative_density);
+}
+
+Pm4Sand calibrated_pm4sand()
+{
+    Pm4Sand law;
+    law.yield_radius = 0.002;
+    law.sedimentation_floor = 0.04;
+    law.sedimentation_stress = atmospheric_pressure;
+    return law;
+}
+
+Pm4Sand complete_calibrated(Pm4Sand law)
+{
+    constexpr RateTable rates = {{{0.25, 0.537},
+                                  {0.35, 0.400},
+                                  {0.45, 0.330},
+                                  {0.55, 0.275},
+                                  {0.65, 0.249},
+                                  {0.70, 0.263},
+                                  {0.75, 0.38},
+                                  {0.80, 1.6}}};
+    fill_density(law);
+    fill(law.modulus_ratio, std::max(0.3, law.relative_density + 0.11));
+    fill(law.contraction_rate, interpolated(rates, law.relative_density));
+    return complete(law);
 }
 
 Pm4Sand complete(Pm4Sand law)
 {
-    ENSURE(std::isfinite(law.relative_density) || std::isfinite(law.n1_60));
-    fill(law.relative_density, std::sqrt(law.n1_60 / blow_count(1.0)));
-    fill(law.n1_60, blow_count(law.relative_density));
+    fill_density(law);
     const double density = law.relative_density;
     fill(law.shear_coefficient, shear_coefficient_at(law.n1_60));
     fill(law.contraction_rate, contraction_rate_at(density));

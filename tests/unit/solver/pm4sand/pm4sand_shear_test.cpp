@@ -4,6 +4,7 @@
 // this program measured.
 #include "solver/element/cyclic_laboratory.hpp"
 #include "solver/element/element_laboratory.hpp"
+#include "solver/element/sand_survey.hpp"
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,24 @@ TEST(Pm4SandShear, HasTheCyclicStrengthOfTheReportsCalibrations)
             std::log(strength(law, start, 10.0) / strength(law, start, 30.0)) / std::log(3.0);
         EXPECT_NEAR(slope, of.slope, 0.03) << of.density;
     }
+}
+
+// Bands of examples/element_dss/VALIDITY.md, of one sand; the report's values miss damping and settlement.
+TEST(Pm4SandShear, CalibratedDampsAndSettlesAsLaboratoriesMeasure)
+{
+    Pm4Sand law = calibrated_pm4sand();
+    law.n1_60 = 12.0;
+    const SandSurvey s = survey(complete_calibrated(law));
+    EXPECT_NEAR(s.strength->csr_15, 0.138, 0.08 * 0.138); // the triggering curve
+    EXPECT_NEAR(*s.k_sigma, 0.79, 0.07);
+    EXPECT_NEAR(s.reconsolidation, 0.033, 0.011);
+    EXPECT_NEAR(s.curve[0].damping_ratio, 0.010, 0.006);
+    EXPECT_NEAR(s.curve[1].damping_ratio, 0.0325, 0.0175);
+    EXPECT_NEAR(s.curve[3].damping_ratio, 0.13, 0.05);
+    EXPECT_NEAR(s.curve[1].modulus_ratio, 0.81, 0.11);
+    EXPECT_NEAR(s.curve[3].modulus_ratio, 0.33, 0.11);
+    for (std::size_t k = 1; k < s.strain_of_cycles.size(); ++k)
+        EXPECT_GT(s.strain_of_cycles[k], 1.005 * s.strain_of_cycles[k - 1]);
 }
 
 // The stress is not continuous in the strain where errors choose the substeps.

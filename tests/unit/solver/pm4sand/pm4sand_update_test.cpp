@@ -47,6 +47,21 @@ TEST(Pm4Sand, HasThePublishedDefaults)
     EXPECT_NEAR(medium.critical_ratio, 2.0 * std::sin(33.0 * std::acos(-1.0) / 180.0), 1e-12);
 }
 
+TEST(Pm4Sand, LeavesGivenParametersOfTheCalibratedSetAlone)
+{
+    Pm4Sand law = calibrated_pm4sand();
+    law.n1_60 = 12.0;
+    const Pm4Sand by_default = complete_calibrated(law);
+    EXPECT_NEAR(by_default.modulus_ratio, std::sqrt(12.0 / 46.0) + 0.11, 1e-12);
+    EXPECT_EQ(by_default.yield_radius, 0.002);
+    EXPECT_LT(by_default.contraction_rate, contraction_rate_at(by_default.relative_density));
+    EXPECT_EQ(by_default.shear_coefficient, complete({.n1_60 = 12.0}).shear_coefficient);
+    law.modulus_ratio = 0.5;
+    law.contraction_rate = 0.6;
+    EXPECT_EQ(complete_calibrated(law).modulus_ratio, 0.5);
+    EXPECT_EQ(complete_calibrated(law).contraction_rate, 0.6);
+}
+
 TEST(Pm4Sand, BringsAStressOutsideItsSurfacesBackInTheFirstCall)
 {
     const Pm4Sand law = sand_of(0.55);
