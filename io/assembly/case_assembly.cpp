@@ -114,6 +114,16 @@ bool begins_in_soil(const SceneProbe& probe, const Problem& problem, const Parti
                        [&](const Vector2& point) { return !outside_soil(problem, particles, point); });
 }
 
+/// In all stages probes ride with the same particles, however the soil has moved in the stages before.
+void choose_riders(AssembledCase& assembled)
+{
+    if (!assembled.scene.stage) return;
+    const Particles& drawn = assembled.state.particles;
+    for (SceneProbe& probe : assembled.scene.probes)
+        if (probe.kind == ProbeKind::material && probe.at)
+            probe.rider = drawn.identifier[nearest_particle(drawn, *probe.at)];
+}
+
 /// A material probe rides with a particle and cannot do without; others may wait for soil.
 void check_probes(AssembledCase& assembled)
 {
@@ -225,6 +235,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     assembled.sampling.domains = std::vector<ParticleDomain>(); // gives their memory back, {} would not
     set_initial_state(assembled.scene, flow, assembled.section, of_region, assembled.problem, particles);
     attach_loads(assembled);
+    choose_riders(assembled);
     check_probes(assembled);
     assembled.state.stage = assembled.scene.relaxation ? Stage::relaxation : Stage::shaking;
     cut_columns(assembled);

@@ -21,8 +21,8 @@ std::string description(const SceneProbe& probe, std::int32_t identifier)
     const Vector2 at = *probe.at;
     switch (probe.kind) {
     case ProbeKind::material:
-        return fmt::format("{}, material: rides with particle {}, nearest to ({}, {}) m when shaking began",
-                           probe.name, identifier, at.x(), at.y());
+        return fmt::format("{}, material: rides with particle {}, nearest to ({}, {}) m when {}", probe.name,
+                           identifier, at.x(), at.y(), probe.rider ? "drawn" : "shaking began");
     case ProbeKind::fixed:
         return fmt::format(
             "{}, fixed: the point ({}, {}) m, interpolated in the nodal averages; empty where there is "
@@ -105,6 +105,7 @@ void require_place(const SceneProbe& probe)
 /// The particle a material probe rides with; a point more than two cells from any soil is a mistake.
 std::int32_t find_rider(const SceneProbe& probe, const Problem& problem, const Particles& particles)
 {
+    if (probe.rider) return *probe.rider;
     if (const auto wrong = outside_soil(problem, particles, *probe.at))
         throw InputError("probe '" + probe.name + "' " + *wrong);
     return particles.identifier[nearest_particle(particles, *probe.at)];

@@ -78,6 +78,64 @@ TEST_F(Stages, GoOnFromEachOther)
     EXPECT_FALSE(std::filesystem::exists(folder / "a/gravity")) << "told before the first stage";
 }
 
+// They rode with what lay nearest to the place as drawn whenever soil had settled, by half of a particle or
+// more.
+TEST_F(Stages, ProbesRideWithTheSameParticleInAllOfThem)
+{
+    std::ofstream(folder / "block.geo") << R"(Point(1) = {0, 0, 0}; Point(2) = {1, 0, 0};
+Point(3) = {1, 4, 0}; Point(4) = {0, 4, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Surface("soil") = {1}; Physical Curve("base") = {1}; Physical Curve("top") = {3};
+Physical Curve("left") = {4}; Physical Curve("right") = {2};
+)";
+    std::ofstream(folder / "block.toml") << R"(scene_version = 1
+[geometry]
+file = "block.geo"
+[grid]
+cell_size = 0.5
+[materials.soft]
+model = "linear_elastic"
+porosity = 0.5
+shear_modulus = 2e5
+poisson_ratio = 0.3
+[regions.soil]
+material = "soft"
+[boundaries.base]
+soil = "fixed"
+[boundaries.left]
+soil = "roller"
+[boundaries.right]
+soil = "roller"
+[boundaries.top]
+[probes.high]
+at = [0.45, 3.7]
+[[stages]]
+name = "gravity"
+kind = "settle"
+[[stages]]
+name = "load"
+kind = "settle"
+[stages.boundaries.top]
+pressure = 4e4
+[[stages]]
+name = "shaking"
+kind = "shake"
+duration = 0.01
+)";
+    const Outcome outcome = run((folder / "block.toml").string() + " -o " + results("b"));
+    ASSERT_EQ(outcome.code, 0) << outcome.output;
+    const auto rider = [&](const std::string& stage) {
+        const std::string text = read_file(folder / ("b/" + stage + "/probes/high.csv"));
+        const std::string before = "rides with particle ";
+        const std::size_t at = text.find(before);
+        return at == std::string::npos ? "none" : text.substr(at + before.size(), 4);
+    };
+    EXPECT_NE(rider("shaking"), "none");
+    EXPECT_EQ(rider("shaking"), rider("gravity"));
+    EXPECT_EQ(rider("load"), rider("gravity"));
+}
+
 TEST_F(Stages, AreTheRunThatSettlesAndShakes)
 {
     ASSERT_EQ(run(scene() + " -o " + results("a")).code, 0);
