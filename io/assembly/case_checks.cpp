@@ -72,6 +72,7 @@ void check_case(const Section& drawn, AssembledCase& assembled)
         problem.tied_sides = find_tied_sides(scene, section, grid, findings);
         check_free_field_sides(scene, section, grid, findings);
         check_gaps(scene, problem, findings);
+        check_layers(scene, section, problem.grid.cell_size, findings);
         set_face_water(scene, section, problem, findings);
     }
     findings.accept(scene.accepted);

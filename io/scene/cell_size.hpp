@@ -41,4 +41,9 @@ struct CellSize {
 /// for walls, and then flat edges, to lie on grid lines.
 CellSize choose_cell_size(const Scene& scene, const Section& section);
 
+/// Warn of soils in layers of less than two cells: a cell has one strain, so that what lies in part of it
+/// is as stiff and as strong as what fills the rest. A soil that another region has as well is thicker than
+/// each.
+void check_layers(const Scene& scene, const Section& section, double cell_size, Diagnostics& findings);
+
 } // namespace quicksand
