@@ -87,7 +87,7 @@ Pm4Sand complete_calibrated(Pm4Sand law)
                                   {0.55, 0.275},
                                   {0.65, 0.249},
                                   {0.70, 0.263},
-                                  {0.75, 0.38},
+                                  {0.75, 0.40},
                                   {0.80, 1.6}}};
     fill_density(law);
     fill(law.modulus_ratio, std::max(0.3, law.relative_density + 0.11));
