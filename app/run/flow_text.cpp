@@ -1,6 +1,7 @@
 #include "app/run/flow_text.hpp"
 
 #include "app/run/number_format.hpp"
+#include "io/keys/scene_units.hpp"
 
 #include <fmt/format.h>
 
@@ -14,7 +15,7 @@ constexpr int line_points = 9; // of the phreatic line that are written [-]
 
 std::string text(const Vector2& point)
 {
-    return fmt::format("[{:.4g}, {:.4g}]", point.x(), point.y());
+    return fmt::format("[{}, {}]", coordinate_text(point.x()), coordinate_text(point.y()));
 }
 
 std::string curve_name(const FaceFlow& face)
@@ -40,8 +41,8 @@ std::string describe_line(const AssembledCase& assembled, const FlowField& field
     for (int k = 0; k < line_points; ++k) {
         const double x = left + (right - left) * k / (line_points - 1);
         const auto surface = field.surface(x);
-        line += (line.empty() ? "" : ", ") +
-                (surface ? text({x, *surface}) : fmt::format("dry at x = {:.4g}", x));
+        line +=
+            (line.empty() ? "" : ", ") + (surface ? text({x, *surface}) : "dry at x = " + coordinate_text(x));
     }
     return line;
 }

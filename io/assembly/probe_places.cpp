@@ -1,5 +1,6 @@
 #include "io/assembly/probe_places.hpp"
 
+#include "io/keys/scene_units.hpp"
 #include "solver/interpolation/cut_domains.hpp"
 
 #include <fmt/format.h>
@@ -67,8 +68,8 @@ std::optional<std::string> outside_soil(const Problem& problem, const Particles&
 {
     const Vector2 found = particles.reference_position[nearest_particle(particles, point)];
     if ((found - point).norm() <= 2.0 * problem.grid.cell_size) return std::nullopt;
-    return fmt::format("at ({}, {}) m lies outside the soil: the nearest particle is at ({:.4g}, {:.4g}) m",
-                       point.x(), point.y(), found.x(), found.y());
+    return fmt::format("at ({}, {}) m lies outside the soil: the nearest particle is at {} m", point.x(),
+                       point.y(), place_text(found));
 }
 
 std::vector<Vector2> points_of(const SceneProbe& probe)

@@ -1,9 +1,8 @@
 #include "io/keys/scene_units.hpp"
 
-#include "solver/base/conventions.hpp"
-
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -101,6 +100,18 @@ std::string number_text(double number)
     const auto format = far_from_one ? std::chars_format::scientific : std::chars_format::fixed;
     const std::string text(begin, std::to_chars(begin, begin + buffer.size(), number, format).ptr);
     return far_from_one ? shorten_exponent(text) : text;
+}
+
+std::string coordinate_text(double x)
+{
+    const int whole_digits = x == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(x)))) + 1;
+    constexpr int least = 4, decimals = 2; // digits
+    return fmt::format("{:.{}g}", x, std::max(least, whole_digits + decimals));
+}
+
+std::string place_text(const Vector2& place)
+{
+    return "(" + coordinate_text(place.x()) + ", " + coordinate_text(place.y()) + ")";
 }
 
 std::string three_digits(double number)

@@ -1,6 +1,8 @@
 // Quantities with units: the closed list of units of every dimension, and numbers as text.
 #pragma once
 
+#include "solver/base/conventions.hpp"
+
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,6 +39,11 @@ std::optional<double> to_si(const WrittenQuantity& quantity, Dimension dimension
 
 /// The shortest text that reads back as the same number: 0.45, 2.2e9.
 std::string number_text(double number);
+
+/// A coordinate in m with four digits, and to the centimetre where it is large, as on maps: 7.331, 155000.37.
+std::string coordinate_text(double x);
+/// "(7.331, 1.27)"
+std::string place_text(const Vector2& place);
 
 /// Three significant digits, for numbers that are told but not read back: 0.45, 2.2e+09.
 std::string three_digits(double number);

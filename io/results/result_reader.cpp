@@ -5,6 +5,7 @@
 #include "io/files/atomic_file.hpp"
 #include "io/files/csv_file.hpp"
 #include "io/keys/diagnostics.hpp"
+#include "io/keys/scene_units.hpp"
 #include "io/results/results_folder.hpp"
 #include "io/results/stage_table.hpp"
 #include "solver/base/failure.hpp"
@@ -97,9 +98,8 @@ struct Box {
 [[noreturn]] void refuse_point(const Vector2& at, const Box& box)
 {
     throw InputError(
-        fmt::format("the point ({}, {}) m is never inside the soil, which reaches from ({:.4g}, {:.4g}) to "
-                    "({:.4g}, {:.4g}) m",
-                    at.x(), at.y(), box.lower.x(), box.lower.y(), box.upper.x(), box.upper.y()));
+        fmt::format("the point ({}, {}) m is never inside the soil, which reaches from {} to {} m", at.x(),
+                    at.y(), place_text(box.lower), place_text(box.upper)));
 }
 
 /// Values of the axis-parallel cell around the point, bilinear.

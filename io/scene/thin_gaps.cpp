@@ -95,10 +95,10 @@ void check_gaps(const Scene& scene, const Problem& problem, Diagnostics& finding
         if (gap.length < least_length * h) continue;
         findings.add(warning_at(
             place_of(scene, boundary.name), join_path({"boundaries", boundary.name}), "thin-gap",
-            fmt::format("soil lies {:.3g} m beyond the curve \"{}\", near ({:.4g}, {:.4g}) m, less than two "
+            fmt::format("soil lies {:.3g} m beyond the curve \"{}\", near {} m, less than two "
                         "cells of {:.3g} m: both sides have nodes in common, move together and let water "
                         "pass",
-                        gap.width, boundary.name, gap.place.x(), gap.place.y(), h),
+                        gap.width, boundary.name, place_text(gap.place), h),
             fmt::format("a gap of at least {:.3g} m", safe_gap * h),
             "choose smaller cells, or draw what fills the gap as a region of its own"));
     }

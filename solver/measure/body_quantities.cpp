@@ -57,7 +57,7 @@ constexpr std::array body_quantity_table = {
         [](const MeasuredBody& body) { return body.monitors.kinetic_energy_fluid; }},
     BodyQuantity{"storage_energy_water", "J", "energy stored in the compressed water", wet_body,
         [](const MeasuredBody& body) { return storage_energy(body.problem, body.state.particles); }},
-    BodyQuantity{"pore_volume", "m3", "volume of the pores", wet_body,
+    BodyQuantity{"pore_volume", "m3", "volume of the pores of soil that has a pore pressure", wet_body,
         [](const MeasuredBody& body) { return body.monitors.mass_fluid / body.problem.water->density; }},
     BodyQuantity{"water_content", "m3", "volume of the pore water without its pressure", wet_body,
         [](const MeasuredBody& body) { return water_content(body.problem, body.state.particles); }},

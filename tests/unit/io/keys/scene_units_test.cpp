@@ -48,6 +48,12 @@ TEST(NumberText, IsShortAndReadsBack)
     EXPECT_EQ(std::stod(number_text(1.0 / 3.0)), 1.0 / 3.0);
 }
 
+TEST(PlaceText, HasFourDigitsAndCentimetresOnMaps)
+{
+    EXPECT_EQ(place_text({7.33149, 0.0}), "(7.331, 0)");
+    EXPECT_EQ(place_text({155000.374, -1007.371}), "(155000.37, -1007.37)");
+}
+
 TEST(TimeText, IsInTheUnitThatPeopleSay)
 {
     EXPECT_EQ(time_text(0.125), "0.125 s");
