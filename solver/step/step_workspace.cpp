@@ -121,12 +121,15 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
         find_roots(problem, work.conditions, work.lists, state.particles, {}, walls.roots);
         aggregate_cells(work.lists, walls.roots.aggregated, work.aggregated_lists);
     }
-    const std::vector<std::uint8_t> solids = slots_with_solids(problem, work.lists, state.particles);
-    if (walls.aggregates_water || walls.shares_pressures)
+    const bool has_wet_roots = walls.aggregates_water || walls.shares_pressures;
+    std::vector<std::uint8_t> solids;
+    if (has_wet_roots) {
+        solids = slots_with_solids(problem, work.lists, state.particles);
         find_roots(problem, work.conditions, work.wet_lists, state.particles, solids, walls.wet_roots);
+    }
     if (!work.partly_wet) return;
     aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);
-    mark_water_table(walls, solids, work.aggregated_wet_lists.lists);
+    if (has_wet_roots) mark_water_table(walls, solids, work.aggregated_wet_lists.lists);
 }
 
 } // namespace quicksand
