@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace quicksand {
 
@@ -188,8 +189,10 @@ void divide_materials(const Scene& scene, const FlowField* flow, const std::vect
         const auto m = static_cast<std::size_t>(of_domain[p]);
         if (above[m] < 0) {
             above[m] = static_cast<std::int32_t>(problem.materials.size());
-            problem.materials.push_back(
-                unsaturated(problem.materials[m], *problem.water, scene.materials[m].saturation_above_water));
+            Material dry =
+                unsaturated(problem.materials[m], *problem.water, scene.materials[m].saturation_above_water);
+            dry.part_of = m;
+            problem.materials.push_back(std::move(dry));
         }
         of_domain[p] = above[m];
     }

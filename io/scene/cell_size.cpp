@@ -269,14 +269,15 @@ void check_layers(const Scene& scene, const Section& section, double cell_size, 
             continue;
         const double cells = thickness_between_others(*drawn, section) / cell_size;
         if (!(cells < least_cells - rounding)) continue;
-        findings.add(warning_at(written.place, join_path({"regions", written.name}), "thin-layer",
-                                fmt::format("the region \"{}\" is {:.2g} cells thick: cells that it shares "
-                                            "with other soil strain as one, so that a "
-                                            "soft layer settles too little and a weak one is too strong",
-                                            written.name, cells),
-                                fmt::format("cells of at most {:.3g} m, {:g} through the layer",
-                                            cells * cell_size / cells_through_layer, cells_through_layer),
-                                "without grid.cell_size the program chooses such cells"));
+        findings.add(
+            warning_at(written.place, join_path({"regions", written.name}), "thin-layer",
+                       fmt::format("the region \"{}\" is {:.2g} cells thick: where it lies at an angle to "
+                                   "the grid it is too strong, and settles too little where it is far "
+                                   "softer than the soil beside it",
+                                   written.name, cells),
+                       fmt::format("cells of at most {:.3g} m, {:g} through the layer",
+                                   cells * cell_size / cells_through_layer, cells_through_layer),
+                       "without grid.cell_size the program chooses such cells"));
     }
 }
 

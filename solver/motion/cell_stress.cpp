@@ -3,6 +3,7 @@
 #include "solver/motion/particle_motion.hpp"
 
 #include <cstdint>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -46,16 +47,20 @@ void even_out_cells(const Problem& problem, double dt, const CellLists& lists, P
 
 } // namespace
 
-void update_stress_of_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles,
-                            VolumetricAverage& average)
+CellStrain make_cell_strain(const Problem& problem)
 {
-    average_volume_change(lists, average, particles);
+    return {make_volumetric_average(problem), soils_that_share_cells(problem), {}};
+}
+
+void update_stress_of_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles,
+                            CellStrain& strain)
+{
+    const bool differs = !strain.soil_of.empty() || !strain.averaged.empty();
+    if (differs) strain.own = particles.velocity_gradient_solid;
+    average_volume_change(lists, strain.averaged, particles);
+    part_strains_of_soils(problem, dt, lists, strain.soil_of, particles);
     update_effective_stress(problem, dt, particles);
-    if (!average.asked_for.empty()) {
-        Gradients& L = particles.velocity_gradient_solid;
-        L.xx.swap(average.own_xx);
-        L.yy.swap(average.own_yy);
-    }
+    if (differs) std::swap(strain.own, particles.velocity_gradient_solid);
     even_out_cells(problem, dt, lists, particles);
 }
 

@@ -6,12 +6,12 @@ namespace quicksand {
 
 namespace {
 
-void average_tile(const VolumetricAverage& average, const CellLists& lists, const Tile& tile,
+void average_tile(const VolumetricAverage& asked_for, const CellLists& lists, const Tile& tile,
                   Particles& particles)
 {
     Gradients& L = particles.velocity_gradient_solid;
     const auto asks = [&](std::size_t p) {
-        return average.asked_for[static_cast<std::size_t>(particles.material[p])] != 0;
+        return asked_for[static_cast<std::size_t>(particles.material[p])] != 0;
     };
     for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
         const auto slot = static_cast<std::size_t>(c);
@@ -52,21 +52,18 @@ bool dilates(const SkeletonLaw& any)
 
 VolumetricAverage make_volumetric_average(const Problem& problem)
 {
-    VolumetricAverage average;
+    VolumetricAverage asked_for;
     for (const Material& material : problem.materials)
-        average.asked_for.push_back(
+        asked_for.push_back(
             material.volumetric_strain == VolumetricStrain::cell && !dilates(material.law) ? 1 : 0);
-    if (std::find(average.asked_for.begin(), average.asked_for.end(), 1) == average.asked_for.end())
-        average.asked_for.clear();
-    return average;
+    if (std::find(asked_for.begin(), asked_for.end(), 1) == asked_for.end()) asked_for.clear();
+    return asked_for;
 }
 
-void average_volume_change(const CellLists& lists, VolumetricAverage& average, Particles& particles)
+void average_volume_change(const CellLists& lists, const VolumetricAverage& asked_for, Particles& particles)
 {
-    if (average.asked_for.empty()) return;
-    average.own_xx = particles.velocity_gradient_solid.xx;
-    average.own_yy = particles.velocity_gradient_solid.yy;
-    for_each_tile(lists, [&](const Tile& tile) { average_tile(average, lists, tile, particles); });
+    if (asked_for.empty()) return;
+    for_each_tile(lists, [&](const Tile& tile) { average_tile(asked_for, lists, tile, particles); });
 }
 
 } // namespace quicksand

@@ -19,16 +19,13 @@
 
 namespace quicksand {
 
-/// Data of the average that last from step to step; empty without such a material.
-struct VolumetricAverage {
-    std::vector<std::uint8_t> asked_for; // by material, empty when none asks [-]
-    Scalars own_xx, own_yy;              // the particles' own rates while their stress is updated [1/s]
-};
+/// By material whether it asks for the average; empty when none does [-].
+using VolumetricAverage = std::vector<std::uint8_t>;
 
 VolumetricAverage make_volumetric_average(const Problem& problem);
 
-/// Give the particles of such materials the rate of volume change of their cell in their velocity gradients;
-/// their own rates are kept in the average. Nothing where no material asks for it.
-void average_volume_change(const CellLists& lists, VolumetricAverage& average, Particles& particles);
+/// Give the particles of such materials the rate of volume change of their cell in their velocity gradients.
+/// Nothing where no material asks for it.
+void average_volume_change(const CellLists& lists, const VolumetricAverage& asked_for, Particles& particles);
 
 } // namespace quicksand

@@ -39,6 +39,8 @@ struct Material {
     PermeabilityLaw permeability_law = PermeabilityLaw::constant;
     bool has_pores = true; // false: a solid without pore water, see solid_mixture.hpp
     bool saturated = true; // pores full of water where the scene has water; false above a phreatic line
+    std::optional<std::size_t> part_of = {}; // the material whose soil it is, which differs by its water or
+                                             // its state alone; none: a soil of its own
 };
 
 struct Water {

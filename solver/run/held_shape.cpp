@@ -109,7 +109,7 @@ HeldShape hold_shape(const Problem& moving, State& state)
     add_outer_forces(forces, shape.rest);
     shape.sums = shape.rest;
     hold_walls_of(problem, state, shape);
-    shape.average = make_volumetric_average(problem);
+    shape.strain = make_cell_strain(problem);
     shape.motion.resize(problem.grid.node_count());
     shape.displacement.x.resize(problem.grid.node_count());
     shape.displacement.y.resize(problem.grid.node_count());
@@ -138,7 +138,7 @@ void advance_held_shape(const Problem& problem, double dt, double damping, doubl
     }
     for_each_tile(shape.lists, [&](const Tile& tile) { gather_gradients(problem, shape, tile, particles); });
     update_stress_of_cells(problem, dt, shape.walls.any ? shape.aggregated_lists.lists : shape.lists,
-                           particles, shape.average);
+                           particles, shape.strain);
 }
 
 void set_at_rest(HeldShape& shape)

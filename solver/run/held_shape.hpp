@@ -8,7 +8,7 @@
 #include "solver/boundaries/boundary_conditions.hpp"
 #include "solver/boundaries/nodes.hpp"
 #include "solver/interpolation/node_weights.hpp"
-#include "solver/motion/volumetric_average.hpp"
+#include "solver/motion/cell_stress.hpp"
 #include "solver/particles/cell_lists.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
@@ -27,7 +27,7 @@ struct HeldShape {
     std::vector<SinglePhaseSums> rest;  // masses and weights of the nodes, with the loads and no stress
     std::vector<SinglePhaseSums> sums;  // with the forces and momenta of the last step
     std::vector<SinglePhaseMotion> motion;
-    VolumetricAverage average;
+    CellStrain strain;
     Vectors displacement; // of the nodes since the shape was taken [m]
 };
 

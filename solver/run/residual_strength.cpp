@@ -45,6 +45,7 @@ std::size_t give_residual_strength(const ResidualStrength& residual, Problem& pr
         const auto [entry, is_new] = made.try_emplace({before, step}, next);
         if (is_new) {
             Material sand = liquefied(material, std::pow(strength_step, step));
+            sand.part_of = material.part_of.value_or(static_cast<std::size_t>(before));
             problem.materials.push_back(std::move(sand));
         }
         particles.material[p] = entry->second;

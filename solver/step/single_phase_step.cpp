@@ -177,7 +177,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
     timed(work.timers, Phase::stress,
-          [&] { update_stress_of_cells(problem, dt, work.volume_lists(), particles, work.average); });
+          [&] { update_stress_of_cells(problem, dt, work.volume_lists(), particles, work.cell_strain); });
     carry_slivers(problem, work.places, state);
     state.time += dt;
     state.last_step = dt;

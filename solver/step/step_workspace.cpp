@@ -71,7 +71,7 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     work.wall_kinds = balance_nodes(work.conditions);
     work.balance_nodes = work.wall_kinds;
     work.stencils.resize(work.lists.tiles.size());
-    work.average = make_volumetric_average(problem);
+    work.cell_strain = make_cell_strain(problem);
     work.null_space_time = null_space_time(problem);
     const bool resists =
         stage == Stage::shaking ? problem.scheme == TimeScheme::implicit : has_soil_and_solids(problem);

@@ -9,8 +9,8 @@
 #include "solver/inertia/inertia_solve.hpp"
 #include "solver/interpolation/node_weights.hpp"
 #include "solver/measure/balances.hpp"
+#include "solver/motion/cell_stress.hpp"
 #include "solver/motion/particle_to_grid.hpp"
-#include "solver/motion/volumetric_average.hpp"
 #include "solver/particles/cell_lists.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
@@ -37,7 +37,7 @@ struct StepWorkspace {
     WallRows walls;
     std::vector<StencilStore> stencils;      // per tile
     bool stencils_are_kept = false;          // small strain: they hold for all steps
-    VolumetricAverage average;               // of the materials that ask for it
+    CellStrain cell_strain;                  // that stresses follow
     ParticlePlaces places;                   // of the particles that carry boundaries
     std::vector<Dashpot> dashpots;           // of viscous boundaries
     Vectors grid_velocity;                   // sum phi v_i of the grains [m/s]

@@ -177,8 +177,9 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
         };
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
-    timed(work.timers, Phase::stress,
-          [&] { update_stress_of_cells(problem, dt, work.volume_lists(), state.particles, work.average); });
+    timed(work.timers, Phase::stress, [&] {
+        update_stress_of_cells(problem, dt, work.volume_lists(), state.particles, work.cell_strain);
+    });
     carry_slivers(problem, work.places, state);
     state.time += dt;
     state.last_step = dt;

@@ -54,7 +54,7 @@ void SinglePhaseEquations::deform(const Scalars& velocity, Scalars& force)
         set_restoring_pressure(
             problem_, work_.lists_with_pressure(), [&](std::size_t p) { return L.xx[p] + L.yy[p]; },
             particles);
-    average_volume_change(work_.volume_lists(), work_.average, particles);
+    average_volume_change(work_.volume_lists(), work_.cell_strain.averaged, particles);
     set_restoring_stress(moduli_, particles);
     set_to_zero(restoring_);
     const auto scatter = is_undrained_ ? scatter_total_stress : scatter_single_phase;

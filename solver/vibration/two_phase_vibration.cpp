@@ -83,7 +83,7 @@ void TwoPhaseEquations::deform(const Scalars& velocity, Scalars& force)
         set_restoring_pressure(
             problem_, work_.lists_with_pressure(), [&](std::size_t p) { return work_.flux_divergence[p]; },
             particles);
-    average_volume_change(work_.volume_lists(), work_.average, particles);
+    average_volume_change(work_.volume_lists(), work_.cell_strain.averaged, particles);
     set_restoring_stress(moduli_, particles);
     set_to_zero(restoring_);
     for_each_tile_by_colour(work_.lists, [&](const Tile& tile) {

@@ -71,7 +71,7 @@ TEST(ThinLayer, IsToldWithTheCellsThroughIt)
     const std::string message = message_of("clay", 8.0);
     EXPECT_NE(
         message.find(
-            R"(scene.toml:26:1: warning[thin-layer]: the region "seam" is 1.2 cells thick: cells that it shares with other soil strain as one, so that a soft layer settles too little and a weak one is too strong
+            R"(scene.toml:26:1: warning[thin-layer]: the region "seam" is 1.2 cells thick: where it lies at an angle to the grid it is too strong, and settles too little where it is far softer than the soil beside it
    26 | [regions.seam]
       | ^~~~~~~~~~~~~~
 expected: cells of at most 0.075 m, 4 through the layer

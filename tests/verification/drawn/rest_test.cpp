@@ -3,6 +3,7 @@
 #include "solver/step_length/time_step_control.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 #include "tests/fixtures/grain_speed.hpp"
+#include "tests/fixtures/wedge_example.hpp"
 
 #include <gtest/gtest.h>
 
@@ -184,6 +185,15 @@ TEST_P(Rest, StaysAtRest)
 
 INSTANTIATE_TEST_SUITE_P(Pairs, Rest, testing::ValuesIn(pairwise_cases()),
                          [](const auto& test) { return name_of_case(test.param); });
+
+TEST(LongRest, ChangesNoStress)
+{
+    // in implicit steps of hours, of 30 kPa at the base; what settling has left out of balance goes on
+    for (const Vector2& origin : {Vector2(-0.5, -0.5), Vector2(-0.61, -0.57), Vector2(-0.53, -0.69)}) {
+        AssembledCase wedge = settled_wedge(origin, 1e-7);
+        EXPECT_LT(change_of_vertical_stress(1e5, wedge), 1.0) << origin.transpose();
+    }
+}
 
 } // namespace
 } // namespace quicksand
