@@ -72,8 +72,8 @@ void ProgressLine::went_back(const FailureRecord& record, const State& state)
         record.remedy == Remedy::explicit_steps ? "explicit steps for a while" : "half the step";
     journal_.say(fmt::format("The run went bad in step {}, t = {} s, at ({}, {}) m ({}): {}\n"
                              "  It goes on from t = {} s with {}.",
-                             record.step, short_number(record.time), short_number(record.position.x()),
-                             short_number(record.position.y()), record.phase, record.what,
+                             record.step, short_number(record.time), coordinate_text(record.position.x()),
+                             coordinate_text(record.position.y()), record.phase, record.what,
                              short_number(state.time), remedy));
 }
 

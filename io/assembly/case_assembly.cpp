@@ -114,10 +114,10 @@ bool begins_in_soil(const SceneProbe& probe, const Problem& problem, const Parti
                        [&](const Vector2& point) { return !outside_soil(problem, particles, point); });
 }
 
-/// In all stages probes ride with the same particles, however the soil has moved in the stages before.
+/// Probes ride with what lay nearest to their places in the drawing, however soil moves as it settles or in
+/// earlier stages.
 void choose_riders(AssembledCase& assembled)
 {
-    if (!assembled.scene.stage) return;
     const Particles& drawn = assembled.state.particles;
     for (SceneProbe& probe : assembled.scene.probes)
         if (probe.kind == ProbeKind::material && probe.at)

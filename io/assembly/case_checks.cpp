@@ -7,10 +7,11 @@
 #include "io/assembly/face_water.hpp"
 #include "io/assembly/ground_water.hpp"
 #include "io/assembly/present_soil.hpp"
+#include "io/assembly/thin_gaps.hpp"
+#include "io/assembly/thin_layers.hpp"
 #include "io/scene/cell_size.hpp"
 #include "io/scene/scene_grid.hpp"
 #include "io/scene/scene_section.hpp"
-#include "io/scene/thin_gaps.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
 
 #include <optional>

@@ -107,7 +107,7 @@ std::string extremes_text(const RunSummary& summary)
     Rows places{{"largest in the last frame", "value", "at x, y"}};
     for (const SummaryPlace& place : summary.places)
         places.push_back({place.field, number(place.value) + (place.unit.empty() ? "" : " " + place.unit),
-                          fmt::format("{:.4g} m, {:.4g} m", place.x, place.y)});
+                          fmt::format("{} m, {} m", coordinate_text(place.x), coordinate_text(place.y))});
     return (places.size() > 1 ? html_table(places) : "") + (values.size() > 1 ? html_table(values) : "");
 }
 

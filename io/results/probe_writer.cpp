@@ -21,8 +21,8 @@ std::string description(const SceneProbe& probe, std::int32_t identifier)
     const Vector2 at = *probe.at;
     switch (probe.kind) {
     case ProbeKind::material:
-        return fmt::format("{}, material: rides with particle {}, nearest to ({}, {}) m when {}", probe.name,
-                           identifier, at.x(), at.y(), probe.rider ? "drawn" : "shaking began");
+        return fmt::format("{}, material: rides with particle {}, nearest to ({}, {}) m when drawn",
+                           probe.name, identifier, at.x(), at.y());
     case ProbeKind::fixed:
         return fmt::format(
             "{}, fixed: the point ({}, {}) m, interpolated in the nodal averages; empty where there is "

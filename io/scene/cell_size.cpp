@@ -15,7 +15,7 @@ namespace quicksand {
 
 namespace {
 
-constexpr double cells_through_layer = 4.0, cells_through_body = 16.0, cells_per_wave = 10.0;
+constexpr double cells_through_body = 16.0, cells_per_wave = 10.0;
 constexpr double most_particles = 1e5;
 constexpr double largest_change = 1.15, smallest_change = 0.8; // of the size, to meet lines [-]
 constexpr double flat = 1e-9; // of the section's size: how little a straight line along the grid rises
@@ -45,45 +45,6 @@ double thickness(const Region& region)
     double most = 0.0;
     for (const Polygon& polygon : region.polygons) most = std::max(most, thickness(polygon));
     return most;
-}
-
-/// Of a region between others; infinite along an axis in which it goes through all of the soil [m].
-double thickness_between_others(const Region& region, const Section& section)
-{
-    Section alone;
-    alone.regions = {region};
-    bound_section(alone);
-    const double size = flat * extent(section);
-    double least = std::numeric_limits<double>::infinity();
-    for (const int axis : {0, 1}) {
-        const bool goes_through = alone.lower[axis] <= section.lower[axis] + size &&
-                                  alone.upper[axis] >= section.upper[axis] - size;
-        const double across = alone.upper[1 - axis] - alone.lower[1 - axis];
-        if (!goes_through) least = std::min(least, area(region) / across);
-    }
-    return least;
-}
-
-const Region* find_region(const Section& section, const std::string& name)
-{
-    const auto found = std::find_if(section.regions.begin(), section.regions.end(),
-                                    [&](const Region& region) { return region.name == name; });
-    return found == section.regions.end() ? nullptr : &*found;
-}
-
-const SceneMaterial* find_soil(const Scene& scene, const std::string& name)
-{
-    const auto found = std::find_if(scene.materials.begin(), scene.materials.end(),
-                                    [&](const SceneMaterial& soil) { return soil.material.name == name; });
-    return found == scene.materials.end() ? nullptr : &*found;
-}
-
-/// Whether another region has the same soil.
-bool is_shared(const Scene& scene, const SceneRegion& region)
-{
-    return std::any_of(scene.regions.begin(), scene.regions.end(), [&](const SceneRegion& other) {
-        return other.name != region.name && other.material == region.material;
-    });
 }
 
 /// A length that the cells should resolve, in so many of them.
@@ -257,28 +218,6 @@ CellSize choose_cell_size(const Scene& scene, const Section& section)
         chosen.reasons.push_back(fmt::format(
             "{:.4g} m instead of {:.4g}, for walls or edges to lie on grid lines", chosen.size, wanted));
     return chosen;
-}
-
-void check_layers(const Scene& scene, const Section& section, double cell_size, Diagnostics& findings)
-{
-    constexpr double least_cells = 2.0, rounding = 1e-6; // [cells]
-    for (const SceneRegion& written : scene.regions) {
-        const Region* drawn = find_region(section, written.name);
-        const SceneMaterial* soil = find_soil(scene, written.material);
-        if (drawn == nullptr || soil == nullptr || !soil->material.has_pores || is_shared(scene, written))
-            continue;
-        const double cells = thickness_between_others(*drawn, section) / cell_size;
-        if (!(cells < least_cells - rounding)) continue;
-        findings.add(
-            warning_at(written.place, join_path({"regions", written.name}), "thin-layer",
-                       fmt::format("the region \"{}\" is {:.2g} cells thick: where it lies at an angle to "
-                                   "the grid it is too strong, and settles too little where it is far "
-                                   "softer than the soil beside it",
-                                   written.name, cells),
-                       fmt::format("cells of at most {:.3g} m, {:g} through the layer",
-                                   cells * cell_size / cells_through_layer, cells_through_layer),
-                       "without grid.cell_size the program chooses such cells"));
-    }
 }
 
 } // namespace quicksand

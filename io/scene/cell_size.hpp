@@ -2,7 +2,6 @@
 #pragma once
 
 #include "geometry/section/section.hpp"
-#include "io/keys/diagnostics.hpp"
 #include "io/tables/scene.hpp"
 
 #include <optional>
@@ -10,6 +9,8 @@
 #include <vector>
 
 namespace quicksand {
+
+inline constexpr double cells_through_layer = 4.0; // that are chosen
 
 /// A place this close to a grid line lies on it [cells].
 inline constexpr double on_grid_line = 1e-6;
@@ -40,10 +41,5 @@ struct CellSize {
 /// is least; not so small that there are more than 100 000 particles; then up to 15 % larger or 20 % smaller
 /// for walls, and then flat edges, to lie on grid lines.
 CellSize choose_cell_size(const Scene& scene, const Section& section);
-
-/// Warn of soils in layers of less than two cells: a cell has one strain, so that what lies in part of it
-/// is as stiff and as strong as what fills the rest. A soil that another region has as well is thicker than
-/// each.
-void check_layers(const Scene& scene, const Section& section, double cell_size, Diagnostics& findings);
 
 } // namespace quicksand

@@ -70,7 +70,7 @@ struct SceneProbe {
     std::optional<Vector2> to; // end of a profile [m]
     int points = 21;           // of a profile [-]
     SourcePlace place;
-    std::optional<std::int32_t> rider = std::nullopt; // of a material probe in a stage: drawn nearest to it
+    std::optional<std::int32_t> rider = std::nullopt; // of a material probe: drawn nearest to its place
 };
 
 struct SceneOutput {

@@ -244,13 +244,15 @@ CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, 
     return shear_cyclically(loading, start, specimen);
 }
 
-CyclicTest reconsolidate(const SkeletonLaw& law, const Consolidation& start, const Reconsolidation& loading)
+CyclicTest reconsolidate(const SkeletonLaw& law, const SkeletonLaw& settling, const Consolidation& start,
+                         const Reconsolidation& loading)
 {
     if (!(loading.gamma > 0.0)) throw InputError("element test: gamma must be positive");
     Specimen specimen = consolidate(law, start);
     CyclicTest test = shear_cyclically(StrainCycles{loading.gamma, loading.cycles}, start, specimen);
     shear_to_least_stress(loading.gamma, specimen, test.path);
     test.drained_from = test.path.size() - 1;
+    specimen.law = settling;
     const double cycle = test.path.back().cycle;
     const auto apply = [](double step, Specimen& s) { strain(0.0, step, 0.0, s); };
     for (double stress = specimen.sigma_y(); stress < start.vertical_stress;) {

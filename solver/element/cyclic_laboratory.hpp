@@ -46,7 +46,10 @@ struct CyclicTest {
 CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StressCycles& loading);
 CyclicTest shear_cyclically(const SkeletonLaw& law, const Consolidation& start, const StrainCycles& loading);
 
-CyclicTest reconsolidate(const SkeletonLaw& law, const Consolidation& start, const Reconsolidation& loading);
+/// `settling` is the law while water leaves, which may be another one than in the cycles: a post-shaking
+/// option softens it.
+CyclicTest reconsolidate(const SkeletonLaw& law, const SkeletonLaw& settling, const Consolidation& start,
+                         const Reconsolidation& loading);
 
 /// A whole cycle from the peak of one to that of the next, for modulus and damping.
 struct CycleSummary {

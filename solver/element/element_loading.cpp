@@ -10,7 +10,10 @@ struct Performer {
 
     CyclicTest operator()(const StressCycles& loading) const { return shear_cyclically(law, start, loading); }
     CyclicTest operator()(const StrainCycles& loading) const { return shear_cyclically(law, start, loading); }
-    CyclicTest operator()(const Reconsolidation& loading) const { return reconsolidate(law, start, loading); }
+    CyclicTest operator()(const Reconsolidation& loading) const
+    {
+        return reconsolidate(law, law, start, loading);
+    }
     CyclicTest operator()(const MonotonicShear& loading) const
     {
         return {shear_monotonically(law, start, loading.drainage, loading.largest_gamma), {}, {}, {}, 0};

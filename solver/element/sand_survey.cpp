@@ -78,7 +78,7 @@ SandSurvey survey(const SkeletonLaw& law)
         survey.k_alpha = ratio(csr_to_liquefaction(law, {100e3, 0.5, 10e3}, cycles_of_strength), csr);
         follow_liquefaction(law, csr, survey);
     }
-    const CyclicTest drained = reconsolidate(settling_after_shaking(law), usual, {0.08, 10.0});
+    const CyclicTest drained = reconsolidate(law, settling_after_shaking(law), usual, {0.08, 10.0});
     survey.reconsolidation = drained.path.back().volumetric_strain();
     survey.k_0_after = drained.path.back().sigma_x / drained.path.back().sigma_y;
     for (std::size_t k = 0; k < survey_strains.size(); ++k)

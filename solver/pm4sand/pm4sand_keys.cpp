@@ -46,7 +46,7 @@ constexpr std::array<Key, 27> keys = {{
       .meaning = "h0: plastic over elastic modulus, for the curves of G/Gmax and damping.",
       .allowed = positive,
       .usual = {0.1, 2.0},
-      .absent = "(0.25 + Dr)/2, at least 0.3; calibrated Dr + 0.11"},
+      .absent = "(0.25 + Dr)/2; calibrated Dr + 0.11; at least 0.3"},
      &Pm4Sand::modulus_ratio},
     {{.name = "largest_void_ratio",
       .unit = "-",

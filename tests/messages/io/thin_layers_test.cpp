@@ -1,8 +1,11 @@
 // Layers of soil that are thinner than cells resolve.
+#include "io/assembly/thin_layers.hpp"
 #include "tests/fixtures/drawn_section.hpp"
 #include "tests/fixtures/scene_example.hpp"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace quicksand {
 namespace {
@@ -40,15 +43,17 @@ end_time = 1.0
 )";
 }
 
-/// Ground of `width` and 4 m, the region "soil" with a seam of 0.3 m in its middle.
-Section layered(double width)
+/// Ground of `width` and 4 m with a seam of 0.3 m in its middle that rises by `slope`.
+Section layered(double width, double slope)
 {
     Section section = polygon_section(
         {{{0.0, 0.0}, "base"}, {{width, 0.0}, "right"}, {{width, 4.0}, "surface"}, {{0.0, 4.0}, "left"}});
-    const auto box = [width](double lower, double upper) {
-        return Region{"", {{{{0.0, lower}, {width, lower}, {width, upper}, {0.0, upper}}, {}}}};
+    const double rise = slope * width, low = 2.0 - 0.5 * rise, high = low + 0.3 * std::hypot(1.0, slope);
+    const auto part = [&](double left, double right, double left_top, double right_top) {
+        return Region{"", {{{{0.0, left}, {width, right}, {width, right_top}, {0.0, left_top}}, {}}}};
     };
-    section.regions = {box(0.0, 2.0), box(2.0, 2.3), box(2.3, 4.0)};
+    section.regions = {part(0.0, 0.0, low, low + rise), part(low, low + rise, high, high + rise),
+                       part(high, high + rise, 4.0, 4.0)};
     section.regions[0].name = "lower", section.regions[1].name = "seam", section.regions[2].name = "upper";
     bound_section(section);
     return section;
@@ -61,17 +66,17 @@ std::string regions(const std::string& seam)
            seam + "\"\n";
 }
 
-std::string message_of(const std::string& seam, double width)
+std::string message_of(const std::string& seam, const Section& section)
 {
-    return SceneFolder().assembly_message(layered_scene(regions(seam)), layered(width));
+    return SceneFolder().assembly_message(layered_scene(regions(seam)), section);
 }
 
 TEST(ThinLayer, IsToldWithTheCellsThroughIt)
 {
-    const std::string message = message_of("clay", 8.0);
+    const std::string message = message_of("clay", layered(8.0, 0.1));
     EXPECT_NE(
         message.find(
-            R"(scene.toml:26:1: warning[thin-layer]: the region "seam" is 1.2 cells thick: where it lies at an angle to the grid it is too strong, and settles too little where it is far softer than the soil beside it
+            R"(scene.toml:26:1: warning[thin-layer]: the region "seam" is 1.2 cells thick and lies at an angle to the grid: it is too strong, and settles too little where it is far softer than the soil beside it
    26 | [regions.seam]
       | ^~~~~~~~~~~~~~
 expected: cells of at most 0.075 m, 4 through the layer
@@ -85,15 +90,32 @@ to accept it: accept = ["regions.seam"] at the top of the scene
 TEST(ThinLayer, IsNoneOfASoilThatGoesOnBesideNorASolid)
 {
     for (const std::string seam : {"sand", "wall"})
-        EXPECT_EQ(message_of(seam, 8.0).find("thin-layer"), std::string::npos) << seam;
+        EXPECT_EQ(message_of(seam, layered(8.0, 0.1)).find("thin-layer"), std::string::npos) << seam;
 }
 
-// The layers of a column are as wide as it is.
-TEST(ThinLayer, CountsNoCellsAlongAColumn)
+TEST(ThinLayer, MayBeLevel)
 {
-    const std::string message = message_of("clay", 0.5);
-    EXPECT_NE(message.find("the region \"seam\" is 1.2 cells thick"), std::string::npos) << message;
-    EXPECT_EQ(message.find("the region \"lower\""), std::string::npos) << message;
+    EXPECT_EQ(message_of("clay", layered(8.0, 0.0)).find("thin-layer"), std::string::npos);
+}
+
+// From corner to corner, in two parts, and where no soil is.
+TEST(ThinLayer, IsToldByItsShapeAlone)
+{
+    Section steep = layered(4.0, 0.8);
+    EXPECT_NE(message_of("clay", steep).find("thin-layer"), std::string::npos);
+    Section twice = layered(8.0, 0.1);
+    Polygon above = twice.regions[1].polygons[0];
+    for (Vector2& corner : above.outer) corner.y() += 0.8;
+    twice.regions[1].polygons.push_back(above);
+    Diagnostics findings;
+    Scene scene;
+    scene.regions = {{.name = "seam", .material = "clay", .place = {}}};
+    check_layers(scene, twice, 0.25, findings);
+    EXPECT_NE(findings.render("").find("1.2 cells thick"), std::string::npos) << findings.render("");
+    Diagnostics none;
+    twice.regions[1].polygons.clear();
+    check_layers(scene, twice, 0.25, none);
+    EXPECT_EQ(none.render(""), "");
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "io/scene/thin_gaps.hpp"
+#include "io/assembly/thin_gaps.hpp"
 
 #include "io/keys/scene_schema.hpp"
 #include "io/tables/scene_boundaries.hpp"

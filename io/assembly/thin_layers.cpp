@@ -1,0 +1,112 @@
+#include "io/assembly/thin_layers.hpp"
+
+#include "geometry/section/region_contacts.hpp"
+#include "io/keys/scene_schema.hpp"
+#include "io/scene/cell_size.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace quicksand {
+
+namespace {
+
+/// Lengths of all edges of a polygon and of those that are neither level nor upright [m].
+struct EdgeLengths {
+    double all = 0.0, slanted = 0.0;
+
+    void add(const Ring& ring)
+    {
+        constexpr double flat = 1e-6; // of its length: how little an edge along the grid rises
+        for (std::size_t k = 0; k < ring.size(); ++k) {
+            const Vector2 edge = ring[(k + 1) % ring.size()] - ring[k];
+            all += edge.norm();
+            if (edge.cwiseAbs().minCoeff() > flat * edge.norm()) slanted += edge.norm();
+        }
+    }
+};
+
+EdgeLengths edge_lengths(const Polygon& polygon)
+{
+    EdgeLengths lengths;
+    lengths.add(polygon.outer);
+    for (const Ring& hole : polygon.holes) lengths.add(hole);
+    return lengths;
+}
+
+/// The shorter side of the rectangle with the area and the length of edges of a polygon [m].
+double layer_thickness(const Polygon& polygon)
+{
+    const double quarter = 0.25 * edge_lengths(polygon).all;
+    const double area_of_it = area(Region{"", {polygon}});
+    return quarter - std::sqrt(std::max(0.0, quarter * quarter - area_of_it));
+}
+
+/// Of the thickest part of a region that lies at an angle to the grid: more than a quarter of its edges do.
+/// Zero without such a part [m].
+double slanted_thickness(const Region& region)
+{
+    double most = 0.0;
+    for (const Polygon& polygon : region.polygons) {
+        const EdgeLengths lengths = edge_lengths(polygon);
+        if (lengths.slanted > 0.25 * lengths.all) most = std::max(most, layer_thickness(polygon));
+    }
+    return most;
+}
+
+const SceneRegion* find_region(const Scene& scene, const std::string& name)
+{
+    const auto found = std::find_if(scene.regions.begin(), scene.regions.end(),
+                                    [&](const SceneRegion& region) { return region.name == name; });
+    return found == scene.regions.end() ? nullptr : &*found;
+}
+
+bool is_solid(const Scene& scene, const std::string& material)
+{
+    return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const SceneMaterial& each) {
+        return each.material.name == material && !each.material.has_pores;
+    });
+}
+
+/// Whether a region touches another one of the same soil.
+bool goes_on(std::size_t region, const std::string& material, const Scene& scene, const Section& section,
+             const std::vector<RegionContact>& contacts)
+{
+    return std::any_of(contacts.begin(), contacts.end(), [&](const RegionContact& contact) {
+        if (contact.left != region && contact.right != region) return false;
+        const std::size_t other = contact.left == region ? contact.right : contact.left;
+        const SceneRegion* beside = find_region(scene, section.regions[other].name);
+        return beside != nullptr && beside->material == material;
+    });
+}
+
+} // namespace
+
+void check_layers(const Scene& scene, const Section& section, double cell_size, Diagnostics& findings)
+{
+    constexpr double least_cells = 2.0, rounding = 1e-6; // [cells]
+    if (section.regions.size() < 2) return;
+    const std::vector<RegionContact> contacts = region_contacts(section);
+    for (std::size_t k = 0; k < section.regions.size(); ++k) {
+        const SceneRegion* written = find_region(scene, section.regions[k].name);
+        const double cells = slanted_thickness(section.regions[k]) / cell_size;
+        if (written == nullptr || !(cells > 0.0 && cells < least_cells - rounding)) continue;
+        const bool is_layer =
+            !is_solid(scene, written->material) && !goes_on(k, written->material, scene, section, contacts);
+        if (!is_layer) continue;
+        findings.add(warning_at(
+            written->place, join_path({"regions", written->name}), "thin-layer",
+            fmt::format("the region \"{}\" is {:.2g} cells thick and lies at an angle to the grid: it "
+                        "is too strong, and settles too little where it is far softer than the soil "
+                        "beside it",
+                        written->name, cells),
+            fmt::format("cells of at most {:.3g} m, {:g} through the layer",
+                        cells * cell_size / cells_through_layer, cells_through_layer),
+            "without grid.cell_size the program chooses such cells"));
+    }
+}
+
+} // namespace quicksand
