@@ -3,7 +3,7 @@
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/outer_forces.hpp"
 #include "solver/boundaries/surface_loads.hpp"
-#include "solver/motion/cell_stress.hpp"
+#include "solver/cell_strain/cell_stress.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/run/unbalanced_forces.hpp"
@@ -109,7 +109,7 @@ HeldShape hold_shape(const Problem& moving, State& state)
     add_outer_forces(forces, shape.rest);
     shape.sums = shape.rest;
     hold_walls_of(problem, state, shape);
-    shape.strain = make_cell_strain(problem);
+    shape.strain = make_cell_strain(problem, state.stage);
     shape.motion.resize(problem.grid.node_count());
     shape.displacement.x.resize(problem.grid.node_count());
     shape.displacement.y.resize(problem.grid.node_count());

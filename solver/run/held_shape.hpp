@@ -7,8 +7,8 @@
 
 #include "solver/boundaries/boundary_conditions.hpp"
 #include "solver/boundaries/nodes.hpp"
+#include "solver/cell_strain/cell_stress.hpp"
 #include "solver/interpolation/node_weights.hpp"
-#include "solver/motion/cell_stress.hpp"
 #include "solver/particles/cell_lists.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"

@@ -2,7 +2,7 @@
 //
 // Sand then fails at constant volume, which the particles of a cell cannot each for itself: with volumetric
 // strains of their own, slopes of sand had factors of safety that were too large by a quarter to a half. The
-// strain of the cell is that of all of them (motion/volumetric_average.hpp).
+// strain of the cell is that of all of them (cell_strain/volumetric_average.hpp).
 #pragma once
 
 #include "solver/problem/problem.hpp"

@@ -3,9 +3,9 @@
 #include "solver/boundaries/grid_momentum.hpp"
 #include "solver/boundaries/outer_forces.hpp"
 #include "solver/boundaries/surface_loads.hpp"
+#include "solver/cell_strain/cell_stress.hpp"
 #include "solver/inertia/coupled_motion.hpp"
 #include "solver/measure/balances.hpp"
-#include "solver/motion/cell_stress.hpp"
 #include "solver/motion/grid_to_particle.hpp"
 #include "solver/motion/null_space_damping.hpp"
 #include "solver/motion/particle_motion.hpp"
@@ -17,13 +17,6 @@
 namespace quicksand {
 
 namespace {
-
-/// Whether the water takes part with a pressure that follows from the change of volume.
-bool is_undrained(const Problem& problem, const State& state)
-{
-    return state.stage == Stage::shaking ? water_flow(problem) == WaterFlow::undrained
-                                         : settles_undrained(problem);
-}
 
 /// The velocities at the end of the step that the forces give.
 void solve_single_phase_velocities(const Problem& problem, double velocity_dt, double acceleration,
@@ -159,7 +152,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
                                 particles, work.grid_velocity);
         });
     });
-    if (is_undrained(problem, state))
+    if (work.walls.keeps_water)
         timed(work.timers, Phase::pore_pressure, [&] {
             advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure_increment, particles,
                                   work.cell_means, [&](const Tile& tile) {
@@ -170,7 +163,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
     timed(work.timers, Phase::motion, [&] {
         const auto velocity = [&](std::size_t i) { return Vector2(work.motion[i].x, work.motion[i].y); };
         // undrained waves are far faster than any deformation
-        if (problem.strain == StrainForm::large && !is_undrained(problem, state))
+        if (problem.strain == StrainForm::large && !work.walls.keeps_water)
             damp_null_space_of_deformation(dt, work.masses.inertia, work.grid_velocity,
                                            work.null_space_damping, particles);
         if (state.balance_terms) enter_exchange(problem, dt, particles, *state.balance_terms);

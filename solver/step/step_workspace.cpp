@@ -44,6 +44,18 @@ void keep_reference_weights(const Problem& problem, double dt, State& state, Ste
     work.stencils_are_kept = true;
 }
 
+/// Add the slots with wet and dry soil. Where water keeps its volume, the pressure of the wet part would
+/// follow the strain that both have, and not what the wet part bears.
+void add_parted_slots(const CellLists& lists, const CellLists& wet_lists, std::vector<std::uint8_t>& slots)
+{
+    slots.resize(lists.cell_of_slot.size());
+    for (std::size_t s = 0; s < slots.size(); ++s) {
+        const std::int32_t wet = wet_lists.cell_start[s + 1] - wet_lists.cell_start[s],
+                           all = lists.cell_start[s + 1] - lists.cell_start[s];
+        if (wet > 0 && wet < all) slots[s] = 1;
+    }
+}
+
 /// Mark the roots of cells that hold little water and are well filled by soil; `solids` has the slots with
 /// solids, which take the place of water.
 void mark_water_table(const WallRows& walls, const std::vector<std::uint8_t>& solids, CellLists& lists)
@@ -71,7 +83,7 @@ void set_up_workspace(const Problem& problem, StepWorkspace& work, Stage stage)
     work.wall_kinds = balance_nodes(work.conditions);
     work.balance_nodes = work.wall_kinds;
     work.stencils.resize(work.lists.tiles.size());
-    work.cell_strain = make_cell_strain(problem);
+    work.cell_strain = make_cell_strain(problem, stage);
     work.null_space_time = null_space_time(problem);
     const bool resists =
         stage == Stage::shaking ? problem.scheme == TimeScheme::implicit : has_soil_and_solids(problem);
@@ -125,7 +137,9 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
     std::vector<std::uint8_t> solids;
     if (has_wet_roots) {
         solids = slots_with_solids(problem, work.lists, state.particles);
-        find_roots(problem, work.conditions, work.wet_lists, state.particles, solids, walls.wet_roots);
+        std::vector<std::uint8_t> spoilt = solids;
+        if (walls.keeps_water && work.partly_wet) add_parted_slots(work.lists, work.wet_lists, spoilt);
+        find_roots(problem, work.conditions, work.wet_lists, state.particles, spoilt, walls.wet_roots);
     }
     if (!work.partly_wet) return;
     aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);

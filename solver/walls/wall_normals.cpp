@@ -91,9 +91,8 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
     walls.aggregates_soil = !walls.edges.empty() || has_cut_soil(problem) || has_slivers;
     const bool shakes = stage == Stage::shaking;
     const bool flows = shakes && water_flow(problem) == WaterFlow::coupled;
-    const bool is_undrained =
-        shakes ? water_flow(problem) == WaterFlow::undrained : settles_undrained(problem);
-    const bool divides_pressures = walls.divides_water && (flows || is_undrained);
+    walls.keeps_water = shakes ? water_flow(problem) == WaterFlow::undrained : settles_undrained(problem);
+    const bool divides_pressures = walls.divides_water && (flows || walls.keeps_water);
     walls.aggregates_water = divides_pressures && flows && problem.scheme == TimeScheme::explicit_steps;
     walls.shares_pressures = has_solids || (divides_pressures && !walls.aggregates_water);
     walls.any = walls.aggregates_soil || walls.aggregates_water || walls.shares_pressures;

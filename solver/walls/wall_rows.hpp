@@ -45,6 +45,7 @@ struct WallRows {
     /// little water.
     bool shares_pressures = false;
     bool divides_water = false; // wet and other particles meet: their normals differ
+    bool keeps_water = false;   // undrained: the pressure follows from the change of volume
     WallContacts contacts;
     bool contacts_are_due = true;
     bool normals_are_kept = false;           // small strain: they hold for all steps

@@ -1,4 +1,4 @@
-#include "solver/motion/cell_stress.hpp"
+#include "solver/cell_strain/cell_stress.hpp"
 
 #include "solver/motion/particle_motion.hpp"
 
@@ -47,18 +47,18 @@ void even_out_cells(const Problem& problem, double dt, const CellLists& lists, P
 
 } // namespace
 
-CellStrain make_cell_strain(const Problem& problem)
+CellStrain make_cell_strain(const Problem& problem, Stage stage)
 {
-    return {make_volumetric_average(problem), soils_that_share_cells(problem), {}};
+    return {make_volumetric_average(problem), make_shared_soils(problem, stage), {}};
 }
 
 void update_stress_of_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles,
                             CellStrain& strain)
 {
-    const bool differs = !strain.soil_of.empty() || !strain.averaged.empty();
+    const bool differs = !strain.shared.of_material.empty() || !strain.averaged.empty();
     if (differs) strain.own = particles.velocity_gradient_solid;
     average_volume_change(lists, strain.averaged, particles);
-    part_strains_of_soils(problem, dt, lists, strain.soil_of, particles);
+    part_strains_of_soils(problem, dt, lists, strain.shared, particles);
     update_effective_stress(problem, dt, particles);
     if (differs) std::swap(strain.own, particles.velocity_gradient_solid);
     even_out_cells(problem, dt, lists, particles);

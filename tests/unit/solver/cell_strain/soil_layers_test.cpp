@@ -1,5 +1,5 @@
 // Two soils in one cell strain as layers that touch along a plane.
-#include "solver/motion/cell_stress.hpp"
+#include "solver/cell_strain/cell_stress.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
@@ -18,6 +18,7 @@ Problem three_by_three_cells()
 {
     Problem problem;
     problem.grid = {{0.0, 0.0}, 1.0, 3, 3};
+    problem.gravity = 0.0;
     problem.materials = {fixtures::stiff_sand(), fixtures::stiff_sand(), fixtures::stiff_sand()};
     for (std::size_t m = 0; m < 3; ++m)
         problem.materials[m].law = LinearElastic{m == 1 ? G_soft : G_stiff, nu};
@@ -38,7 +39,7 @@ Particles strained(const Problem& problem, const std::function<std::int32_t(cons
     }
     CellLists lists = make_cell_lists(problem.grid);
     sort_particles(problem.grid, 0.0, state, lists);
-    CellStrain strain = make_cell_strain(problem);
+    CellStrain strain = make_cell_strain(problem, Stage::shaking);
     update_stress_of_cells(problem, dt, lists, particles, strain);
     return particles;
 }
@@ -121,28 +122,71 @@ TEST(SoilLayers, LeaveCellsOfOneSoilAndTheMotion)
     }
 }
 
-// Where one of the soils is dry, the total stresses are equal: grains of both bear a part of the pressure.
-TEST(SoilLayers, BearTheWaterBetweenThem)
+// A stiff seam that fills no cell bears by its shear, as a wall does; a soft one does not.
+TEST(SoilLayers, LetAStiffSeamShearWithItsCell)
 {
     Problem problem = three_by_three_cells();
-    problem.strain = StrainForm::small;
-    State state = fixtures::fill(problem, 4, [](const Vector2&) { return true; });
-    Particles& particles = state.particles;
-    particles.pore_pressure.assign(particles.size(), 0.0);
+    std::get<LinearElastic>(problem.materials[0].law).shear_modulus = G_soft;
+    std::get<LinearElastic>(problem.materials[1].law).shear_modulus = G_stiff;
+    const Particles particles =
+        strained(problem, [](const Vector2& x) { return std::abs(x.y() - 1.5) < 0.25 ? 1 : 0; });
     for (std::size_t p = 0; p < particles.size(); ++p) {
-        particles.material[p] = particles.position.y[p] < 1.5 ? 0 : 1;
-        if (particles.material[p] == 0) particles.pore_pressure[p] = 4000.0;
+        const double G = particles.material[p] == 1 ? G_stiff : G_soft;
+        EXPECT_NEAR(particles.stress.xy[p], 2e-5 * G, 1e-3 * G * 2e-5); // a spin of 2e-5 turns e_xx - e_yy
     }
-    CellLists lists = make_cell_lists(problem.grid);
-    sort_particles(problem.grid, 0.0, state, lists);
-    CellStrain strain = make_cell_strain(problem);
-    update_stress_of_cells(problem, dt, lists, particles, strain);
-    const double jump = 4000.0 / (0.5 * 3.0 * (G_stiff + G_soft)); // of e_yy
+}
+
+// Water that cannot leave has one pressure for both: neither changes its volume otherwise than the other.
+TEST(SoilLayers, ShareWaterThatCannotFlow)
+{
+    Problem problem = three_by_three_cells();
+    problem.water = fixtures::water_to(3.0);
+    problem.water->flow = WaterFlow::undrained;
+    const Particles particles = strained(problem, [](const Vector2& x) { return x.y() > 1.25 ? 1 : 0; });
+    const double shear = 2e-5 / (0.25 / G_stiff + 0.75 / G_soft);
     for (std::size_t p = 0; p < particles.size(); ++p) {
         if (!is_in_middle(particles, p)) continue;
-        const bool is_wet = particles.material[p] == 0;
-        const double expected = (is_wet ? 3.0 * G_stiff : -3.0 * G_soft) * 0.5 * jump;
-        EXPECT_NEAR(particles.stress.yy[p], expected, 1e-6 * std::abs(expected));
+        const double G = particles.material[p] == 1 ? G_soft : G_stiff;
+        EXPECT_NEAR(particles.stress.yy[p], G * (2e-6 - 3.0 * 1e-5), 1e-4 * G * 3e-5);
+        EXPECT_NEAR(particles.stress.xy[p], shear, 1e-3 * shear);
+    }
+}
+
+// Level ground of two soils of unlike weight, at rest with K0: faces within cells leave it there, though the
+// means of both soils lie at unlike depths.
+TEST(SoilLayers, LeaveGroundAtRestThatYields)
+{
+    constexpr double height = 3.0, phi = 0.5;
+    Problem problem = three_by_three_cells();
+    problem.strain = StrainForm::small;
+    for (std::size_t m = 0; m < 3; ++m) {
+        problem.materials[m].law =
+            MohrCoulomb{.shear_modulus = 10e6, .poisson_ratio = 0.3, .friction_angle = phi};
+        problem.materials[m].porosity = m == 1 ? 0.6 : 0.3;
+    }
+    State state = fixtures::fill(problem, 4, [](const Vector2&) { return true; });
+    Particles& particles = state.particles;
+    const double k0 = (1.0 - std::sin(phi)) / (1.0 + std::sin(phi)); // active: at failure
+    const double light = 0.4 * 2650.0 * 9.81, heavy = 0.7 * 2650.0 * 9.81, face = 1.25;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double y = particles.position.y[p];
+        particles.material[p] = y > face ? 1 : 0;
+        particles.mass_solid[p] = (y > face ? 0.4 : 0.7) * 2650.0 * particles.volume[p];
+        const double vertical =
+            y > face ? light * (height - y) : light * (height - face) + heavy * (face - y);
+        particles.stress.yy[p] = -vertical;
+        particles.stress.xx[p] = particles.stress.zz[p] = -k0 * vertical;
+    }
+    problem.gravity = 9.81;
+    CellLists lists = make_cell_lists(problem.grid);
+    sort_particles(problem.grid, 0.0, state, lists);
+    CellStrain strain = make_cell_strain(problem, Stage::shaking);
+    for (int step = 0; step < 100; ++step) update_stress_of_cells(problem, dt, lists, particles, strain);
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const double y = particles.position.y[p];
+        const double vertical =
+            y > face ? light * (height - y) : light * (height - face) + heavy * (face - y);
+        EXPECT_NEAR(particles.stress.yy[p], -vertical, 0.02 * light * height) << y;
     }
 }
 
@@ -150,7 +194,7 @@ TEST(SoilLayers, CostNothingInOneSoil)
 {
     Problem problem = three_by_three_cells();
     problem.materials.resize(1);
-    EXPECT_TRUE(make_cell_strain(problem).soil_of.empty());
+    EXPECT_TRUE(make_cell_strain(problem, Stage::shaking).shared.of_material.empty());
 }
 
 } // namespace

@@ -1,6 +1,6 @@
 // The cell's rate of volume change in place of the particle's, where a material asks for it.
+#include "solver/cell_strain/cell_stress.hpp"
 #include "solver/measure/balances.hpp"
-#include "solver/motion/cell_stress.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
@@ -45,7 +45,7 @@ Particles stressed(const Problem& problem)
     CellLists lists = make_cell_lists(problem.grid);
     sort_particles(problem.grid, 0.0, state, lists);
     set_alternating_rates(state.particles);
-    CellStrain strain = make_cell_strain(problem);
+    CellStrain strain = make_cell_strain(problem, Stage::shaking);
     update_stress_of_cells(problem, 1e-3, lists, state.particles, strain);
     return state.particles;
 }
@@ -123,7 +123,7 @@ TEST(VolumetricAverage, PassesOverTheParticlesOfOtherMaterials)
     sort_particles(problem.grid, 0.0, state, lists);
     set_alternating_rates(state.particles);
     const Scalars rates = state.particles.velocity_gradient_solid.xx;
-    CellStrain strain = make_cell_strain(problem);
+    CellStrain strain = make_cell_strain(problem, Stage::shaking);
     update_stress_of_cells(problem, 1e-3, lists, state.particles, strain);
     for (std::size_t p = 0; p < state.particles.size(); ++p) {
         if (state.particles.material[p] != 0) continue;

@@ -1,19 +1,19 @@
 // The stress of a step, with what the particles of a cell have in common.
 #pragma once
 
-#include "solver/motion/soil_layers.hpp"
-#include "solver/motion/volumetric_average.hpp"
+#include "solver/cell_strain/soil_layers.hpp"
+#include "solver/cell_strain/volumetric_average.hpp"
 
 namespace quicksand {
 
 /// Data of the strains that stresses follow, which last from step to step.
 struct CellStrain {
     VolumetricAverage averaged; // empty: no material asks for it
-    SoilOfMaterial soil_of;     // empty: soils do not share cells
+    SharedSoils shared;         // that can share cells
     Gradients own;              // of the particles while their stress is updated [1/s]
 };
 
-CellStrain make_cell_strain(const Problem& problem);
+CellStrain make_cell_strain(const Problem& problem, Stage stage);
 
 /// update_effective_stress with the cells' rates of volume change for materials that ask for them, strains of
 /// their own for soils that share a cell, and with what laws let the particles of a cell share. The velocity

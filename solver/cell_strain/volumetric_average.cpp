@@ -1,4 +1,4 @@
-#include "solver/motion/volumetric_average.hpp"
+#include "solver/cell_strain/volumetric_average.hpp"
 
 #include <algorithm>
 
