@@ -101,9 +101,7 @@ double allowed_by_water(SharedWater water, double dt, double cell_size, double M
 {
     const double resistivity = std::max(sides.a.resistivity, sides.b.resistivity);
     if (water == SharedWater::none || resistivity == 0.0) return 1.0;
-    if (water == SharedWater::kept)
-        return sides.a.resistivity > 0.0 && sides.b.resistivity > 0.0 ? 0.0
-                                                                      : 1.0; // a dry soil's pores give way
+    if (water == SharedWater::kept) return 0.0;
     return dt / (dt + cell_size * cell_size * resistivity / M);
 }
 
