@@ -120,25 +120,26 @@ TEST_P(UndrainedSettling, LetsTheWaterBearWhatIsPlaced)
 
 INSTANTIATE_TEST_SUITE_P(Strains, UndrainedSettling, testing::Values(StrainForm::large, StrainForm::small));
 
-// The pressure of little water in a cell whose other soil is dry was 2.5 times the weight: the strain of the
-// cell was kept at that of its water.
+// The pressure of little water in a cell whose other soil is dry was 1.3 to 2.5 times the weight: the strain
+// of the cell was kept at that of its water.
 TEST(UndrainedSettling, LetsWaterWithinACellBearWhatIsPlaced)
 {
-    constexpr double height = 4.125; // a quarter of a cell above whole ones [m]
     constexpr int rows = 4;
-    Problem problem = clay_and_fill(StrainForm::large, height);
-    State clay = drawn_state(problem, height, 2.0, rows);
-    ASSERT_TRUE(relax(problem, precisely(), clay).settled);
-    problem.water->while_settling = WaterFlow::undrained;
-    StagedRun run(problem, drawn_state(problem, height + fill_height, 2.0, rows),
-                  {400.0 * 86400.0, ColumnsComputed::all, true});
-    run.go_on_from(clay, {.settles = true});
-    ASSERT_TRUE(run.settle(precisely()).settled);
-    const double weight = fill_weight(problem);
-    const Particles& particles = run.state().particles;
-    for (std::size_t p = 0; p < particles.size(); ++p)
-        EXPECT_NEAR(particles.pore_pressure[p], particles.region[p] == 0 ? weight : 0.0, 0.02 * weight)
-            << particles.position.y[p];
+    for (const double height : {4.125, 4.25, 4.375}) { // parts of a cell above whole ones [m]
+        Problem problem = clay_and_fill(StrainForm::large, height);
+        State clay = drawn_state(problem, height, 2.0, rows);
+        ASSERT_TRUE(relax(problem, precisely(), clay).settled);
+        problem.water->while_settling = WaterFlow::undrained;
+        StagedRun run(problem, drawn_state(problem, height + fill_height, 2.0, rows),
+                      {400.0 * 86400.0, ColumnsComputed::all, true});
+        run.go_on_from(clay, {.settles = true});
+        ASSERT_TRUE(run.settle(precisely()).settled);
+        const double weight = fill_weight(problem);
+        const Particles& particles = run.state().particles;
+        for (std::size_t p = 0; p < particles.size(); ++p)
+            EXPECT_NEAR(particles.pore_pressure[p], particles.region[p] == 0 ? weight : 0.0, 0.02 * weight)
+                << height << ' ' << particles.position.y[p];
+    }
 }
 
 // Elastic soil that consolidates after it was loaded undrained comes to where drained soil is at once.
