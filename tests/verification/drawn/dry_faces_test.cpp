@@ -67,5 +67,20 @@ TEST(DryFaces, AreThoseBesideSoilWithoutWater)
         for (const Segment& segment : boundary.segments) EXPECT_FALSE(segment.is_dry) << boundary.name;
 }
 
+// A load above the water reaches it by less than single precision's smallest number at first: nothing to
+// solve for, where the solver divided zero by zero.
+TEST(DryFaces, LeaveWaterThatNothingHasReachedAtRest)
+{
+    const std::string tables = "[analysis]\nscheme = \"semi_implicit\"\n[gravity]\nacceleration = 0.0\n"
+                               "[water]\nlevel = 4.0\n" +
+                               base_and_sides + "[boundaries.surface]\npressure = 2e4\n[materials.soil]\n" +
+                               "hydraulic_conductivity = 1e-5\n" + elastic.substr(elastic.find("]") + 1);
+    AssembledCase drawn = assemble(
+        scene_with(0.5, {-0.5, -0.5}, 6, 18, tables),
+        polygon_section(
+            {{{0.0, 0.0}, "base"}, {{2.0, 0.0}, "right"}, {{2.0, 8.0}, "surface"}, {{0.0, 8.0}, "left"}}));
+    EXPECT_TRUE(run(drawn.problem, 0.1, {}, drawn.state));
+}
+
 } // namespace
 } // namespace quicksand
