@@ -256,7 +256,8 @@ bool iterate(const BackgroundGrid& grid, const CellLists& lists, const NodeCondi
     for (bool first = true; error > target; first = false, ++solve.iterations) {
         if (solve.iterations == controls.max_iterations) return false;
         const double last = std::exchange(weight, answer_residual(lists, solve));
-        if (weight == 0.0) return true; // less than single precision knows: water that nothing has reached yet
+        if (weight == 0.0)
+            return true; // less than single precision knows: water that nothing has reached yet
         turn_direction(lists, first ? 0.0 : weight / last, solve);
         const double alpha = weight / multiply(grid, lists, conditions, dt, solve.direction, solve);
         error = set_residual(lists, solve, [&](std::size_t c) {
