@@ -37,11 +37,10 @@ EdgeLengths edge_lengths(const Polygon& polygon)
     return lengths;
 }
 
-/// The shorter side of the rectangle with the area and the length of edges of a polygon [m].
-double layer_thickness(const Polygon& polygon)
+/// The shorter side of the rectangle with the area and all edges of a polygon [m].
+double layer_thickness(const Polygon& polygon, double edges)
 {
-    const double quarter = 0.25 * edge_lengths(polygon).all;
-    const double area_of_it = area(Region{"", {polygon}});
+    const double quarter = 0.25 * edges, area_of_it = area(Region{"", {polygon}});
     return quarter - std::sqrt(std::max(0.0, quarter * quarter - area_of_it));
 }
 
@@ -52,7 +51,8 @@ double slanted_thickness(const Region& region)
     double most = 0.0;
     for (const Polygon& polygon : region.polygons) {
         const EdgeLengths lengths = edge_lengths(polygon);
-        if (lengths.slanted > 0.25 * lengths.all) most = std::max(most, layer_thickness(polygon));
+        if (lengths.slanted > 0.25 * lengths.all)
+            most = std::max(most, layer_thickness(polygon, lengths.all));
     }
     return most;
 }

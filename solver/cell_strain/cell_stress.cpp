@@ -3,7 +3,6 @@
 #include "solver/motion/particle_motion.hpp"
 
 #include <cstdint>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -55,12 +54,15 @@ CellStrain make_cell_strain(const Problem& problem, Stage stage)
 void update_stress_of_cells(const Problem& problem, double dt, const CellLists& lists, Particles& particles,
                             CellStrain& strain)
 {
-    const bool differs = !strain.shared.of_material.empty() || !strain.averaged.empty();
-    if (differs) strain.own = particles.velocity_gradient_solid;
+    Gradients& L = particles.velocity_gradient_solid;
+    const bool shears = !strain.shared.of_material.empty(), grows = shears || !strain.averaged.empty();
+    if (grows) strain.own.xx = L.xx, strain.own.yy = L.yy;
+    if (shears) strain.own.xy = L.xy, strain.own.yx = L.yx;
     average_volume_change(lists, strain.averaged, particles);
     part_strains_of_soils(problem, dt, lists, strain.shared, particles);
     update_effective_stress(problem, dt, particles);
-    if (differs) std::swap(strain.own, particles.velocity_gradient_solid);
+    if (grows) L.xx.swap(strain.own.xx), L.yy.swap(strain.own.yy);
+    if (shears) L.xy.swap(strain.own.xy), L.yx.swap(strain.own.yx);
     even_out_cells(problem, dt, lists, particles);
 }
 

@@ -1,5 +1,7 @@
 #include "solver/cell_strain/soil_layers.hpp"
 
+#include "solver/problem/kept_water.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -186,10 +188,9 @@ void part_strain(const Problem& problem, double dt, const CellLists& lists, std:
 
 SharedWater shared_water(const Problem& problem, Stage stage)
 {
-    if (stage != Stage::shaking) return settles_undrained(problem) ? SharedWater::kept : SharedWater::none;
-    const auto flow = water_flow(problem);
-    if (flow == WaterFlow::coupled) return SharedWater::flows;
-    return flow == WaterFlow::undrained ? SharedWater::kept : SharedWater::none;
+    if (keeps_water(problem, stage)) return SharedWater::kept;
+    const bool flows = stage == Stage::shaking && water_flow(problem) == WaterFlow::coupled;
+    return flows ? SharedWater::flows : SharedWater::none;
 }
 
 } // namespace

@@ -18,7 +18,7 @@ constexpr double any_step = 1.0; // [s]
 
 SinglePhaseEquations::SinglePhaseEquations(const Problem& problem, const State& state)
     : problem_(problem), small_(form_of_small_motion(problem)), state_(resting_copy(state)),
-      is_undrained_(water_flow(problem) == WaterFlow::undrained), work_(make_single_phase_workspace(problem))
+      work_(make_single_phase_workspace(problem))
 {
     locate_particles(problem_, any_step, state_, work_);
     scatter_to_nodes(problem_, any_step, state_, work_);
@@ -50,14 +50,14 @@ void SinglePhaseEquations::deform(const Scalars& velocity, Scalars& force)
         gather_single_phase(problem_, 0.0, work_.lists, tile, work_.stencils_of(tile), work_.motion,
                             particles, work_.grid_velocity);
     });
-    if (is_undrained_)
+    if (work_.walls.keeps_water)
         set_restoring_pressure(
             problem_, work_.lists_with_pressure(), [&](std::size_t p) { return L.xx[p] + L.yy[p]; },
             particles);
     average_volume_change(work_.volume_lists(), work_.cell_strain.averaged, particles);
     set_restoring_stress(moduli_, particles);
     set_to_zero(restoring_);
-    const auto scatter = is_undrained_ ? scatter_total_stress : scatter_single_phase;
+    const auto scatter = work_.walls.keeps_water ? scatter_total_stress : scatter_single_phase;
     for_each_tile_by_colour(work_.lists, [&](const Tile& tile) {
         scatter(problem_, particles, work_.masses, work_.lists, tile, work_.stencils_of(tile), restoring_);
     });

@@ -30,7 +30,6 @@ private:
 
     Problem problem_, small_; // small_: its form of small motion
     State state_;
-    bool is_undrained_;
     SinglePhaseWorkspace work_;
     TangentModuli moduli_;
     std::vector<SinglePhaseSums> restoring_; // sums of which only the forces count

@@ -1,3 +1,4 @@
+#include "solver/problem/kept_water.hpp"
 #include "solver/walls/wall_rows.hpp"
 
 #include <algorithm>
@@ -91,7 +92,7 @@ void set_up_wall_rows(const Problem& problem, Stage stage, WallRows& walls)
     walls.aggregates_soil = !walls.edges.empty() || has_cut_soil(problem) || has_slivers;
     const bool shakes = stage == Stage::shaking;
     const bool flows = shakes && water_flow(problem) == WaterFlow::coupled;
-    walls.keeps_water = shakes ? water_flow(problem) == WaterFlow::undrained : settles_undrained(problem);
+    walls.keeps_water = keeps_water(problem, stage);
     const bool divides_pressures = walls.divides_water && (flows || walls.keeps_water);
     walls.aggregates_water = divides_pressures && flows && problem.scheme == TimeScheme::explicit_steps;
     walls.shares_pressures = has_solids || (divides_pressures && !walls.aggregates_water);

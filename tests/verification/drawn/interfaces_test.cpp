@@ -59,19 +59,11 @@ AssembledCase slab_on_soil(const std::string& tables, const Sampled& sampled = {
     section.curves[2].segments.push_back({{0.0, top}, {0.0, bed_height}});
     bound_section(section);
     const std::string count = std::to_string(sampled.per_cell);
-    AssembledCase assembled = assemble(scene_with(slab_cell, {-0.25, -0.5 - sampled.shift * slab_cell}, 4, 10,
-                                                  "[sampling]\nparticles_per_cell = [" + count + ", " +
-                                                      count + "]\n" + tables + concrete +
-                                                      R"([boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "tied"
-tied_to = "right"
-[boundaries.right]
-soil = "tied"
-tied_to = "left"
-)"),
-                                       section);
+    AssembledCase assembled =
+        assemble(scene_with(slab_cell, {-0.25, -0.5 - sampled.shift * slab_cell}, 4, 10,
+                            "[sampling]\nparticles_per_cell = [" + count + ", " + count + "]\n" + tables +
+                                concrete + base_and_tied_sides),
+                 section);
     RelaxationControls controls;
     controls.tolerance = 1e-4;
     EXPECT_TRUE(relax(assembled.problem, controls, assembled.state).settled);

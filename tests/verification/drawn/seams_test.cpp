@@ -149,21 +149,14 @@ std::vector<double> motion_of_column(const BaseMotion& motion, double density, d
 TEST(Seam, ShakesAsAColumnOfFineLayers)
 {
     for (const std::string scheme : {"explicit", "implicit"}) {
-        AssembledCase assembled = assemble(
-            scene_with(0.5, {0.0, 0.0}, 16, 18,
-                       "[analysis]\nscheme = \"" + scheme +
-                           "\"\nstrain = \"small\"\n[gravity]\nacceleration = 0.0\n[sampling]\n"
-                           "particles_per_cell = [2, 2]\n" +
-                           elastic_soil("stiff", 1e7) + elastic_soil("soft", 1e6) + soils_of_regions +
-                           R"([boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "tied"
-tied_to = "right"
-[boundaries.right]
-soil = "tied"
-tied_to = "left"
-[boundaries.surface]
+        AssembledCase assembled =
+            assemble(scene_with(0.5, {0.0, 0.0}, 16, 18,
+                                "[analysis]\nscheme = \"" + scheme +
+                                    "\"\nstrain = \"small\"\n[gravity]\nacceleration = 0.0\n[sampling]\n"
+                                    "particles_per_cell = [2, 2]\n" +
+                                    elastic_soil("stiff", 1e7) + elastic_soil("soft", 1e6) +
+                                    soils_of_regions + base_and_tied_sides +
+                                    R"([boundaries.surface]
 soil = "free"
 [motion]
 kind = "sine"
@@ -172,7 +165,7 @@ frequency = 2.0
 cycles = 4
 ramp_cycles = 2
 )"),
-            ground_with_seam(0.0, 1.0, 4.25));
+                     ground_with_seam(0.0, 1.0, 4.25));
         const Problem& problem = assembled.problem;
         State& state = assembled.state;
         begin_shaking(problem, state);

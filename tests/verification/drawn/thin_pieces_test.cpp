@@ -26,15 +26,7 @@ TEST(ThinPieces, OfOneColumnAreCarriedAsThoseOfAll)
 {
     const std::vector<NamedCorner> corners = {
         {{0.0, 0.0}, "base"}, {{4.0, 0.0}, "right"}, {{4.0, 2.01}, "surface"}, {{0.0, 2.01}, "left"}};
-    const std::string walls = R"([boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "tied"
-tied_to = "right"
-[boundaries.right]
-soil = "tied"
-tied_to = "left"
-[sampling]
+    const std::string walls = base_and_tied_sides + R"([sampling]
 particles_per_cell = [3, 3]
 [motion]
 kind = "sine"
