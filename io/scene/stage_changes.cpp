@@ -92,14 +92,27 @@ void check_stage(const SceneReading& before, const SceneReading& now, Diagnostic
                               "water.flow = \"coupled\" in this stage"));
 }
 
-/// The keys that are given of the soil of a region, by their names; what its law derives follows from them.
+/// Keys of a material that leave it the same soil, which remembers what it went through: how its water flows,
+/// how it settles after shaking, how exactly its law is integrated.
+constexpr std::array<std::string_view, 14> of_same_soil = {
+    "hydraulic_conductivity", "conductivity_gravity",  "permeability_law",    "liquefied_conductivity",
+    "reconsolidation",        "reconsolidation_slope", "sedimentation_floor", "sedimentation_stress",
+    "volumetric_strain",      "largest_ratio_step",    "largest_stress_step", "resolved_floors",
+    "substep_tolerance",      "stress_tolerance"};
+
+/// The keys that are given of the soil of a region and tell which soil it is, by their names; what its law
+/// derives follows from them.
 std::map<std::string, std::string> given_soil_keys(const Keys& keys, const std::string& region)
 {
     const std::string material = value_of(values_of(keys), join_path({"regions", region, "material"}));
     const std::string table = join_path({"materials", material}) + ".";
     std::map<std::string, std::string> soil;
-    for (const ResolvedKey& key : keys)
-        if (key.given && key.path.starts_with(table)) soil[key.path.substr(table.size())] = key.value;
+    for (const ResolvedKey& key : keys) {
+        if (!key.given || !key.path.starts_with(table)) continue;
+        const std::string name = key.path.substr(table.size());
+        if (std::find(of_same_soil.begin(), of_same_soil.end(), name) == of_same_soil.end())
+            soil[name] = key.value;
+    }
     return soil;
 }
 

@@ -23,7 +23,8 @@ std::vector<std::string> changed_keys(const std::vector<ResolvedKey>& before,
                                       const std::vector<ResolvedKey>& now,
                                       const std::function<bool(const std::string&)>& is_told = {});
 
-/// For each of the regions whether its soil is another one than in another scene, by name or by any key.
+/// For each of the regions whether its soil is another one than in another scene, by any key but those of its
+/// water, its settlement after shaking and the accuracy of its law.
 std::vector<bool> changed_soils(const std::vector<ResolvedKey>& before, const std::vector<ResolvedKey>& now,
                                 const std::vector<std::string>& regions);
 

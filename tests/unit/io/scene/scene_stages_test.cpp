@@ -63,8 +63,16 @@ TEST(SceneStages, AStageChangesWhatItsTablesSay)
     EXPECT_EQ(conductivity(stages[1]), 1e-3);
     EXPECT_EQ(conductivity(stages[2]), 1e-3); // from the stage on
     EXPECT_EQ(stages[2].scene.scheme, TimeScheme::semi_implicit);
-    EXPECT_EQ(changed_soils(stages[0].keys, stages[1].keys, {"sand"}), std::vector<bool>{true});
-    EXPECT_EQ(changed_soils(stages[1].keys, stages[2].keys, {"sand"}), std::vector<bool>{false});
+}
+
+TEST(SceneStages, SoilIsAnotherOneByTheKeysOfItsSkeletonAlone)
+{
+    const auto stages = read_stages(column_scene + settle + shake +
+                                    "[stages.materials.sand]\nhydraulic_conductivity = 1e-3\n" + consolidate +
+                                    "[stages.materials.sand]\nporosity = 0.41\n");
+    EXPECT_EQ(changed_soils(stages[0].keys, stages[1].keys, {"sand"}), std::vector<bool>{false});
+    EXPECT_EQ(changed_soils(stages[1].keys, stages[2].keys, {"sand"}), std::vector<bool>{true});
+    EXPECT_EQ(changed_soils(stages[2].keys, stages[2].keys, {"sand"}), std::vector<bool>{false});
 }
 
 TEST(SceneStages, ANewKindOfBoundaryDropsTheKeysOfTheOldOne)
