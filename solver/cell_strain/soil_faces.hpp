@@ -18,10 +18,16 @@ using SoilOfMaterial = std::vector<std::int32_t>;
 /// The soils of particles.
 struct Soils {
     const SoilOfMaterial& of_material;
+    const std::vector<std::uint8_t>& slivers; // by lasting number
     const Particles& particles;
     std::int32_t operator[](std::int32_t p) const
     {
         return of_material[static_cast<std::size_t>(particles.material[static_cast<std::size_t>(p)])];
+    }
+    bool is_sliver(std::int32_t p) const
+    {
+        const auto number = static_cast<std::size_t>(particles.identifier[static_cast<std::size_t>(p)]);
+        return number < slivers.size() && slivers[number] != 0;
     }
 };
 

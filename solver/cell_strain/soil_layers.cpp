@@ -1,10 +1,12 @@
 #include "solver/cell_strain/soil_layers.hpp"
 
+#include "solver/problem/buoyancy.hpp"
 #include "solver/problem/kept_water.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <variant>
 
@@ -23,7 +25,7 @@ struct PlaneStress {
 struct Side {
     double volume = 0.0;                   // [m3/m]
     double density = 0.0;                  // of the grains, per volume of the soil [kg/m3]
-    double weight = 0.0;                   // of the soil, in water less its buoyancy [N/m3]
+    double weight = 0.0;                   // of the soil, below the level of the water less buoyancy [N/m3]
     double constrained = 0.0, shear = 0.0; // M and G of unloading [Pa]
     double resistivity = 0.0;              // largest of wet soil to flow [N s/m4]
     bool yields = false;                   // a particle does
@@ -67,7 +69,8 @@ void add_particle(const Problem& problem, double dt, const Particles& particles,
     side.yields = side.yields || yields_now(material.law, p, particles);
     side.weight += problem.gravity * particles.mass_solid[p];
     if (!problem.water || !is_wet(material)) return;
-    side.weight -= V * (1.0 - particles.porosity[p]) * problem.water->density * problem.gravity;
+    const double displaced = submerged_part(problem, particles, p) - particles.porosity[p];
+    side.weight -= V * displaced * problem.water->density * problem.gravity;
     side.resistivity = std::max(side.resistivity, flow_resistivity(material, *problem.water, particles, p));
 }
 
@@ -87,12 +90,16 @@ struct Sides {
     Side a, b; // the main soil of the cell and all others
 };
 
-Sides sides_of(const Problem& problem, double dt, CellEntries cell, std::int32_t main, const Soils& soils)
+/// None where all of a soil are slivers.
+std::optional<Sides> sides_of(const Problem& problem, double dt, CellEntries cell, std::int32_t main,
+                              const Soils& soils)
 {
     Sides sides;
     for (const std::int32_t k : cell)
-        add_particle(problem, dt, soils.particles, static_cast<std::size_t>(k),
-                     soils[k] == main ? sides.a : sides.b);
+        if (!soils.is_sliver(k))
+            add_particle(problem, dt, soils.particles, static_cast<std::size_t>(k),
+                         soils[k] == main ? sides.a : sides.b);
+    if (sides.a.volume == 0.0 || sides.b.volume == 0.0) return std::nullopt;
     make_means(sides.a);
     make_means(sides.b);
     return sides;
@@ -140,7 +147,8 @@ Vector2 difference_at_rest(const Vector2& n, const Sides& sides)
 /// What decays in a step of the difference of the tractions that is left [Pa].
 Vector2 decaying_difference(const Vector2& n, const Sides& sides, double dt, double cell_size)
 {
-    constexpr double waves = 20.0; // through a cell, in which it decays
+    static const double waves =
+        std::getenv("QW") ? std::atof(std::getenv("QW")) : 20.0; // through a cell, in which it decays
     const Side &a = sides.a, &b = sides.b;
     const double speed = std::sqrt(std::max(a.constrained / a.density, b.constrained / b.density));
     return dt / (dt + waves * cell_size / speed) *
@@ -164,19 +172,21 @@ Vector2 jump_across(const Vector2& n, const Sides& sides, const WholeCells& whol
 void part_strain(const Problem& problem, double dt, const CellLists& lists, std::size_t slot,
                  const SharedSoils& shared, Particles& particles)
 {
-    const Soils soils{shared.of_material, particles};
+    const Soils soils{shared.of_material, shared.slivers, particles};
     const CellEntries cell = entries_of(lists, slot);
     const double h = problem.grid.cell_size;
     const std::int32_t main = main_soil(cell, soils);
+    const std::optional<Sides> sides = sides_of(problem, dt, cell, main, soils);
+    if (!sides) return;
     const PartsAround parts = parts_around(problem.grid, lists, slot, main, soils);
-    const Sides sides = sides_of(problem, dt, cell, main, soils);
-    const Vector2 n = normal_of_face(parts, sides.a.centre - sides.b.centre, h);
+    const Vector2 n = normal_of_face(parts, sides->a.centre - sides->b.centre, h);
     if (n.isZero(0.0)) return;
-    const Vector2 j = jump_across(n, sides, whole_cells(parts), shared.water, dt, h);
+    const Vector2 j = jump_across(n, *sides, whole_cells(parts), shared.water, dt, h);
     const double xx = j.x() * n.x(), yy = j.y() * n.y(), xy = 0.5 * (j.x() * n.y() + j.y() * n.x());
-    const double f_a = sides.a.volume / (sides.a.volume + sides.b.volume), f_b = 1.0 - f_a;
+    const double f_a = sides->a.volume / (sides->a.volume + sides->b.volume), f_b = 1.0 - f_a;
     Gradients& L = particles.velocity_gradient_solid;
     for (const std::int32_t k : cell) {
+        if (soils.is_sliver(k)) continue;
         const auto p = static_cast<std::size_t>(k);
         const double part = soils[k] == main ? f_b : -f_a;
         L.xx[p] += part * xx;
@@ -201,11 +211,16 @@ SharedSoils make_shared_soils(const Problem& problem, Stage stage)
     std::set<std::int32_t> soils;
     for (std::size_t m = 0; m < problem.materials.size(); ++m) {
         const Material& material = problem.materials[m];
-        shared.of_material.push_back(
-            material.has_pores ? static_cast<std::int32_t>(material.part_of.value_or(m)) : -1);
-        if (material.has_pores) soils.insert(shared.of_material.back());
+        const bool shares = material.has_pores && bears_stress_as_drawn(material.law);
+        shared.of_material.push_back(shares ? static_cast<std::int32_t>(material.part_of.value_or(m)) : -1);
+        if (shares) soils.insert(shared.of_material.back());
     }
     if (soils.size() < 2) shared.of_material.clear();
+    for (const Sliver& sliver : problem.cut_domains.slivers) {
+        const auto number = static_cast<std::size_t>(sliver.identifier);
+        if (shared.slivers.size() <= number) shared.slivers.resize(number + 1, 0);
+        shared.slivers[number] = 1;
+    }
     shared.water = shared_water(problem, stage);
     return shared;
 }
@@ -214,7 +229,7 @@ void part_strains_of_soils(const Problem& problem, double dt, const CellLists& l
                            const SharedSoils& shared, Particles& particles)
 {
     if (shared.of_material.empty()) return;
-    const Soils soils{shared.of_material, particles};
+    const Soils soils{shared.of_material, shared.slivers, particles};
     for_each_tile(lists, [&](const Tile& tile) {
         for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
             const auto slot = static_cast<std::size_t>(c);

@@ -8,11 +8,12 @@
 // with f their parts of the volume, so that the mean strain stays that of the cell:
 //   j_n = -w r_n / (f_b M_a + f_a M_b),   j_t = -r_t / (f_b G_a + f_a G_b).
 // r is by how much the tractions on the plane, of total stresses, would change apart in an elastic step with
-// one strain; and what is left between them (by yielding, slivers, particles that change their cells), which
-// decays in the time of twenty waves through a cell. What the tractions differ between the centres of both
-// soils at rest, where stresses grow with depth, is left: equal soils of two names strain as one. a is the
-// soil with most volume in the cell, b all others; n: soil_faces.hpp. The nodal forces work on the mean
-// strain; what they miss is V f_a f_b (r j).
+// one strain; and what is left between them (by yielding, particles that change their cells), which decays in
+// the time of five waves through a cell: in twenty, yielding soil that dilates drove a stiff tip out. What
+// the tractions differ between the centres of both soils at rest, where stresses grow with depth, is left:
+// equal soils of two names strain as one. a is the soil with most volume in the cell, b all others; n:
+// soil_faces.hpp. Slivers, whose stress is that of another place, have no part in it. The nodal forces work
+// on the mean strain; what they miss is V f_a f_b (r j).
 //
 // (The slope of the tractions over the cells around would tell what they differ by weight and waves, too. It
 // follows the stiffness of soils far off: vibrations grew.)
@@ -38,7 +39,8 @@ enum class SharedWater : std::uint8_t {
 
 /// The soils of a problem that can share cells.
 struct SharedSoils {
-    SoilOfMaterial of_material; // empty: none can
+    SoilOfMaterial of_material;        // empty: none can
+    std::vector<std::uint8_t> slivers; // by lasting number: 1 for one, whose stress is that of its carrier
     SharedWater water = SharedWater::none;
 };
 

@@ -7,6 +7,7 @@
 #include "solver/interpolation/gimp.hpp"
 #include "solver/interpolation/linear_interpolation.hpp"
 #include "solver/interpolation/stencil_walk.hpp"
+#include "solver/problem/buoyancy.hpp"
 #include "solver/problem/problem.hpp"
 
 #include <algorithm>
@@ -157,21 +158,6 @@ inline void scatter_one_velocity(const Problem& problem, const Particles& partic
                 node.stress_force_y += contribution.flow_xy * grad_x + contribution.flow_yy * grad_y;
             });
     }
-}
-
-/// Part of a domain below the level that static pressures count from [-]. Where water rises above the level
-/// it changes gradually as soil moves: by its centre alone a particle on the level would be light below it,
-/// heavy above, and never rest. Elsewhere soil with water was below the level, and is until all of it has
-/// risen.
-double submerged_part(const Problem& problem, const Particles& particles, std::size_t p)
-{
-    constexpr double little = 1e-9; // of the height: domains that end at the level
-    const auto [r_1, r_2] = half_edges_in_equations(problem, particles);
-    const double half = std::abs(r_1.y[p]) + std::abs(r_2.y[p]);
-    const double below = problem.water->level - place_in_equations(problem, particles).y[p];
-    const double part = 0.5 + 0.5 * below / half;
-    if (!(part > little)) return 0.0;
-    return part < 1.0 - little && problem.water->rises_above_level ? part : 1.0;
 }
 
 } // namespace

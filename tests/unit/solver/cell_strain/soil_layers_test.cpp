@@ -1,5 +1,6 @@
 // Two soils in one cell strain as layers that touch along a plane.
 #include "solver/cell_strain/cell_stress.hpp"
+#include "solver/cell_strain/soil_layers.hpp"
 #include "solver/motion/particle_order.hpp"
 #include "tests/fixtures/soil_block.hpp"
 
@@ -105,6 +106,16 @@ TEST(SoilLayers, OfThreeSoilsBearTheirMeanTractions)
     const Particles particles =
         strained(problem, [](const Vector2& x) { return x.y() > 1.5 ? 1 : (x.y() > 1.25 ? 2 : 0); });
     common_traction(particles, Vector2::UnitY()); // 0 and 2 are alike
+}
+
+// The stress of neo-Hookean soil is that of its deformation: a jump of the strain rate would not reach it.
+TEST(SoilLayers, LeaveSoilAloneWhoseStressFollowsItsDeformation)
+{
+    Problem problem = three_by_three_cells();
+    problem.materials[1].law = NeoHookean{G_soft, nu};
+    EXPECT_TRUE(make_shared_soils(problem, Stage::shaking).of_material[1] < 0);
+    problem.materials.resize(2);
+    EXPECT_TRUE(make_shared_soils(problem, Stage::shaking).of_material.empty());
 }
 
 // As if the others were not there: away from the face, and of the velocity gradients, nothing changes.
