@@ -14,17 +14,22 @@ namespace quicksand {
 
 namespace {
 
+bool is_slanted(const Vector2& edge)
+{
+    constexpr double flat = 1e-6; // of its length: how little an edge along the grid rises
+    return edge.cwiseAbs().minCoeff() > flat * edge.norm();
+}
+
 /// Lengths of all edges of a polygon and of those that are neither level nor upright [m].
 struct EdgeLengths {
     double all = 0.0, slanted = 0.0;
 
     void add(const Ring& ring)
     {
-        constexpr double flat = 1e-6; // of its length: how little an edge along the grid rises
         for (std::size_t k = 0; k < ring.size(); ++k) {
             const Vector2 edge = ring[(k + 1) % ring.size()] - ring[k];
             all += edge.norm();
-            if (edge.cwiseAbs().minCoeff() > flat * edge.norm()) slanted += edge.norm();
+            if (is_slanted(edge)) slanted += edge.norm();
         }
     }
 };
@@ -44,6 +49,8 @@ double layer_thickness(const Polygon& polygon, double edges)
     return quarter - std::sqrt(std::max(0.0, quarter * quarter - area_of_it));
 }
 
+constexpr double much = 0.25; // of the edges
+
 /// Of the thickest part of a region that lies at an angle to the grid: more than a quarter of its edges do.
 /// Zero without such a part [m].
 double slanted_thickness(const Region& region)
@@ -51,10 +58,23 @@ double slanted_thickness(const Region& region)
     double most = 0.0;
     for (const Polygon& polygon : region.polygons) {
         const EdgeLengths lengths = edge_lengths(polygon);
-        if (lengths.slanted > 0.25 * lengths.all)
+        if (lengths.slanted > much * lengths.all)
             most = std::max(most, layer_thickness(polygon, lengths.all));
     }
     return most;
+}
+
+/// Whether much of a region's edges lies at an angle and beside another region, which the slopes of a dike on
+/// level ground do not.
+bool has_slanted_face(std::size_t region, const Section& section, const std::vector<RegionContact>& contacts)
+{
+    double all = 0.0, slanted = 0.0; // [m]
+    for (const Polygon& polygon : section.regions[region].polygons) all += edge_lengths(polygon).all;
+    for (const RegionContact& contact : contacts) {
+        const Vector2 edge = contact.edge.end - contact.edge.start;
+        if ((contact.left == region || contact.right == region) && is_slanted(edge)) slanted += edge.norm();
+    }
+    return slanted > much * all;
 }
 
 const SceneRegion* find_region(const Scene& scene, const std::string& name)
@@ -94,15 +114,15 @@ void check_layers(const Scene& scene, const Section& section, double cell_size, 
         const SceneRegion* written = find_region(scene, section.regions[k].name);
         const double cells = slanted_thickness(section.regions[k]) / cell_size;
         if (written == nullptr || !(cells > 0.0 && cells < least_cells - rounding)) continue;
-        const bool is_layer =
-            !is_solid(scene, written->material) && !goes_on(k, written->material, scene, section, contacts);
+        const bool is_layer = has_slanted_face(k, section, contacts) && !is_solid(scene, written->material) &&
+                              !goes_on(k, written->material, scene, section, contacts);
         if (!is_layer) continue;
         findings.add(warning_at(
             written->place, join_path({"regions", written->name}), "thin-layer",
             fmt::format("the region \"{}\" is {:.2g} cells thick and lies at an angle to the grid: it "
                         "is too strong, and settles too little where it is far softer than the soil "
                         "beside it",
-                        written->name, cells),
+                        written->name, std::min(cells, 1.9)),
             fmt::format("cells of at most {:.3g} m, {:g} through the layer",
                         cells * cell_size / cells_through_layer, cells_through_layer),
             "without grid.cell_size the program chooses such cells"));

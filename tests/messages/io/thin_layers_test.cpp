@@ -98,6 +98,23 @@ TEST(ThinLayer, MayBeLevel)
     EXPECT_EQ(message_of("clay", layered(8.0, 0.0)).find("thin-layer"), std::string::npos);
 }
 
+// The slopes of a dike are no faces of a layer, and 1.98 cells are not two.
+TEST(ThinLayer, IsNoDikeOnLevelGround)
+{
+    Section dike;
+    dike.regions = {
+        {"ground", {{{{0.0, 0.0}, {20.0, 0.0}, {20.0, 3.0}, {16.0, 3.0}, {4.0, 3.0}, {0.0, 3.0}}, {}}}},
+        {"dike", {{{{4.0, 3.0}, {16.0, 3.0}, {11.0, 5.0}, {9.0, 5.0}}, {}}}}};
+    Scene scene;
+    scene.regions = {{.name = "dike", .material = "clay", .place = {}},
+                     {.name = "seam", .material = "clay", .place = {}}};
+    Diagnostics none, some;
+    check_layers(scene, dike, 1.0, none);
+    EXPECT_EQ(none.render(""), "");
+    check_layers(scene, layered(8.0, 0.1), 0.3 / 1.98, some);
+    EXPECT_NE(some.render("").find("1.9 cells thick"), std::string::npos) << some.render("");
+}
+
 // From corner to corner, in two parts, and where no soil is.
 TEST(ThinLayer, IsToldByItsShapeAlone)
 {
