@@ -156,7 +156,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         timed(work.timers, Phase::pore_pressure, [&] {
             advance_pore_pressure(problem, dt, work.lists_with_pressure(), work.pressure_increment, particles,
                                   work.cell_means, [&](const Tile& tile) {
-                                      undrained_increments(problem, dt, work.lists_with_pressure(), tile,
+                                      undrained_increments(problem, dt, work.lists_of_kept_volume(), tile,
                                                            particles, work.pressure_increment);
                                   });
         });

@@ -44,8 +44,7 @@ void keep_reference_weights(const Problem& problem, double dt, State& state, Ste
     work.stencils_are_kept = true;
 }
 
-/// Add the slots with wet and dry soil. Where water keeps its volume, the pressure of the wet part would
-/// follow the strain that both have, and not what the wet part bears.
+/// Add the slots with wet and dry soil, see StepWorkspace::lists_of_kept_volume().
 void add_parted_slots(const CellLists& lists, const CellLists& wet_lists, std::vector<std::uint8_t>& slots)
 {
     slots.resize(lists.cell_of_slot.size());
@@ -54,6 +53,16 @@ void add_parted_slots(const CellLists& lists, const CellLists& wet_lists, std::v
                            all = lists.cell_start[s + 1] - lists.cell_start[s];
         if (wet > 0 && wet < all) slots[s] = 1;
     }
+}
+
+/// Bring the lists of kept volume up to date; `spoilt` has the slots that do not strain as their water would.
+void aggregate_kept_volume(const std::vector<std::uint8_t>& spoilt, StepWorkspace& work)
+{
+    std::vector<AggregatedCell> whole = work.walls.shared_pressures();
+    std::erase_if(whole, [&](const AggregatedCell& cell) {
+        return !spoilt.empty() && spoilt[static_cast<std::size_t>(cell.slot)] != 0;
+    });
+    aggregate_cells(work.wet_lists, whole, work.kept_lists);
 }
 
 /// Mark the roots of cells that hold little water and are well filled by soil; `solids` has the slots with
@@ -134,15 +143,16 @@ void locate_particles(const Problem& problem, double dt, State& state, StepWorks
         aggregate_cells(work.lists, walls.roots.aggregated, work.aggregated_lists);
     }
     const bool has_wet_roots = walls.aggregates_water || walls.shares_pressures;
-    std::vector<std::uint8_t> solids;
+    std::vector<std::uint8_t> solids, spoilt;
     if (has_wet_roots) {
         solids = slots_with_solids(problem, work.lists, state.particles);
-        std::vector<std::uint8_t> spoilt = solids;
+        spoilt = solids;
         if (walls.keeps_water && work.partly_wet) add_parted_slots(work.lists, work.wet_lists, spoilt);
         find_roots(problem, work.conditions, work.wet_lists, state.particles, spoilt, walls.wet_roots);
     }
     if (!work.partly_wet) return;
     aggregate_cells(work.wet_lists, walls.shared_pressures(), work.aggregated_wet_lists);
+    if (walls.keeps_water && state.stage == Stage::relaxation) aggregate_kept_volume(spoilt, work);
     if (has_wet_roots) mark_water_table(walls, solids, work.aggregated_wet_lists.lists);
 }
 

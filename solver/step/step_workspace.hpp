@@ -32,6 +32,7 @@ struct StepWorkspace {
     CellLists wet_lists;                                    // the wet particles alone, where there are others
     bool partly_wet = false;                                // see is_partly_wet()
     AggregatedLists aggregated_lists, aggregated_wet_lists; // where soil ends within cells
+    AggregatedLists kept_lists;                             // see lists_of_kept_volume()
     NodeConditions conditions;
     std::vector<std::uint8_t> drawn_conditions; // of the nodes by curves alone; none without solids in water
     WallRows walls;
@@ -56,6 +57,15 @@ struct StepWorkspace {
     {
         if (!partly_wet) return volume_lists();
         return walls.any ? aggregated_wet_lists.lists : wet_lists;
+    }
+
+    /// The lists by whose change of volume water that is kept in its pores has a pressure: those with a
+    /// pressure; while soil settles without the cells that the water has but in part, with dry soil or a
+    /// solid. Such a cell has one strain, which its wet part would not have, and takes the pressure of its
+    /// root. (Its pressure would do work that the root's strain does not know: vibrations grew in shaking.)
+    const CellLists& lists_of_kept_volume() const
+    {
+        return kept_lists.changes < 0 ? lists_with_pressure() : kept_lists.lists;
     }
 
     const StencilStore& stencils_of(const Tile& tile) const

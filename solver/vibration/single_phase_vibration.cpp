@@ -52,7 +52,7 @@ void SinglePhaseEquations::deform(const Scalars& velocity, Scalars& force)
     });
     if (work_.walls.keeps_water)
         set_restoring_pressure(
-            problem_, work_.lists_with_pressure(), [&](std::size_t p) { return L.xx[p] + L.yy[p]; },
+            problem_, work_.lists_of_kept_volume(), [&](std::size_t p) { return L.xx[p] + L.yy[p]; },
             particles);
     average_volume_change(work_.volume_lists(), work_.cell_strain.averaged, particles);
     set_restoring_stress(moduli_, particles);
