@@ -15,13 +15,15 @@ namespace quicksand {
 /// strains that are known to give too little and too much. `apply(unknown, specimen)` strains. A law
 /// may divide a strain into a whole number of substeps, so that the stress jumps where that number changes,
 /// by some 1e-5 with fixed substeps and by their tolerance, 1e-3 with PM4Sand, where their errors choose
-/// them: a value within a jump is held as near as can be.
+/// them, of a tenth of the initial stress at least where little is left (`resolved_floors`): a value within a
+/// jump is held as near as can be.
 template <class Apply, class Stress>
 void hold(double value, double stiffness, Apply&& apply, Stress&& stress, Specimen& specimen)
 {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Specimen before = specimen;
-    const double tolerance = 1e-9 * before.initial_vertical_stress, jump = 1e-3 * std::abs(value);
+    const double tolerance = 1e-9 * before.initial_vertical_stress,
+                 jump = 1e-3 * std::max(std::abs(value), 0.1 * before.initial_vertical_stress);
     double too_small = -infinity, too_large = infinity;
     double unknown = 0.0, slope = stiffness, last_unknown = 0.0, last_error = 0.0, error = 0.0;
     for (int iteration = 0; iteration < 200; ++iteration) {

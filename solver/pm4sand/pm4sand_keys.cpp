@@ -158,7 +158,7 @@ constexpr std::array<Key, 27> keys = {{
       .meaning = "m: size of the elastic range in q/p, to either side.",
       .allowed = {.lower = 1e-4, .upper = 0.2},
       .usual = {0.001, 0.05},
-      .absent = "0.01; calibrated 0.002"},
+      .absent = "0.01; calibrated 0.005"},
      &Pm4Sand::yield_radius},
     {{.name = "sedimentation_floor",
       .unit = "-",

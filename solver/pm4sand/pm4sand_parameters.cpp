@@ -73,7 +73,7 @@ double contraction_rate_at(double relative_density)
 Pm4Sand calibrated_pm4sand()
 {
     Pm4Sand law;
-    law.yield_radius = 0.002;
+    law.yield_radius = 0.005;
     law.sedimentation_floor = 0.04;
     law.sedimentation_stress = atmospheric_pressure;
     return law;

@@ -60,7 +60,7 @@ Pm4Sand complete(Pm4Sand law);
 
 /// Parameters that complete_calibrated() completes: damping at 0.001 to 0.1 % and settlement after cycles of
 /// 8 % under 100 kPa are those of laboratories, which the report's values miss, by the parameters that it
-/// leaves to the user: h0 = Dr + 0.11, m = 0.002, F_sed,min = 0.04, p_sed,o = Pa, and hpo for the same cyclic
+/// leaves to the user: h0 = Dr + 0.11, m = 0.005, F_sed,min = 0.04, p_sed,o = Pa, and hpo for the same cyclic
 /// strength [own].
 Pm4Sand calibrated_pm4sand();
 Pm4Sand complete_calibrated(Pm4Sand law);
