@@ -107,7 +107,7 @@ bool goes_on(std::size_t region, const std::string& material, const Scene& scene
 
 void check_layers(const Scene& scene, const Section& section, double cell_size, Diagnostics& findings)
 {
-    constexpr double least_cells = 2.0, rounding = 1e-6; // [cells]
+    constexpr double least_cells = 3.0, rounding = 1e-6; // [cells]
     if (section.regions.size() < 2) return;
     const std::vector<RegionContact> contacts = region_contacts(section);
     for (std::size_t k = 0; k < section.regions.size(); ++k) {
@@ -122,7 +122,7 @@ void check_layers(const Scene& scene, const Section& section, double cell_size, 
             fmt::format("the region \"{}\" is {:.2g} cells thick and lies at an angle to the grid: it "
                         "is too strong, and settles too little where it is far softer than the soil "
                         "beside it",
-                        written->name, std::min(cells, 1.9)),
+                        written->name, std::min(cells, 2.9)),
             fmt::format("cells of at most {:.3g} m, {:g} through the layer",
                         cells * cell_size / cells_through_layer, cells_through_layer),
             "without grid.cell_size the program chooses such cells"));

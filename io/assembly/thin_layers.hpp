@@ -7,7 +7,7 @@
 
 namespace quicksand {
 
-/// Warn of layers at an angle to the grid of less than two cells, which are too strong
+/// Warn of layers at an angle to the grid of less than three cells, which are too strong
 /// (solver/cell_strain/soil_layers.hpp). Not of regions that touch one of the same soil, nor of those whose
 /// slopes are free faces, nor of solids, nor where no soil is yet.
 void check_layers(const Scene& scene, const Section& section, double cell_size, Diagnostics& findings);

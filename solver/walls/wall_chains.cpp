@@ -123,13 +123,13 @@ void extend_ends(const Problem& problem, bool at_start, bool at_end, WallChain& 
     if (before > 0.0) {
         const Vector2& end = front.drawn.start;
         const Segment beyond{end - before * direction_of(front.drawn), end};
-        chain.edges.insert(chain.edges.begin(), {beyond, -before, front.boundary, front.segment});
+        chain.edges.insert(chain.edges.begin(), {beyond, -before, front.boundary, front.segment, true});
         chain.first = -before;
     }
     if (after > 0.0) {
         const Vector2& end = back.drawn.end;
         chain.edges.push_back(
-            {{end, end + after * direction_of(back.drawn)}, chain.last, back.boundary, back.segment});
+            {{end, end + after * direction_of(back.drawn)}, chain.last, back.boundary, back.segment, true});
         chain.last += after;
     }
 }

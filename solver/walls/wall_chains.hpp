@@ -22,7 +22,8 @@ struct ChainEdge {
     double first = 0.0;       // arc length at its start [m]
     std::size_t boundary = 0; // in Problem::boundaries
     std::size_t segment =
-        0; // of the boundary; that which is continued where the edge goes on beyond the curve
+        0;               // of the boundary; that which is continued where the edge goes on beyond the curve
+    bool beyond = false; // whether it does
 };
 
 struct WallChain {

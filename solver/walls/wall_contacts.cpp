@@ -90,8 +90,8 @@ void add_edge(const Problem& problem, const NodeConditions& conditions, std::siz
     const Vector2 normal = outward_normal(edge.drawn);
     const double length = (present.end - present.start).norm();
     integrate_along(problem.grid, present, [&](std::size_t node, double weight, double moment) {
-        contacts.push_back({conditions.master[node], chain, weight, edge.first * weight + length * moment,
-                            weight * normal, weight * velocity});
+        contacts.push_back({conditions.master[node], chain, weight, edge.beyond ? 0.0 : weight,
+                            edge.first * weight + length * moment, weight * normal, weight * velocity});
     });
 }
 
@@ -145,6 +145,7 @@ WallContacts find_contacts(const Problem& problem, const SoilEdges& edges, const
         [&](WallContact& sum, const WallContact& part) {
             const double lap = lap_between(edges.chains[sum.chain], sum, part);
             sum.length += part.length;
+            sum.drawn += part.drawn;
             sum.s += part.s + lap * part.length;
             sum.normal += part.normal;
             sum.velocity += part.velocity;

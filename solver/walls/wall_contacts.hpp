@@ -14,6 +14,7 @@ struct WallContact {
     std::size_t node = 0;               // that carries the sums: a master
     std::size_t chain = 0;              // in SoilEdges::chains
     double length = 0.0;                // of the chain under the function, int N_i ds [m]
+    double drawn = 0.0;                 // the part of it within the curve, not beyond its end [m]
     double s = 0.0;                     // arc length [m]
     Vector2 normal = Vector2::Zero();   // outward [-]
     Vector2 velocity = Vector2::Zero(); // of the wall over the step [m/s]

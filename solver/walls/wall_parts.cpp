@@ -58,6 +58,18 @@ void correct_lengths(const Vector2& normal, std::vector<Curve>& curves)
         for (Curve& curve : curves) curve.length *= most * normal.norm() / sum;
 }
 
+/// Whether soil has come to a wall beyond its end, where it goes on straight: part of the node's normal is
+/// none of the curves drawn there. Otherwise the wall would hold the face that lies beside its end.
+bool is_reached(const WallContact& contact, double cell_size, const std::vector<Curve>& drawn,
+                const Vector2& normal)
+{
+    constexpr double little = 0.05; // [cells]
+    if (contact.drawn > 0.0) return true;
+    Vector2 missing = normal;
+    for (const Curve& curve : drawn) missing -= curve.length * curve.normal;
+    return missing.dot(contact.normal) > little * cell_size;
+}
+
 /// Direction of a bent wall at a node that no other curve touches.
 Vector2 bent_direction(const WallContact& contact, const Vector2& normal)
 {
@@ -69,11 +81,12 @@ Vector2 bent_direction(const WallContact& contact, const Vector2& normal)
 
 } // namespace
 
-std::vector<WallPart> divide_normals(const SoilEdges& edges, const WallContacts& contacts,
+std::vector<WallPart> divide_normals(double cell_size, const SoilEdges& edges, const WallContacts& contacts,
                                      const std::vector<std::uint8_t>& active, const Vectors& normal)
 {
     std::vector<WallPart> parts;
-    std::vector<Curve> curves;
+    std::vector<Curve> drawn, curves;
+    std::vector<const WallContact*> reached;
     auto other = contacts.others.begin();
     for (auto first = contacts.walls.begin(); first != contacts.walls.end();) {
         const std::size_t node = first->node;
@@ -85,16 +98,26 @@ std::vector<WallPart> divide_normals(const SoilEdges& edges, const WallContacts&
             first = last;
             continue;
         }
-        curves.clear();
+        drawn.clear();
         for (auto contact = first; contact != last; ++contact)
-            curves.push_back({contact->length, contact->normal});
+            drawn.push_back({contact->drawn, contact->normal});
+        for (auto edge = other; edge != contacts.others.end() && edge->node == node; ++edge)
+            drawn.push_back({edge->length, edge->normal});
+        curves.clear();
+        reached.clear();
+        for (; first != last; ++first) {
+            if (!is_reached(*first, cell_size, drawn, normal[node])) continue;
+            reached.push_back(&*first);
+            curves.push_back({first->length, first->normal});
+        }
+        if (reached.empty()) continue;
         for (auto edge = other; edge != contacts.others.end() && edge->node == node; ++edge)
             curves.push_back({edge->length, edge->normal});
-        if (curves.size() == 1 && !edges.chains[first->chain].straight)
-            curves.front().normal = bent_direction(*first, normal[node]);
+        if (curves.size() == 1 && !edges.chains[reached.front()->chain].straight)
+            curves.front().normal = bent_direction(*reached.front(), normal[node]);
         correct_lengths(normal[node], curves);
-        for (std::size_t k = 0; first != last; ++first, ++k)
-            if (curves[k].length > 0.0) parts.push_back({&*first, curves[k].length, curves[k].normal});
+        for (std::size_t k = 0; k < reached.size(); ++k)
+            if (curves[k].length > 0.0) parts.push_back({reached[k], curves[k].length, curves[k].normal});
     }
     return parts;
 }

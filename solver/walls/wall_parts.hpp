@@ -20,8 +20,9 @@ struct WallPart {
 ///
 /// Where one wall touches a node it has all of a_i along its own normal; a bent wall takes the direction of
 /// a_i, which is the mean of its own. Where several curves touch, g_k starts from the length under the node's
-/// function and is corrected by the least change in proportion to it that makes up a_i.
-std::vector<WallPart> divide_normals(const SoilEdges& edges, const WallContacts& contacts,
+/// function and is corrected by the least change in proportion to it that makes up a_i. A wall beyond its end
+/// has a part where soil has come to it.
+std::vector<WallPart> divide_normals(double cell_size, const SoilEdges& edges, const WallContacts& contacts,
                                      const std::vector<std::uint8_t>& active, const Vectors& normal);
 
 } // namespace quicksand

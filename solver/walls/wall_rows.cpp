@@ -80,7 +80,7 @@ void add_grain_rows(const Problem& problem, WallRows& walls)
 {
     walls.chain_of_row.clear();
     const std::vector<WallPart> parts =
-        divide_normals(walls.edges, walls.contacts, walls.active_nodes, walls.normal);
+        divide_normals(problem.grid.cell_size, walls.edges, walls.contacts, walls.active_nodes, walls.normal);
     const std::vector<ChainHats> hats = by_hats(problem, walls, parts);
     for (std::size_t c = 0; c < hats.size(); ++c) {
         const GrainHold hold = walls.edges.chains[c].hold.grains;
@@ -99,7 +99,7 @@ void add_water_rows(const Problem& problem, const NodeConditions& conditions,
 {
     const Vectors& normal = walls.divides_water ? walls.wet_normal : walls.normal;
     const std::vector<WallPart> parts =
-        divide_normals(walls.edges, walls.contacts, walls.active_nodes, normal);
+        divide_normals(problem.grid.cell_size, walls.edges, walls.contacts, walls.active_nodes, normal);
     std::vector<ChainHats> hats = by_hats(problem, walls, parts);
     for (ChainHats& chain : hats) {
         // where all water of a row moves with the grains, their row holds it

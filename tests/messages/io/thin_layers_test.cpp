@@ -98,7 +98,7 @@ TEST(ThinLayer, MayBeLevel)
     EXPECT_EQ(message_of("clay", layered(8.0, 0.0)).find("thin-layer"), std::string::npos);
 }
 
-// The slopes of a dike are no faces of a layer, and 1.98 cells are not two.
+// The slopes of a dike are no faces of a layer, and 2.98 cells are not three.
 TEST(ThinLayer, IsNoDikeOnLevelGround)
 {
     Section dike;
@@ -109,10 +109,10 @@ TEST(ThinLayer, IsNoDikeOnLevelGround)
     scene.regions = {{.name = "dike", .material = "clay", .place = {}},
                      {.name = "seam", .material = "clay", .place = {}}};
     Diagnostics none, some;
-    check_layers(scene, dike, 1.0, none);
+    check_layers(scene, dike, 1.0, none); // 2 cells high
     EXPECT_EQ(none.render(""), "");
-    check_layers(scene, layered(8.0, 0.1), 0.3 / 1.98, some);
-    EXPECT_NE(some.render("").find("1.9 cells thick"), std::string::npos) << some.render("");
+    check_layers(scene, layered(8.0, 0.1), 0.3 / 2.98, some);
+    EXPECT_NE(some.render("").find("2.9 cells thick"), std::string::npos) << some.render("");
 }
 
 // From corner to corner, in two parts, and where no soil is.
