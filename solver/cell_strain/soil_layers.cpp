@@ -149,8 +149,7 @@ Vector2 difference_at_rest(const Vector2& n, const Sides& sides)
 /// What decays in a step of the difference of the tractions that is left [Pa].
 Vector2 decaying_difference(const Vector2& n, const Sides& sides, double dt, double cell_size)
 {
-    static const double waves =
-        std::getenv("QW") ? std::atof(std::getenv("QW")) : 20.0; // through a cell, in which it decays
+    constexpr double waves = 5.0; // through a cell, in which it decays
     const Side &a = sides.a, &b = sides.b;
     const double speed = std::sqrt(std::max(a.constrained / a.density, b.constrained / b.density));
     return dt / (dt + waves * cell_size / speed) *
