@@ -98,6 +98,7 @@ std::vector<WallPart> divide_normals(double cell_size, const SoilEdges& edges, c
             first = last;
             continue;
         }
+        const auto touching = std::distance(first, last);
         drawn.clear();
         for (auto contact = first; contact != last; ++contact)
             drawn.push_back({contact->drawn, contact->normal});
@@ -111,8 +112,7 @@ std::vector<WallPart> divide_normals(double cell_size, const SoilEdges& edges, c
             curves.push_back({first->length, first->normal});
         }
         if (reached.empty()) continue;
-        for (auto edge = other; edge != contacts.others.end() && edge->node == node; ++edge)
-            curves.push_back({edge->length, edge->normal});
+        curves.insert(curves.end(), drawn.begin() + touching, drawn.end()); // no walls
         if (curves.size() == 1 && !edges.chains[reached.front()->chain].straight)
             curves.front().normal = bent_direction(*reached.front(), normal[node]);
         correct_lengths(normal[node], curves);
