@@ -110,8 +110,6 @@ double allowed_by_water(SharedWater water, double dt, double cell_size, double M
 {
     const double resistivity = std::max(sides.a.resistivity, sides.b.resistivity);
     if (water == SharedWater::none || resistivity == 0.0) return 1.0;
-    if (water == SharedWater::kept_in_roots)
-        return sides.a.resistivity * sides.b.resistivity > 0.0 ? 0.0 : 1.0;
     if (water == SharedWater::kept) return 0.0;
     return dt / (dt + cell_size * cell_size * resistivity / M);
 }
@@ -199,8 +197,7 @@ void part_strain(const Problem& problem, double dt, const CellLists& lists, std:
 
 SharedWater shared_water(const Problem& problem, Stage stage)
 {
-    if (keeps_water(problem, stage))
-        return stage == Stage::relaxation ? SharedWater::kept_in_roots : SharedWater::kept;
+    if (keeps_water(problem, stage)) return SharedWater::kept;
     const bool flows = stage == Stage::shaking && water_flow(problem) == WaterFlow::coupled;
     return flows ? SharedWater::flows : SharedWater::none;
 }

@@ -20,7 +20,6 @@
 //
 // Water that both soils have in common must flow from one to the other when they change their volumes in
 // unlike ways: w = dt / (dt + h^2/c_v) of the less permeable one, 0 where pores keep their water, 1 without.
-// While soil settles undrained w is 1 beside dry soil (StepWorkspace::lists_of_kept_volume()).
 //
 // A stiff or strong layer that is nowhere as thick as a cell beside soil that is has j_t = 0: it bends and
 // bears by its shear, which it would pass on to the soil around.
@@ -36,7 +35,6 @@ enum class SharedWater : std::uint8_t {
     none,  // it has no pressure, or one that is held
     flows, // it flows from one soil to the other
     kept,
-    kept_in_roots, // but in cells with dry soil, whose water has the pressure of another cell
 };
 
 /// The soils of a problem that can share cells.
