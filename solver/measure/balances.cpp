@@ -19,13 +19,14 @@ enum NodeKind : std::uint8_t { stands_for_nobody, free_node, wall_node };
 
 /// The entries of one step, nodes summed up.
 struct StepEntries {
-    double kinetic = 0.0, skeleton = 0.0, late_pressure = 0.0; // [J/m]
+    double kinetic = 0.0, works = 0.0, skeleton = 0.0, late_pressure = 0.0; // [J/m]
     double inertia = 0.0, drag = 0.0, gravity = 0.0, base = 0.0, boundary = 0.0, wall_loss = 0.0;
     Vector2 impulse = Vector2::Zero(); // [N s/m]
 
     StepEntries& operator+=(const StepEntries& other)
     {
         kinetic += other.kinetic;
+        works += other.works;
         skeleton += other.skeleton;
         late_pressure += other.late_pressure;
         inertia += other.inertia;
@@ -41,15 +42,16 @@ struct StepEntries {
 
 /// One phase's motion at a node over the step.
 struct PhaseStep {
-    Vector2 end, working, impulse; // v_1, v of the works [m/s] and m (v_1 - v_0) [N s/m]
-    double kinetic() const { return impulse.dot(working); } // what its energy gains [J/m]
+    Vector2 end, mean, working, impulse; // v_1, (v_0 + v_1)/2, v of the works [m/s] and m (v_1 - v_0) [N s/m]
+    double kinetic() const { return impulse.dot(mean); }  // what its energy gains [J/m]
+    double works() const { return impulse.dot(working); } // of all forces, with the velocity of the works
 };
 
 PhaseStep phase_step(WorkingVelocity working, double mass, double x, double y, double change_x,
                      double change_y)
 {
-    const Vector2 end(x, y), change(change_x, change_y);
-    return {end, working == WorkingVelocity::mean ? end - 0.5 * change : end, mass * change};
+    const Vector2 end(x, y), change(change_x, change_y), mean = end - 0.5 * change;
+    return {end, mean, working == WorkingVelocity::mean ? mean : end, mass * change};
 }
 
 /// The wall's reaction works with the wall's velocity; that it stops nodes is a loss.
@@ -87,6 +89,7 @@ void enter_node(const Problem& problem, double dt, double acceleration, WorkingV
     const Vector2 inertia = dt * Vector2(node.inertia_force_x, node.inertia_force_y);
 
     entries.kinetic += solid.kinetic() + fluid.kinetic();
+    entries.works += solid.works() + fluid.works();
     entries.skeleton -= (stress - load).dot(solid.working);
     entries.boundary += load.dot(solid.working) + water.dot(flux);
     entries.late_pressure -=
@@ -114,6 +117,7 @@ void enter_node(const Problem& problem, double dt, double acceleration, WorkingV
     const Vector2 load(dt * (outer.load_x + outer.water_x), dt * (outer.load_y + outer.water_y));
     const Vector2 inertia = dt * Vector2(node.inertia_force_x, node.inertia_force_y);
     entries.kinetic += body.kinetic();
+    entries.works += body.works();
     entries.skeleton -= (stress - load).dot(body.working);
     entries.boundary += load.dot(body.working);
     entries.inertia -= inertia.dot(body.working);
@@ -123,41 +127,45 @@ void enter_node(const Problem& problem, double dt, double acceleration, WorkingV
     if (kind == wall_node) enter_reaction(body.impulse - (stress + weight + base + inertia), body, entries);
 }
 
-/// Add a step's sums to the terms. Where the pressure works with the velocities after the step it is not
-/// ahead of them: what counts for stored then does not change with the half step.
-void enter_step(const StepEntries& step, WorkingVelocity working, BalanceTerms& terms)
+/// Add a step's sums to the terms; returns the skeleton's work. Where the pressure works with the velocities
+/// after the step it is not ahead of them: what counts for stored then does not change with the half step.
+/// All forces together do more work on those velocities than the kinetic energy takes: the difference is
+/// lost.
+double enter_step(const StepEntries& step, const Working& working, BalanceTerms& terms)
 {
-    if (working == WorkingVelocity::last)
+    if (working.velocity == WorkingVelocity::last)
         terms.opening_storage_energy += terms.late_pressure_work - step.late_pressure;
+    const double share = working.share;
     terms.kinetic_change += step.kinetic;
-    terms.skeleton_work += step.skeleton;
+    terms.skeleton_work += share * step.skeleton;
     terms.late_pressure_work = step.late_pressure;
-    terms.inertia_work += step.inertia;
-    terms.drag_dissipation += step.drag;
-    terms.gravity_work += step.gravity;
-    terms.base_work += step.base;
-    terms.boundary_work += step.boundary;
-    terms.wall_loss += step.wall_loss;
+    terms.inertia_work += share * (step.inertia + step.works) - step.kinetic;
+    terms.drag_dissipation += share * step.drag;
+    terms.gravity_work += share * step.gravity;
+    terms.base_work += share * step.base;
+    terms.boundary_work += share * step.boundary;
+    terms.wall_loss += share * step.wall_loss;
     terms.impulse_x += step.impulse.x();
     terms.impulse_y += step.impulse.y();
+    return share * step.skeleton;
 }
 
 template <class Sums, class Motion>
-void enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                     double acceleration, WorkingVelocity working, const std::vector<Sums>& sums,
-                     const std::vector<OuterForce>& outer, const std::vector<Motion>& motion,
-                     BalanceTerms& terms)
+double enter_all_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                       double acceleration, const Working& working, const std::vector<Sums>& sums,
+                       const std::vector<OuterForce>& outer, const std::vector<Motion>& motion,
+                       BalanceTerms& terms)
 {
     const auto step = ordered_sum<StepEntries>(sums.size(), {}, [&](std::size_t first, std::size_t last) {
         StepEntries entries;
         for (std::size_t i = first; i < last; ++i) {
             if (nodes[i] == stands_for_nobody || !sums[i].active()) continue;
-            enter_node(problem, dt, acceleration, working, static_cast<NodeKind>(nodes[i]), sums[i],
+            enter_node(problem, dt, acceleration, working.velocity, static_cast<NodeKind>(nodes[i]), sums[i],
                        outer.empty() ? OuterForce{} : outer[i], motion[i], entries);
         }
         return entries;
     });
-    enter_step(step, working, terms);
+    return enter_step(step, working, terms);
 }
 
 /// sum value(p) over the particles, four sums side by side: one alone would wait for each addition.
@@ -266,20 +274,36 @@ void open_balances(const Problem& problem, State& state)
     state.balance_terms = terms;
 }
 
-void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, WorkingVelocity working, const std::vector<TwoPhaseSums>& sums,
-                 const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
-                 BalanceTerms& terms)
+double enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                   double acceleration, const Working& working, const std::vector<TwoPhaseSums>& sums,
+                   const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
+                   BalanceTerms& terms)
 {
-    enter_all_nodes(problem, nodes, dt, acceleration, working, sums, outer, motion, terms);
+    return enter_all_nodes(problem, nodes, dt, acceleration, working, sums, outer, motion, terms);
 }
 
-void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, WorkingVelocity working, const std::vector<SinglePhaseSums>& sums,
-                 const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
-                 BalanceTerms& terms)
+double enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                   double acceleration, const Working& working, const std::vector<SinglePhaseSums>& sums,
+                   const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
+                   BalanceTerms& terms)
 {
-    enter_all_nodes(problem, nodes, dt, acceleration, working, sums, outer, motion, terms);
+    return enter_all_nodes(problem, nodes, dt, acceleration, working, sums, outer, motion, terms);
+}
+
+double stress_power(const Particles& particles)
+{
+    const Gradients& L = particles.velocity_gradient_solid;
+    const SymmetricTensors& stress = particles.stress;
+    return sum_particles(particles.size(), [&](std::size_t p) {
+        return particles.volume[p] *
+               (stress.xx[p] * L.xx[p] + stress.yy[p] * L.yy[p] + stress.xy[p] * (L.xy[p] + L.yx[p]));
+    });
+}
+
+void enter_skeleton_work(double work, double work_of_nodes, BalanceTerms& terms)
+{
+    terms.skeleton_work += work - work_of_nodes;
+    terms.inertia_work -= work - work_of_nodes;
 }
 
 void enter_outflow(const Problem& problem, double dt, const Particles& particles,

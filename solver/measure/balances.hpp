@@ -10,7 +10,13 @@
 // In a long step, whose stiffness and pressure are solved together, forces work with the velocities after it
 // where nothing moves the soil and vibrations are damped.
 // Those before it come from the particles and are smoother: over such a step the difference, times forces
-// that balance each other, would be energy made or lost, while water flows steadily and nothing moves.
+// that balance each other, would be energy made or lost, while water flows steadily and nothing moves. They
+// work for as long as particles move, which is longer than forces act on velocities where steps grow.
+//
+// In implicit steps, within which stresses change much, the skeleton's work is that of the mean of the
+// stresses before and after the step on the strain of the particles. What the nodes' forces have done besides
+// is work of the implicit steps: against the stiffness that resists accelerations, and what their damping
+// takes.
 #pragma once
 
 #include "solver/boundaries/nodes.hpp"
@@ -41,16 +47,30 @@ enum class WorkingVelocity {
     last  // those after it
 };
 
-/// Add the works of one step's forces on the nodes. `acceleration` is that of the base [m/s2]; `outer` is the
-/// part of the forces that acts from outside, empty without.
-void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, WorkingVelocity working, const std::vector<TwoPhaseSums>& sums,
-                 const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
-                 BalanceTerms& terms);
-void enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                 double acceleration, WorkingVelocity working, const std::vector<SinglePhaseSums>& sums,
-                 const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
-                 BalanceTerms& terms);
+/// With which velocities and how long the forces of a step work, as a part of the time for which they act
+/// [-].
+struct Working {
+    WorkingVelocity velocity = WorkingVelocity::mean;
+    double share = 1.0;
+};
+
+/// Add the works of one step's forces on the nodes; returns that of the skeleton [J/m]. `dt` is the time for
+/// which forces act [s], `acceleration` that of the base [m/s2]; `outer` is the part of the forces that acts
+/// from outside, empty without.
+double enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                   double acceleration, const Working& working, const std::vector<TwoPhaseSums>& sums,
+                   const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
+                   BalanceTerms& terms);
+double enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
+                   double acceleration, const Working& working, const std::vector<SinglePhaseSums>& sums,
+                   const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
+                   BalanceTerms& terms);
+
+/// sum V sigma' : L [W/m]
+double stress_power(const Particles& particles);
+
+/// Let the skeleton's work in a step be `work` and not that of the nodes [J/m].
+void enter_skeleton_work(double work, double work_of_nodes, BalanceTerms& terms);
 
 /// Add the water that left the soil in a step: dt sum V (div[(1-n) v_s + n v_w] - div v_s). Before the
 /// particles move.

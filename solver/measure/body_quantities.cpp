@@ -63,7 +63,7 @@ constexpr std::array body_quantity_table = {
         [](const MeasuredBody& body) { return water_content(body.problem, body.state.particles); }},
     BodyQuantity{"skeleton_work", "J", "work of the effective stress on the skeleton since t = 0, stored and dissipated", balanced_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->skeleton_work; }},
-    BodyQuantity{"inertia_work", "J", "work against the stiffness that resists accelerations since t = 0", balanced_stiff_body,
+    BodyQuantity{"inertia_work", "J", "work against the stiffness that resists accelerations and of what damps vibrations since t = 0", balanced_stiff_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->inertia_work; }},
     BodyQuantity{"gravity_work", "J", "work of the weight since t = 0, buoyant below water", balanced_body,
         [](const MeasuredBody& body) { return body.state.balance_terms->gravity_work; }},

@@ -17,7 +17,7 @@ struct BalanceTerms {
     double kinetic_change = 0.0;     // of the nodes' kinetic energy in their momentum balance
     double skeleton_work = 0.0;      // of the effective stress on the strain of the skeleton
     double late_pressure_work = 0.0; // of the pore pressure in the half step by which it is ahead
-    double inertia_work = 0.0;       // against the stiffness that resists accelerations, inertia_solve.hpp
+    double inertia_work = 0.0;       // of implicit steps, see balances.hpp
     double drag_dissipation = 0.0;   // of the drag between water and grains
     double gravity_work = 0.0;       // of the weight, buoyant below water
     double base_work = 0.0;          // of the base's acceleration, a force in the moving frame

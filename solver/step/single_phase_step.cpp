@@ -44,10 +44,9 @@ void damp_accelerations(double damping, double velocity_dt, SinglePhaseWorkspace
     });
 }
 
-/// The velocities at the end of the step where stiffness resists accelerations; returns those with which its
-/// forces work.
-WorkingVelocity solve_resisted(const Problem& problem, double dt, double velocity_dt, double acceleration,
-                               double damping, const State& state, SinglePhaseWorkspace& work)
+/// The velocities at the end of the step where stiffness resists accelerations.
+void solve_resisted(const Problem& problem, double dt, double velocity_dt, double acceleration,
+                    double damping, const State& state, SinglePhaseWorkspace& work)
 {
     const auto solve = [&] { solve_single_phase_velocities(problem, velocity_dt, acceleration, 0.0, work); };
     sum_moduli(problem, dt, state.particles, work);
@@ -56,19 +55,18 @@ WorkingVelocity solve_resisted(const Problem& problem, double dt, double velocit
         if (!move_coupled(problem, work.conditions, dt, velocity_dt, acceleration, work.dashpots,
                           work.walls.rows, work.sums, work.motion, *work.inertia, work.coupled))
             fail_to_resist(dt, state);
-        return work.inertia->kept < 1.0 ? WorkingVelocity::last : WorkingVelocity::mean;
+        return;
     }
     solve();
     set_up_inertia(problem, dt, velocity_dt, work);
     resist_acceleration(dt, velocity_dt, work);
     solve();
-    if (damping == 0.0) return WorkingVelocity::mean;
+    if (damping == 0.0) return;
     const std::vector<SinglePhaseSums> undamped = work.sums;
     damp_accelerations(damping, velocity_dt, work);
     resist_acceleration(dt, velocity_dt, work);
     solve();
     work.sums = undamped; // what is out of balance is told without the damping
-    return WorkingVelocity::mean;
 }
 
 /// Whether pore pressures act on the body: they follow from its motion, or are constant. While the soil
@@ -133,16 +131,18 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         const double acceleration = shaking ? base_acceleration(problem.base_motion, state.time) : 0.0;
         const double velocity_dt = velocity_interval(state, dt);
         assemble_walls(problem, velocity_dt, work.sums, work);
-        WorkingVelocity working = WorkingVelocity::mean;
         if (work.inertia) {
-            working = solve_resisted(problem, dt, velocity_dt, acceleration, damping, state, work);
+            solve_resisted(problem, dt, velocity_dt, acceleration, damping, state, work);
         } else {
             if (damping > 0.0) leave_unbalanced_forces(problem, acceleration, work.walls, work.sums);
             solve_single_phase_velocities(problem, velocity_dt, acceleration, damping, work);
         }
-        if (state.balance_terms)
-            enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, working, work.sums,
-                        work.outer, work.motion, *state.balance_terms);
+        if (state.balance_terms) {
+            const double skeleton = enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration,
+                                                working_of(dt, velocity_dt, work), work.sums, work.outer,
+                                                work.motion, *state.balance_terms);
+            if (work.inertia && !work.walls.keeps_water) work.work_of_nodes = skeleton;
+        }
         spread_tied_motion(work.conditions, work.motion);
     });
     timed(work.timers, Phase::gather, [&] {
@@ -169,8 +169,7 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
         if (state.balance_terms) enter_exchange(problem, dt, particles, *state.balance_terms);
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
-    timed(work.timers, Phase::stress,
-          [&] { update_stress_of_cells(problem, dt, work.volume_lists(), particles, work.cell_strain); });
+    timed(work.timers, Phase::stress, [&] { update_stresses(problem, dt, work, state); });
     carry_slivers(problem, work.places, state);
     state.time += dt;
     state.last_step = dt;

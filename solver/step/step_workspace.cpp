@@ -105,6 +105,22 @@ void sum_moduli(const Problem& problem, double dt, const Particles& particles, S
                     work.inertia->rows, work.inertia->cells);
 }
 
+void update_stresses(const Problem& problem, double dt, StepWorkspace& work, State& state)
+{
+    Particles& particles = state.particles;
+    const auto update = [&] {
+        update_stress_of_cells(problem, dt, work.volume_lists(), particles, work.cell_strain);
+    };
+    if (!work.work_of_nodes) {
+        update();
+        return;
+    }
+    const double before = stress_power(particles);
+    update();
+    enter_skeleton_work(0.5 * dt * (before + stress_power(particles)), *work.work_of_nodes,
+                        *state.balance_terms);
+}
+
 void fail_to_resist(double dt, const State& state)
 {
     FailureRecord record = failure_at(dt, state, fastest_particle(state.particles));

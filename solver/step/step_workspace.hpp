@@ -45,6 +45,7 @@ struct StepWorkspace {
     std::optional<InertiaSolve> inertia;     // none: nodes have their masses alone
     std::vector<std::uint8_t> wall_kinds;    // of the nodes for the balances, without dashpots
     std::vector<std::uint8_t> balance_nodes; // with the dashpots of the step, see balances.hpp
+    std::optional<double> work_of_nodes;     // the skeleton's in the step, where it counts otherwise [J/m]
     double null_space_time = 0.0;            // tau of the velocity filter, see grid_to_particle.hpp [s]
     std::int64_t limited_domains = 0;        // domains scaled down in the last step [-]
     PhaseTimers timers;
@@ -96,6 +97,17 @@ void assemble_walls(const Problem& problem, double velocity_dt, const std::vecto
 
 /// Sum up the moduli of the cells that resist accelerations, from the weights of the particles.
 void sum_moduli(const Problem& problem, double dt, const Particles& particles, StepWorkspace& work);
+
+/// How the forces of a step work: where vibrations are damped and not followed, on the way of the particles.
+inline Working working_of(double dt, double velocity_dt, const StepWorkspace& work)
+{
+    if (!work.inertia || work.inertia->kept == 1.0) return {};
+    return {WorkingVelocity::last, dt / velocity_dt};
+}
+
+/// Update the stresses after the particles have moved, and the skeleton's work where it is that of stresses
+/// before and after the step.
+void update_stresses(const Problem& problem, double dt, StepWorkspace& work, State& state);
 
 /// The force that resists accelerations was not found.
 [[noreturn]] void fail_to_resist(double dt, const State& state);

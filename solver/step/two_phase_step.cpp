@@ -33,13 +33,14 @@ void solve_two_phase_velocities(const Problem& problem, double velocity_dt, cons
     spread_tied_motion(work.conditions, work.motion);
 }
 
-void enter_works(const Problem& problem, double velocity_dt, WorkingVelocity working,
-                 const TwoPhaseWorkspace& work, State& state)
+void enter_works(const Problem& problem, double velocity_dt, const Working& working, TwoPhaseWorkspace& work,
+                 State& state)
 {
     if (!state.balance_terms) return;
     const double acceleration = base_acceleration(problem.base_motion, state.time);
-    enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, working, work.sums, work.outer,
-                work.motion, *state.balance_terms);
+    const double skeleton = enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, working,
+                                        work.sums, work.outer, work.motion, *state.balance_terms);
+    if (work.inertia) work.work_of_nodes = skeleton;
 }
 
 void gather(const Problem& problem, double dt, State& state, TwoPhaseWorkspace& work)
@@ -177,9 +178,7 @@ void move_and_deform(const Problem& problem, double dt, State& state, TwoPhaseWo
         };
         move_particles(problem, dt, work.grid_velocity, velocity, state);
     });
-    timed(work.timers, Phase::stress, [&] {
-        update_stress_of_cells(problem, dt, work.volume_lists(), state.particles, work.cell_strain);
-    });
+    timed(work.timers, Phase::stress, [&] { update_stresses(problem, dt, work, state); });
     carry_slivers(problem, work.places, state);
     state.time += dt;
     state.last_step = dt;
@@ -246,7 +245,7 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
         centre_drag(velocity_dt, explicit_strong_drag, work.sums);
         assemble_walls(problem, velocity_dt, work.sums, work);
         solve_two_phase_velocities(problem, velocity_dt, state, work);
-        enter_works(problem, velocity_dt, WorkingVelocity::mean, work, state);
+        enter_works(problem, velocity_dt, {}, work, state);
     });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
@@ -294,11 +293,8 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
             answer(problem, dt, velocity_dt, state, work);
         }
     }
-    timed(work.timers, Phase::momentum, [&] {
-        const bool is_quiet = together && work.inertia->kept < 1.0; // vibrations are damped, not followed
-        enter_works(problem, velocity_dt, is_quiet ? WorkingVelocity::last : WorkingVelocity::mean, work,
-                    state);
-    });
+    timed(work.timers, Phase::momentum,
+          [&] { enter_works(problem, velocity_dt, working_of(dt, velocity_dt, work), work, state); });
     timed(work.timers, Phase::gather, [&] { gather(problem, dt, state, work); });
     timed(work.timers, Phase::pore_pressure, [&] {
         const PressureSolve& pressure = work.pressure;

@@ -2,6 +2,7 @@
 // load, what a shaken column does, and that they rest and make no energy.
 #include "solver/measure/balances.hpp"
 #include "tests/fixtures/drawn_section.hpp"
+#include "tests/fixtures/stored_energy.hpp"
 
 #include <gtest/gtest.h>
 
@@ -172,23 +173,6 @@ TEST(Seam, OfEqualSoilRestsInWaterAboveTheLevel)
     const std::vector<double> one = stresses_in_risen_water("stiff"), two = stresses_in_risen_water("soft");
     ASSERT_EQ(one.size(), two.size());
     for (std::size_t p = 0; p < one.size(); ++p) EXPECT_NEAR(one[p], two[p], 600.0) << p;
-}
-
-/// Energy of elastic soil [J/m].
-double stored_energy(const Problem& problem, const Particles& particles)
-{
-    double sum = 0.0;
-    const SymmetricTensors& s = particles.stress;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const auto& law =
-            std::get<LinearElastic>(problem.materials[static_cast<std::size_t>(particles.material[p])].law);
-        const double G = shear_modulus(law), K = constrained_modulus(law) - 4.0 / 3.0 * G;
-        const double mean = (s.xx[p] + s.yy[p] + s.zz[p]) / 3.0;
-        const double squares = s.xx[p] * s.xx[p] + s.yy[p] * s.yy[p] + s.zz[p] * s.zz[p] +
-                               2.0 * s.xy[p] * s.xy[p] - 3.0 * mean * mean;
-        sum += particles.volume[p] * (0.5 * mean * mean / K + 0.25 * squares / G);
-    }
-    return sum;
 }
 
 // Slivers in the layers' strains made 0.2 to 2.4 of the work of the load.
