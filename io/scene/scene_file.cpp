@@ -341,6 +341,7 @@ std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
     readings.front().warnings.keep_text(file, read.text);
     for (std::size_t k = 1; k < readings.size(); ++k)
         readings[k].warnings.keep_texts_of(readings.front().warnings);
+    keep_histories(readings);
     carry_courses_on(readings);
     carry_water_on(readings);
     share_water_lines(readings);

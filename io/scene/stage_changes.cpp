@@ -136,6 +136,17 @@ void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings
     }
 }
 
+void keep_histories(std::vector<SceneReading>& stages)
+{
+    const auto for_each_law = [&](auto&& visit) {
+        for (SceneReading& stage : stages)
+            for (SceneMaterial& material : stage.scene.materials) visit(material.material.law);
+    };
+    bool is_asked_for = false;
+    for_each_law([&](const SkeletonLaw& law) { is_asked_for = is_asked_for || keeps_history(law); });
+    if (is_asked_for) for_each_law([](SkeletonLaw& law) { keep_history(law); });
+}
+
 std::vector<std::string> uncommon_keys(const Keys& before, const Keys& now, bool settles)
 {
     std::vector<std::string> names;

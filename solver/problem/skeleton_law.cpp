@@ -79,6 +79,21 @@ std::size_t start_memory(const SkeletonLaw& law, std::size_t first, std::size_t 
     return std::visit([&](const auto& any) { return start_memory(any, first, last, particles); }, law);
 }
 
+bool keeps_history(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) { return keeps_history(any); }, law);
+}
+
+void keep_history(SkeletonLaw& law)
+{
+    std::visit([](auto& any) { keep_history(any); }, law);
+}
+
+void complete_memory(const SkeletonLaw& law, std::size_t first, std::size_t last, Particles& particles)
+{
+    std::visit([&](const auto& any) { complete_memory(any, first, last, particles); }, law);
+}
+
 std::size_t count_at_failure(const SkeletonLaw& law, std::size_t first, std::size_t last,
                              const Particles& particles)
 {

@@ -36,6 +36,9 @@ std::vector<LawKeyText> keys_of(const SkeletonLaw& law);
 bool flows_at_constant_volume(const SkeletonLaw& law);
 LawMemory memory_of(const SkeletonLaw& law);
 std::size_t start_memory(const SkeletonLaw& law, std::size_t first, std::size_t last, Particles& particles);
+bool keeps_history(const SkeletonLaw& law);
+void keep_history(SkeletonLaw& law);
+void complete_memory(const SkeletonLaw& law, std::size_t first, std::size_t last, Particles& particles);
 std::size_t count_at_failure(const SkeletonLaw& law, std::size_t first, std::size_t last,
                              const Particles& particles);
 SkeletonLaw settling_form(const SkeletonLaw& law, double cell_weight);

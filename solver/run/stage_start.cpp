@@ -69,7 +69,10 @@ void set_memory(const Problem& problem, const StageStart& start, SoilMemory reac
                                   std::size_t end = first;
                                   const bool changed = has_changed(start, particles, first);
                                   while (end < last && has_changed(start, particles, end) == changed) ++end;
-                                  if (changed) start_memory(material.law, first, end, particles);
+                                  if (changed)
+                                      start_memory(material.law, first, end, particles);
+                                  else
+                                      complete_memory(material.law, first, end, particles);
                                   first = end;
                               }
                           });

@@ -104,6 +104,24 @@ std::size_t start_memory(const Law&, std::size_t, std::size_t, Particles&)
     return 0;
 }
 
+/// Whether the law remembers more than its cycles, for what it does after they have ended, and let it do so
+/// because the law of a later stage does.
+template <class Law>
+bool keeps_history(const Law&)
+{
+    return false;
+}
+template <class Law>
+void keep_history(Law&)
+{
+}
+
+/// Let the history of the particles [first, last) begin where the law that they had before kept none.
+template <class Law>
+void complete_memory(const Law&, std::size_t, std::size_t, Particles&)
+{
+}
+
 /// How many of the particles [first, last) carry the largest shear stress that they can.
 template <class Law>
 std::size_t count_at_failure(const Law&, std::size_t, std::size_t, const Particles&)

@@ -167,6 +167,7 @@ UbcSand make_ubcsand(const UbcSandParameters& parameters)
     law.substep_tolerance = m.substep_tolerance;
     law.integration = m.integration;
     law.elastic = elastic_form(parameters);
+    law.remembers = SandMemory::of_cycles;
     return law;
 }
 

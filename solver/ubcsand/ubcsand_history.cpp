@@ -33,12 +33,6 @@ void note_shear(double x, double y, double mean_stress, double floor, std::size_
 
 } // namespace
 
-bool keeps_history(const UbcSand& law)
-{
-    return law.m_v > 0.0 || law.m_h > 0.0 || law.static_shear > 0.0 || law.reconsolidation > 0.0 ||
-           law.liquefied_conductivity > 1.0;
-}
-
 void begin_history(const UbcSandState& start, std::size_t p, const UbcSandHistory& history)
 {
     history.start_factor[p] = start.start_factor;

@@ -29,9 +29,6 @@ struct UbcSandHistory {
     double* compaction;        // volumetric strain of reconsolidation so far [-]
 };
 
-/// Whether the law asks for a history.
-bool keeps_history(const UbcSand& law);
-
 /// Begin with the state of the start of shaking.
 void begin_history(const UbcSandState& start, std::size_t p, const UbcSandHistory& history);
 

@@ -177,6 +177,12 @@ bool limit_stress(const UbcSand& law, UbcSandState& state)
 
 } // namespace
 
+bool keeps_history(const UbcSand& law)
+{
+    return law.remembers == SandMemory::of_shaking || law.m_v > 0.0 || law.m_h > 0.0 ||
+           law.static_shear > 0.0 || law.reconsolidation > 0.0 || law.liquefied_conductivity > 1.0;
+}
+
 LawMemory memory_of(const UbcSand& law)
 {
     return keeps_history(law) ? LawMemory(memory) : LawMemory(memory).first(of_cycles);
@@ -270,6 +276,22 @@ std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last
         if (keeps_history(law)) begin_history(state, p, history_of(particles));
     }
     return limited;
+}
+
+void complete_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles)
+{
+    if (!keeps_history(law)) return;
+    const UbcSandArrays arrays = arrays_of(law, particles);
+    const UbcSandHistory history = history_of(particles);
+    for (std::size_t p = first; p < last; ++p) {
+        if (history.start_mean[p] > 0.0) continue;
+        UbcSandState state = arrays.state(p);
+        begin_shaking(law, state);
+        begin_history(state, p, history);
+        constexpr double over_vertical = 0.75; // (1 + K_0)/2
+        history.start_mean[p] =
+            std::max(history.start_mean[p], over_vertical * particles.initial_vertical_effective_stress[p]);
+    }
 }
 
 std::size_t count_at_failure(const UbcSand& law, std::size_t first, std::size_t last,

@@ -56,6 +56,18 @@ inline double largest_conductivity_factor(const UbcSand& law)
 /// add_memory.
 std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles);
 
+/// Whether the law asks for a history, or a later stage does.
+bool keeps_history(const UbcSand& law);
+
+inline void keep_history(UbcSand& law)
+{
+    law.remembers = SandMemory::of_shaking;
+}
+
+/// A history begins at the present stress, but for s_0: that of the start of shaking at K_0 = 1/2. Sand that
+/// has liquefied before does not know it.
+void complete_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles);
+
 inline bool damps_vibrations(const UbcSand&)
 {
     return true;

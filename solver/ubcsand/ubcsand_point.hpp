@@ -9,6 +9,10 @@ namespace quicksand {
 /// Elastic moduli with any exponents or with square roots, and G that stays or softens with small strains.
 enum class ElasticForm { powers, square_roots, softening_powers, softening_square_roots };
 
+/// Whether the sand remembers strains and stresses of the whole shaking where its own law has no use for
+/// them.
+enum class SandMemory { of_cycles, of_shaking };
+
 /// The law made ready: parameters as the kernel uses them. Make it with `make_ubcsand` only.
 struct UbcSand {
     double G_atm, B_atm, Gp_atm;     // elastic shear, elastic bulk and plastic shear modulus at s = P_a [Pa]
@@ -40,6 +44,7 @@ struct UbcSand {
     double substep_tolerance;        // error of the stress in a substep of second order, relative [-]
     Integration integration;         // of the substeps
     ElasticForm elastic;             // which of the kernels
+    SandMemory remembers;
 };
 
 /// Stress and memory of a point. A new point has the memory `begin_shaking` gives.

@@ -58,16 +58,13 @@ void correct_lengths(const Vector2& normal, std::vector<Curve>& curves)
         for (Curve& curve : curves) curve.length *= most * normal.norm() / sum;
 }
 
-/// Whether soil has come to a wall beyond its end, where it goes on straight: part of the node's normal is
-/// none of the curves drawn there. Otherwise the wall would hold the face that lies beside its end.
-bool is_reached(const WallContact& contact, double cell_size, const std::vector<Curve>& drawn,
-                const Vector2& normal)
+/// How long the wall is for the node. Beyond its end, where it goes on straight, it counts only where soil
+/// has come to it: part of the node's normal, `missing`, is none of the curves drawn there. Otherwise the
+/// wall would hold the face that lies beside its end.
+double reached_length(const WallContact& contact, double cell_size, const Vector2& missing)
 {
     constexpr double little = 0.05; // [cells]
-    if (contact.drawn > 0.0) return true;
-    Vector2 missing = normal;
-    for (const Curve& curve : drawn) missing -= curve.length * curve.normal;
-    return missing.dot(contact.normal) > little * cell_size;
+    return missing.dot(contact.normal) > little * cell_size ? contact.length : contact.drawn;
 }
 
 /// Direction of a bent wall at a node that no other curve touches.
@@ -85,7 +82,7 @@ std::vector<WallPart> divide_normals(double cell_size, const SoilEdges& edges, c
                                      const std::vector<std::uint8_t>& active, const Vectors& normal)
 {
     std::vector<WallPart> parts;
-    std::vector<Curve> drawn, curves;
+    std::vector<Curve> curves, no_walls;
     std::vector<const WallContact*> reached;
     auto other = contacts.others.begin();
     for (auto first = contacts.walls.begin(); first != contacts.walls.end();) {
@@ -98,21 +95,23 @@ std::vector<WallPart> divide_normals(double cell_size, const SoilEdges& edges, c
             first = last;
             continue;
         }
-        const auto touching = std::distance(first, last);
-        drawn.clear();
-        for (auto contact = first; contact != last; ++contact)
-            drawn.push_back({contact->drawn, contact->normal});
-        for (auto edge = other; edge != contacts.others.end() && edge->node == node; ++edge)
-            drawn.push_back({edge->length, edge->normal});
+        Vector2 missing = normal[node];
+        for (auto contact = first; contact != last; ++contact) missing -= contact->drawn * contact->normal;
+        no_walls.clear();
+        for (auto edge = other; edge != contacts.others.end() && edge->node == node; ++edge) {
+            no_walls.push_back({edge->length, edge->normal});
+            missing -= edge->length * edge->normal;
+        }
         curves.clear();
         reached.clear();
         for (; first != last; ++first) {
-            if (!is_reached(*first, cell_size, drawn, normal[node])) continue;
+            const double length = reached_length(*first, cell_size, missing);
+            if (length <= 0.0) continue;
             reached.push_back(&*first);
-            curves.push_back({first->length, first->normal});
+            curves.push_back({length, first->normal});
         }
         if (reached.empty()) continue;
-        curves.insert(curves.end(), drawn.begin() + touching, drawn.end()); // no walls
+        curves.insert(curves.end(), no_walls.begin(), no_walls.end());
         if (curves.size() == 1 && !edges.chains[reached.front()->chain].straight)
             curves.front().normal = bent_direction(*reached.front(), normal[node]);
         correct_lengths(normal[node], curves);

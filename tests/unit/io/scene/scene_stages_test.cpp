@@ -75,6 +75,25 @@ TEST(SceneStages, SoilIsAnotherOneByTheKeysOfItsSkeletonAlone)
     EXPECT_EQ(changed_soils(stages[2].keys, stages[2].keys, {"sand"}), std::vector<bool>{false});
 }
 
+// What liquefied sand does after the shaking follows from strains of the shaking.
+TEST(SceneStages, SandRemembersFromTheStartWhatALaterStageAsksFor)
+{
+    const auto keeps = [](const SceneReading& reading) {
+        return keeps_history(reading.scene.materials[0].material.law);
+    };
+    const std::string elastic =
+        "model = \"linear_elastic\"\nshear_modulus = \"60 MPa\"\npoisson_ratio = 0.3\n";
+    std::string sand = column_scene;
+    sand.replace(sand.find(elastic), elastic.size(), "model = \"ubcsand\"\nrelative_density = 0.6\n");
+    for (const std::string key : {"reconsolidation_slope = 0.3", "liquefied_conductivity = 5.0"}) {
+        const auto stages =
+            read_stages(sand + settle + shake + consolidate + "[stages.materials.sand]\n" + key + "\n");
+        EXPECT_EQ(changed_soils(stages[1].keys, stages[2].keys, {"sand"}), std::vector<bool>{false});
+        for (const SceneReading& stage : stages) EXPECT_TRUE(keeps(stage)) << key;
+    }
+    EXPECT_FALSE(keeps(read_stages(sand + settle + shake).front()));
+}
+
 TEST(SceneStages, ANewKindOfBoundaryDropsTheKeysOfTheOldOne)
 {
     const auto stages = read_stages(

@@ -112,6 +112,26 @@ TEST(StageStart, LetsTheMemoryOfChangedSoilBeginAnew)
     EXPECT_EQ(most(going_on(problem, run.state(), {.changed_soils = {true, false}})), 0.0);
 }
 
+// Its factor of hardening and its s_0 were zero: the run ended with NaN.
+TEST(StageStart, LetsAHistoryBeginThatTheStageBeforeDidNotKeep)
+{
+    Problem problem = sandy_ground();
+    StagedRun run = settled(problem);
+    run.shake({});
+    for (Material& material : problem.materials) std::get<UbcSand>(material.law).reconsolidation = 0.3;
+    StagedRun stage = going_on(problem, run.state(), {});
+    const LawMemory memory = memory_of(problem.materials[0].law);
+    const SoilMemory& columns = stage.state().particles.memory;
+    const Scalars &factors = columns.at(column_of(memory, "start_factor")),
+                  &means = columns.at(column_of(memory, "start_mean"));
+    const Particles& particles = stage.state().particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        EXPECT_EQ(factors[p], 1.0);
+        EXPECT_GE(means[p], 0.75 * particles.initial_vertical_effective_stress[p]);
+    }
+    EXPECT_TRUE(stage.shake({}));
+}
+
 TEST(StageStart, TakesTheGrainsOfChangedSoil)
 {
     Problem problem = sandy_ground();
