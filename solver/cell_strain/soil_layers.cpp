@@ -221,6 +221,10 @@ SharedSoils make_shared_soils(const Problem& problem, Stage stage)
         shared.slivers[number] = 1;
     }
     shared.water = shared_water(problem, stage);
+    if (shared.of_material.empty()) return shared;
+    for (const Material& first : problem.materials)
+        for (const Material& second : problem.materials)
+            shared.contrasts.push_back(contrast_between(first.law, second.law));
     return shared;
 }
 

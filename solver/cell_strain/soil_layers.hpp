@@ -26,6 +26,7 @@
 #pragma once
 
 #include "solver/base/stage.hpp"
+#include "solver/cell_strain/soil_contrasts.hpp"
 #include "solver/cell_strain/soil_faces.hpp"
 
 namespace quicksand {
@@ -42,6 +43,13 @@ struct SharedSoils {
     SoilOfMaterial of_material;        // empty: none can
     std::vector<std::uint8_t> slivers; // by lasting number: 1 for one, whose stress is that of its carrier
     SharedWater water = SharedWater::none;
+    std::vector<Contrast> contrasts; // by two materials
+
+    Contrast contrast(std::int32_t first, std::int32_t second) const
+    {
+        return contrasts[static_cast<std::size_t>(first) * of_material.size() +
+                         static_cast<std::size_t>(second)];
+    }
 };
 
 SharedSoils make_shared_soils(const Problem& problem, Stage stage);

@@ -6,10 +6,10 @@ namespace quicksand {
 
 namespace {
 
-void average_tile(const VolumetricAverage& asked_for, const CellLists& lists, const Tile& tile,
-                  Particles& particles)
+/// Give the sum of `xx` and `yy` its mean over the cell, the difference staying as it is.
+void average_traces(const std::vector<std::uint8_t>& asked_for, const CellLists& lists, const Tile& tile,
+                    const Particles& particles, Scalars& xx, Scalars& yy)
 {
-    Gradients& L = particles.velocity_gradient_solid;
     const auto asks = [&](std::size_t p) {
         return asked_for[static_cast<std::size_t>(particles.material[p])] != 0;
     };
@@ -17,21 +17,29 @@ void average_tile(const VolumetricAverage& asked_for, const CellLists& lists, co
         const auto slot = static_cast<std::size_t>(c);
         const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
         const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
-        double volume = 0.0, growth = 0.0; // [m3/m], [m3/s per metre]
+        double volume = 0.0, sum = 0.0;
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
             if (!asks(p)) continue;
             volume += particles.volume[p];
-            growth += particles.volume[p] * (L.xx[p] + L.yy[p]);
+            sum += particles.volume[p] * (xx[p] + yy[p]);
         }
         for (std::size_t k = first; k < last; ++k) {
             const auto p = static_cast<std::size_t>(lists.order[k]);
             if (!asks(p)) continue;
-            const double half = 0.5 * (growth / volume - (L.xx[p] + L.yy[p]));
-            L.xx[p] += half;
-            L.yy[p] += half;
+            const double half = 0.5 * (sum / volume - (xx[p] + yy[p]));
+            xx[p] += half;
+            yy[p] += half;
         }
     }
+}
+
+void average_all(const CellLists& lists, const std::vector<std::uint8_t>& asked_for,
+                 const Particles& particles, Scalars& xx, Scalars& yy)
+{
+    if (asked_for.empty()) return;
+    for_each_tile(lists,
+                  [&](const Tile& tile) { average_traces(asked_for, lists, tile, particles, xx, yy); });
 }
 
 /// Whether the soil grows as it flows.
@@ -48,22 +56,37 @@ bool dilates(const SkeletonLaw& any)
         any);
 }
 
+/// By material whether it is so; empty when none is.
+template <class Is>
+std::vector<std::uint8_t> flags_of(const Problem& problem, Is&& is)
+{
+    std::vector<std::uint8_t> flags;
+    for (const Material& material : problem.materials) flags.push_back(is(material) ? 1 : 0);
+    if (std::find(flags.begin(), flags.end(), 1) == flags.end()) flags.clear();
+    return flags;
+}
+
 } // namespace
 
 VolumetricAverage make_volumetric_average(const Problem& problem)
 {
-    VolumetricAverage asked_for;
-    for (const Material& material : problem.materials)
-        asked_for.push_back(
-            material.volumetric_strain == VolumetricStrain::cell && !dilates(material.law) ? 1 : 0);
-    if (std::find(asked_for.begin(), asked_for.end(), 1) == asked_for.end()) asked_for.clear();
-    return asked_for;
+    const auto averages = [](const Material& material) {
+        return material.volumetric_strain == VolumetricStrain::cell;
+    };
+    return {flags_of(problem, averages), flags_of(problem, [&](const Material& material) {
+                return averages(material) && dilates(material.law);
+            })};
 }
 
-void average_volume_change(const CellLists& lists, const VolumetricAverage& asked_for, Particles& particles)
+void average_volume_change(const CellLists& lists, const VolumetricAverage& average, Particles& particles)
 {
-    if (asked_for.empty()) return;
-    for_each_tile(lists, [&](const Tile& tile) { average_tile(asked_for, lists, tile, particles); });
+    Gradients& L = particles.velocity_gradient_solid;
+    average_all(lists, average.of_strain, particles, L.xx, L.yy);
+}
+
+void average_mean_stress(const CellLists& lists, const VolumetricAverage& average, Particles& particles)
+{
+    average_all(lists, average.of_stress, particles, particles.stress.xx, particles.stress.yy);
 }
 
 } // namespace quicksand

@@ -5,9 +5,10 @@
 // rate of volume change at a particle is replaced by that of its cell, weighted by volume (the mean dilation
 // of Nagtegaal, Parks and Rice 1974):
 //   L <- L + (mean tr L - tr L) I / 2
-// Soil that dilates keeps its own rates: its particles' mean stresses go different ways, and nodal forces
-// that work on the own rates would make energy, sum V s (tr L - mean tr L) of the mean stresses s in the
-// plane. Only the stress uses this L; shear strain, motion and velocities stay.
+// Only the stress uses this L; shear strain, motion and velocities stay. The mean stresses of particles that
+// dilate go different ways, and nodal forces that work on their own rates would make energy, sum V s (tr L -
+// mean tr L) of the mean stresses s in the plane: such particles act on the nodes with the mean s of the
+// cell.
 #pragma once
 
 #include "solver/particles/cell_lists.hpp"
@@ -19,13 +20,18 @@
 
 namespace quicksand {
 
-/// By material whether it asks for the average; empty when none does [-].
-using VolumetricAverage = std::vector<std::uint8_t>;
+/// Flags by material [-].
+struct VolumetricAverage {
+    std::vector<std::uint8_t> of_strain; // whether it asks for the average; empty when none does
+    std::vector<std::uint8_t> of_stress; // whether it dilates besides; empty when none does
+};
 
 VolumetricAverage make_volumetric_average(const Problem& problem);
 
 /// Give the particles of such materials the rate of volume change of their cell in their velocity gradients.
-/// Nothing where no material asks for it.
-void average_volume_change(const CellLists& lists, const VolumetricAverage& asked_for, Particles& particles);
+void average_volume_change(const CellLists& lists, const VolumetricAverage& average, Particles& particles);
+
+/// Give those that dilate the mean stress of their cell in the plane.
+void average_mean_stress(const CellLists& lists, const VolumetricAverage& average, Particles& particles);
 
 } // namespace quicksand

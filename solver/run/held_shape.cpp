@@ -124,8 +124,12 @@ void advance_held_shape(const Problem& problem, double dt, double damping, doubl
         shape.sums[i].momentum_x = shape.rest[i].mass * shape.motion[i].x;
         shape.sums[i].momentum_y = shape.rest[i].mass * shape.motion[i].y;
     }
-    for_each_tile_by_colour(shape.lists,
-                            [&](const Tile& tile) { scatter_forces(problem, particles, tile, shape); });
+    const CellLists& volume_lists = shape.walls.any ? shape.aggregated_lists.lists : shape.lists;
+    {
+        const StressOnNodes stress(problem, volume_lists, shape.strain, particles);
+        for_each_tile_by_colour(shape.lists,
+                                [&](const Tile& tile) { scatter_forces(problem, particles, tile, shape); });
+    }
     gather_tied_sums(shape.conditions, shape.sums);
     leave_unbalanced_forces(problem, acceleration, shape.walls, shape.sums);
     solve_single_phase_momentum(problem, shape.conditions, dt, acceleration, damping, shape.sums,
@@ -137,8 +141,7 @@ void advance_held_shape(const Problem& problem, double dt, double damping, doubl
         shape.displacement.y[i] += dt * shape.motion[i].y;
     }
     for_each_tile(shape.lists, [&](const Tile& tile) { gather_gradients(problem, shape, tile, particles); });
-    update_stress_of_cells(problem, dt, shape.walls.any ? shape.aggregated_lists.lists : shape.lists,
-                           particles, shape.strain);
+    update_stress_of_cells(problem, dt, volume_lists, particles, shape.strain);
 }
 
 void set_at_rest(HeldShape& shape)

@@ -125,7 +125,10 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
 {
     Particles& particles = state.particles;
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state, work); });
+    timed(work.timers, Phase::scatter, [&] {
+        const StressOnNodes stress(problem, work.volume_lists(), work.cell_strain, particles);
+        scatter_to_nodes(problem, dt, state, work);
+    });
     timed(work.timers, Phase::momentum, [&] {
         const bool shaking = state.stage == Stage::shaking;
         const double acceleration = shaking ? base_acceleration(problem.base_motion, state.time) : 0.0;

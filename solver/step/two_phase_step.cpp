@@ -239,7 +239,10 @@ void advance_two_phase_step(const Problem& problem, double dt, State& state, Two
     Particles& particles = state.particles;
     work.flux_divergence.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state.time, state, work); });
+    timed(work.timers, Phase::scatter, [&] {
+        const StressOnNodes stress(problem, work.volume_lists(), work.cell_strain, particles);
+        scatter_to_nodes(problem, dt, state.time, state, work);
+    });
     timed(work.timers, Phase::momentum, [&] {
         const double velocity_dt = velocity_interval(state, dt);
         centre_drag(velocity_dt, explicit_strong_drag, work.sums);
@@ -266,7 +269,10 @@ void advance_semi_implicit_step(const Problem& problem, double dt, State& state,
     work.flux_divergence.resize(particles.size());
     particles.pore_pressure_rate.resize(particles.size());
     timed(work.timers, Phase::sort, [&] { locate_particles(problem, dt, state, work); });
-    timed(work.timers, Phase::scatter, [&] { scatter_to_nodes(problem, dt, state.time, state, work); });
+    timed(work.timers, Phase::scatter, [&] {
+        const StressOnNodes stress(problem, work.volume_lists(), work.cell_strain, particles);
+        scatter_to_nodes(problem, dt, state.time, state, work);
+    });
     const double velocity_dt = velocity_interval(state, dt);
     timed(work.timers, Phase::momentum, [&] {
         centre_drag(velocity_dt, semi_implicit_strong_drag, work.sums);

@@ -1,0 +1,97 @@
+#include "solver/cell_strain/shared_means.hpp"
+
+namespace quicksand {
+
+namespace {
+
+constexpr double own_part = 0.1; // of what a value differs from the mean [-]
+
+/// The other soil with the largest volume in the cell; the main one where all others are slivers.
+std::int32_t second_soil(CellEntries cell, std::int32_t main, const Soils& soils)
+{
+    std::int32_t second = main;
+    double largest = 0.0; // [m3/m]
+    for (const std::int32_t first : cell) {
+        if (soils[first] == main) continue;
+        double volume = 0.0;
+        for (const std::int32_t p : cell)
+            if (soils[p] == soils[first] && !soils.is_sliver(p))
+                volume += soils.particles.volume[static_cast<std::size_t>(p)];
+        if (volume > largest || (volume > 0.0 && volume == largest && soils[first] < second))
+            largest = volume, second = soils[first];
+    }
+    return second;
+}
+
+/// Whether water that stays in its pores parts a cell: only one of both soils has it.
+bool is_parted_by_kept_water(const Problem& problem, const SharedSoils& shared, std::int32_t main,
+                             std::int32_t second)
+{
+    if (shared.water != SharedWater::kept) return false;
+    const auto has_water = [&](std::int32_t soil) {
+        return is_wet(problem.materials[static_cast<std::size_t>(soil)]);
+    };
+    return has_water(main) != has_water(second);
+}
+
+bool has_mean(const Problem& problem, const CellLists& lists, std::size_t slot, const SharedSoils& shared,
+              const Soils& soils)
+{
+    const CellEntries cell = entries_of(lists, slot);
+    if (!is_shared(cell, soils)) return false;
+    const std::int32_t main = main_soil(cell, soils), second = second_soil(cell, main, soils);
+    if (main == second || is_parted_by_kept_water(problem, shared, main, second)) return false;
+    const Contrast contrast = shared.contrast(main, second);
+    if (contrast == Contrast::none) return false;
+    if (contrast == Contrast::unlike) return true;
+    const WholeCells whole = whole_cells(parts_around(problem.grid, lists, slot, main, soils));
+    const bool main_bears = contrast == Contrast::first_bears;
+    return main_bears ? whole.of_main || !whole.of_others : whole.of_others || !whole.of_main;
+}
+
+} // namespace
+
+void find_cells_with_means(const Problem& problem, const CellLists& lists, const SharedSoils& shared,
+                           const Particles& particles, CellsWithMeans& cells)
+{
+    if (shared.of_material.empty()) return;
+    const Soils soils{shared.of_material, shared.slivers, particles};
+    cells.assign(lists.cell_of_slot.size(), 0);
+    for_each_tile(lists, [&](const Tile& tile) {
+        for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
+            const auto slot = static_cast<std::size_t>(c);
+            cells[slot] = has_mean(problem, lists, slot, shared, soils) ? 1 : 0;
+        }
+    });
+}
+
+void approach_means(const CellLists& lists, const SharedSoils& shared, const CellsWithMeans& cells,
+                    const Particles& particles, std::initializer_list<Scalars*> values)
+{
+    if (cells.empty()) return;
+    const Soils soils{shared.of_material, shared.slivers, particles};
+    const auto approach = [&](CellEntries cell, Scalars& value) {
+        double volume = 0.0, sum = 0.0;
+        for (const std::int32_t k : cell) {
+            if (soils.is_sliver(k)) continue;
+            const auto p = static_cast<std::size_t>(k);
+            volume += particles.volume[p];
+            sum += particles.volume[p] * value[p];
+        }
+        const double mean = sum / volume;
+        for (const std::int32_t k : cell)
+            if (!soils.is_sliver(k)) {
+                double& own = value[static_cast<std::size_t>(k)];
+                own = mean + own_part * (own - mean);
+            }
+    };
+    for_each_tile(lists, [&](const Tile& tile) {
+        for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
+            const auto slot = static_cast<std::size_t>(c);
+            if (cells[slot] == 0) continue;
+            for (Scalars* value : values) approach(entries_of(lists, slot), *value);
+        }
+    });
+}
+
+} // namespace quicksand
