@@ -157,7 +157,7 @@ std::vector<SceneKey> skeleton_keys()
         {.pattern = "materials.*.volumetric_strain", .type = word,
          .derived = {.sibling = "model", .choices = volumetric_strain_of_model}, .words = {"cell", "particle"},
          .doc = "Whether stress follows the volume change of the cell, which keeps flow at constant volume "
-                "free of locking, or that of the particle, as it does in any case where dilation_angle is above zero."},
+                "free of locking, or that of the particle."},
     };
 }
 

@@ -149,6 +149,25 @@ TEST(StrengthReduction, FindsTheSlopeOfGriffithsAndLane)
     EXPECT_EQ(safety.failure.size(), state.particles.size());
 }
 
+// Particles with volume changes of their own locked: 1.15 times, from the least dilation on.
+TEST(StrengthReduction, DilationRaisesTheFactorOfASlopeALittle)
+{
+    HomogeneousSlope slope;
+    slope.friction_angle = 20.0 * degree;
+    slope.cohesion = 0.05 * slope.unit_weight * slope.height;
+    const auto factor = [&](double dilation_deg) {
+        Problem problem = griffiths_lane(10, slope);
+        std::get<MohrCoulomb>(problem.materials[0].law).dilation_angle = dilation_deg * degree;
+        State state = slope_of_columns(problem, slope);
+        StrengthReductionControls controls;
+        controls.tolerance = 0.01;
+        return safety_factor(problem, controls, state).factor;
+    };
+    const double without = factor(0.0);
+    EXPECT_NEAR(factor(1.0) / without, 1.0, 0.03);
+    EXPECT_NEAR(factor(20.0) / without, 1.04, 0.05);
+}
+
 TEST(StrengthReduction, ASlopeThatIsTooWeakHasAFactorBelowOne)
 {
     HomogeneousSlope slope;
