@@ -1,5 +1,7 @@
 #include "io/laws/mohr_coulomb_soil.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -17,6 +19,18 @@ double four_digits(double number)
     return std::floor(number / unit) * unit;
 }
 
+/// Angles that were meant in radians.
+void check_degrees(double friction, const SceneValues& values, const std::string& key, Diagnostics& findings)
+{
+    constexpr double least = 3.0; // [deg], of any soil with friction
+    if (friction <= 0.0 || friction >= least) return;
+    findings.add(warning_at(values.place(key), key, "plausibility",
+                            key + " = " + quantity_text(friction, Dimension::angle) +
+                                " is unusually small: angles are in degrees",
+                            "usually 15 to 45 deg, or 0",
+                            fmt::format("{:g} rad is {:.2g} deg", friction, friction / radians_per_degree)));
+}
+
 } // namespace
 
 void check_mohr_coulomb(const LawSource& source)
@@ -28,6 +42,7 @@ void check_mohr_coulomb(const LawSource& source)
                friction = values.find<double>(path + ".friction_angle"),
                dilation = values.find<double>(path + ".dilation_angle"),
                tension = values.find<double>(path + ".tension_strength");
+    if (friction) check_degrees(*friction, values, path + ".friction_angle", findings);
     if (friction && dilation && *dilation > *friction) {
         findings.add(
             error_at(values.place(path + ".dilation_angle"), "range",

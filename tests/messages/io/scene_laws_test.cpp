@@ -55,6 +55,22 @@ scene.toml:23:18: error[range]: materials.sand.dilation_angle = 12 deg is more t
 expected: at most the angle of friction: otherwise shearing would produce energy
 hint: sand dilates by about friction_angle - 30 deg
 )_"},
+SceneMistake{"FrictionInRadians",
+    "model = \"linear_elastic\"",
+    "model = \"mohr_coulomb\"\ncohesion = 0\nfriction_angle = 0.56\ndilation_angle = 0.6",
+R"_(
+scene.toml:22:18: warning[plausibility]: materials.sand.friction_angle = 0.56 deg is unusually small: angles are in degrees
+   22 | friction_angle = 0.56
+      |                  ^~~~
+expected: usually 15 to 45 deg, or 0
+hint: 0.56 rad is 32 deg
+to accept it: accept = ["materials.sand.friction_angle"] at the top of the scene
+scene.toml:23:18: error[range]: materials.sand.dilation_angle = 0.6 deg is more than friction_angle = 0.56 deg
+   23 | dilation_angle = 0.6
+      |                  ^~~
+expected: at most the angle of friction: otherwise shearing would produce energy
+hint: sand dilates by about friction_angle - 30 deg
+)_"},
 SceneMistake{"NoStrength",
     "model = \"linear_elastic\"",
     "model = \"mohr_coulomb\"\ncohesion = 0\nfriction_angle = 0",
