@@ -120,8 +120,7 @@ void check_layers(const Scene& scene, const Section& section, double cell_size, 
         findings.add(warning_at(
             written->place, join_path({"regions", written->name}), "thin-layer",
             fmt::format("the region \"{}\" is {:.2g} cells thick and lies at an angle to the grid: it "
-                        "is too strong, and settles too little where it is far softer than the soil "
-                        "beside it",
+                        "is too strong where it is weak",
                         written->name, std::min(cells, 2.9)),
             fmt::format("cells of at most {:.3g} m, {:g} through the layer",
                         cells * cell_size / cells_through_layer, cells_through_layer),

@@ -76,7 +76,7 @@ TEST(ThinLayer, IsToldWithTheCellsThroughIt)
     const std::string message = message_of("clay", layered(8.0, 0.1));
     EXPECT_NE(
         message.find(
-            R"(scene.toml:26:1: warning[thin-layer]: the region "seam" is 1.2 cells thick and lies at an angle to the grid: it is too strong, and settles too little where it is far softer than the soil beside it
+            R"(scene.toml:26:1: warning[thin-layer]: the region "seam" is 1.2 cells thick and lies at an angle to the grid: it is too strong where it is weak
    26 | [regions.seam]
       | ^~~~~~~~~~~~~~
 expected: cells of at most 0.075 m, 4 through the layer
