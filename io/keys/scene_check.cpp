@@ -4,6 +4,7 @@
 #include "io/keys/scene_value_reader.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace quicksand {
 
@@ -84,6 +85,32 @@ bool applies(const SceneKey& key, const DocumentNode& table)
            std::find(key.when.words.begin(), key.when.words.end(), sibling->text) != key.when.words.end();
 }
 
+/// A quantity by a name of textbooks or other programs, and what a scene has for it.
+struct OtherName {
+    std::string_view name, key, hint;
+};
+
+constexpr std::array<OtherName, 8> other_names{{
+    {"youngs_modulus", "shear_modulus", "shear_modulus = E / (2 (1 + poisson_ratio))"},
+    {"young_modulus", "shear_modulus", "shear_modulus = E / (2 (1 + poisson_ratio))"},
+    {"bulk_modulus", "shear_modulus", "shear_modulus = 3 K (1 - 2 poisson_ratio) / (2 (1 + poisson_ratio))"},
+    {"oedometer_modulus", "shear_modulus",
+     "shear_modulus = M (1 - 2 poisson_ratio) / (2 (1 - poisson_ratio))"},
+    {"unit_weight", "grain_density", "dry unit weight = (1 - porosity) grain_density 9.81 m/s2"},
+    {"permeability", "hydraulic_conductivity", "hydraulic_conductivity in m/s"},
+    {"phi", "friction_angle", "friction_angle"},
+    {"psi", "dilation_angle", "dilation_angle"},
+}};
+
+/// Among the known keys of a table; none: null.
+const OtherName* find_other_name(std::string_view name, const std::vector<std::string>& known)
+{
+    const auto* found = std::find_if(other_names.begin(), other_names.end(), [&](const OtherName& other) {
+        return other.name == name && std::find(known.begin(), known.end(), other.key) != known.end();
+    });
+    return found == other_names.end() ? nullptr : found;
+}
+
 void DocumentCheck::refuse_unknown(const DocumentNode& child, const DocumentNode& parent,
                                    const KeyPath& table, std::string_view pattern)
 {
@@ -95,7 +122,10 @@ void DocumentCheck::refuse_unknown(const DocumentNode& child, const DocumentNode
     }
     const std::string nearest = nearest_name(child.name, known);
     std::string hint;
-    if (!nearest.empty()) {
+    if (const OtherName* other = find_other_name(child.name, known); other != nullptr) {
+        suspected_.insert(join_path(table + std::string(other->key)));
+        hint = other->hint;
+    } else if (!nearest.empty()) {
         suspected_.insert(join_path(table + nearest));
         hint = "did you mean " + nearest + "?";
     } else if (const std::string home = home_of(table_, child.name); !home.empty()) {

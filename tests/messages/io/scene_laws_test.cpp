@@ -55,6 +55,16 @@ scene.toml:23:18: error[range]: materials.sand.dilation_angle = 12 deg is more t
 expected: at most the angle of friction: otherwise shearing would produce energy
 hint: sand dilates by about friction_angle - 30 deg
 )_"},
+SceneMistake{"AModulusByAnotherName",
+    "shear_modulus = \"60 MPa\"",
+    "youngs_modulus = \"150 MPa\"",
+R"_(
+scene.toml:21:1: error[unknown-key]: unknown key 'youngs_modulus' in [materials.sand]
+   21 | youngs_modulus = "150 MPa"
+      | ^~~~~~~~~~~~~~
+expected: one of model, volumetric_strain, water, density, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, shear_modulus, poisson_ratio
+hint: shear_modulus = E / (2 (1 + poisson_ratio))
+)_"},
 SceneMistake{"FrictionInRadians",
     "model = \"linear_elastic\"",
     "model = \"mohr_coulomb\"\ncohesion = 0\nfriction_angle = 0.56\ndilation_angle = 0.6",
