@@ -6,23 +6,6 @@ namespace {
 
 constexpr double own_part = 0.1; // of what a value differs from the mean [-]
 
-/// The other soil with the largest volume in the cell; the main one where all others are slivers.
-std::int32_t second_soil(CellEntries cell, std::int32_t main, const Soils& soils)
-{
-    std::int32_t second = main;
-    double largest = 0.0; // [m3/m]
-    for (const std::int32_t first : cell) {
-        if (soils[first] == main) continue;
-        double volume = 0.0;
-        for (const std::int32_t p : cell)
-            if (soils[p] == soils[first] && !soils.is_sliver(p))
-                volume += soils.particles.volume[static_cast<std::size_t>(p)];
-        if (volume > largest || (volume > 0.0 && volume == largest && soils[first] < second))
-            largest = volume, second = soils[first];
-    }
-    return second;
-}
-
 /// Whether water that stays in its pores parts a cell: only one of both soils has it.
 bool is_parted_by_kept_water(const Problem& problem, const SharedSoils& shared, std::int32_t main,
                              std::int32_t second)

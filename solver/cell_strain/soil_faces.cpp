@@ -21,6 +21,25 @@ double part_of(std::int32_t soil, CellEntries cell, const Soils& soils)
     return all > 0.0 ? part / all : -1.0;
 }
 
+/// The soil with the largest volume of the particles that count, of equal ones the first by number; `none`
+/// where no particle does.
+template <class Counts>
+std::int32_t largest_soil(CellEntries cell, const Soils& soils, std::int32_t none, Counts&& counts)
+{
+    std::int32_t soil = none;
+    double largest = 0.0; // [m3/m]
+    for (const std::int32_t first : cell) {
+        if (!counts(first)) continue;
+        double volume = 0.0;
+        for (const std::int32_t p : cell)
+            if (soils[p] == soils[first] && counts(p))
+                volume += soils.particles.volume[static_cast<std::size_t>(p)];
+        if (volume > largest || (volume == largest && soils[first] < soil))
+            largest = volume, soil = soils[first];
+    }
+    return soil;
+}
+
 } // namespace
 
 bool is_shared(CellEntries cell, const Soils& soils)
@@ -36,16 +55,13 @@ bool is_shared(CellEntries cell, const Soils& soils)
 
 std::int32_t main_soil(CellEntries cell, const Soils& soils)
 {
-    std::int32_t main = 0;
-    double largest = 0.0; // [m3/m]
-    for (const std::int32_t first : cell) {
-        double volume = 0.0;
-        for (const std::int32_t p : cell)
-            if (soils[p] == soils[first]) volume += soils.particles.volume[static_cast<std::size_t>(p)];
-        if (volume > largest || (volume == largest && soils[first] < main))
-            largest = volume, main = soils[first];
-    }
-    return main;
+    return largest_soil(cell, soils, 0, [](std::int32_t) { return true; });
+}
+
+std::int32_t second_soil(CellEntries cell, std::int32_t main, const Soils& soils)
+{
+    return largest_soil(cell, soils, main,
+                        [&](std::int32_t p) { return soils[p] != main && !soils.is_sliver(p); });
 }
 
 PartsAround parts_around(const BackgroundGrid& grid, const CellLists& lists, std::size_t slot,

@@ -46,6 +46,9 @@ bool is_shared(CellEntries cell, const Soils& soils);
 /// The soil with the largest volume in the cell.
 std::int32_t main_soil(CellEntries cell, const Soils& soils);
 
+/// The other soil with the largest volume, slivers left out; the main one where all others are slivers.
+std::int32_t second_soil(CellEntries cell, std::int32_t main, const Soils& soils);
+
 /// A cell and those around it, by row and column: the part of their soil that is the main soil of the one in
 /// the middle, solids left out; below zero without soil [-].
 using PartsAround = std::array<std::array<double, 3>, 3>;

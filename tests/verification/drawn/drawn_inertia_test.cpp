@@ -79,17 +79,11 @@ poisson_ratio = 0.25
 porosity = 0.4
 [regions.soil]
 material = "soil"
-[boundaries.base]
-soil = "fixed"
-[boundaries.left]
-soil = "roller"
-[boundaries.right]
-soil = "roller"
 [boundaries.surface]
 soil = "free"
 pressure = 1000.0
 ramp_time = 0.02
-)"),
+)" + base_and_sides),
         polygon_section(
             {{{0.0, 0.0}, "base"}, {{8.0, 0.0}, "right"}, {{8.0, 8.0}, "surface"}, {{0.0, 8.0}, "left"}}));
     State& state = assembled.state;

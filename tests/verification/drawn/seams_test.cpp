@@ -120,8 +120,8 @@ TEST(Seam, SettlesAtAnAngleAsFiniteElements)
     }
 }
 
-/// The factor of safety of a strong slab 3 m thick and 16 m long on a weak seam of 1 m without weight, which
-/// dips by an angle [deg], on cells of 0.5 m.
+/// The factor of safety of a strong slab 3 m thick and 16 m long on a weak seam of 1 m, which dips by an
+/// angle [deg], on cells of 0.5 m.
 double factor_of_slab(double dip)
 {
     constexpr double length = 16.0, thickness = 3.0, seam = 1.0, rock = 2.0;
