@@ -1,20 +1,24 @@
 #include "solver/cell_strain/shared_means.hpp"
 
+#include <algorithm>
+
 namespace quicksand {
 
 namespace {
 
 constexpr double own_part = 0.1; // of what a value differs from the mean [-]
 
-/// Whether water that stays in its pores parts a cell: only one of both soils has it.
-bool is_parted_by_kept_water(const Problem& problem, const SharedSoils& shared, std::int32_t main,
-                             std::int32_t second)
+/// Whether water that stays in its pores parts a cell: some of its particles have none.
+bool is_parted_by_kept_water(const Problem& problem, const SharedSoils& shared, CellEntries cell,
+                             const Particles& particles)
 {
     if (shared.water != SharedWater::kept) return false;
-    const auto has_water = [&](std::int32_t soil) {
-        return is_wet(problem.materials[static_cast<std::size_t>(soil)]);
+    const auto has_water = [&](std::int32_t k) {
+        const auto material = static_cast<std::size_t>(particles.material[static_cast<std::size_t>(k)]);
+        return is_wet(problem.materials[material]);
     };
-    return has_water(main) != has_water(second);
+    return std::any_of(cell.begin(), cell.end(),
+                       [&](std::int32_t k) { return has_water(k) != has_water(cell.front()); });
 }
 
 bool has_mean(const Problem& problem, const CellLists& lists, std::size_t slot, const SharedSoils& shared,
@@ -23,7 +27,7 @@ bool has_mean(const Problem& problem, const CellLists& lists, std::size_t slot, 
     const CellEntries cell = entries_of(lists, slot);
     if (!is_shared(cell, soils)) return false;
     const std::int32_t main = main_soil(cell, soils), second = second_soil(cell, main, soils);
-    if (main == second || is_parted_by_kept_water(problem, shared, main, second)) return false;
+    if (main == second || is_parted_by_kept_water(problem, shared, cell, soils.particles)) return false;
     const Contrast contrast = shared.contrast(main, second);
     if (contrast == Contrast::none) return false;
     if (contrast == Contrast::unlike) return true;

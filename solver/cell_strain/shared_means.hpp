@@ -8,8 +8,8 @@
 // and in the stress: a hundredth of the stiffness against patterns that have no mean (hourglass patterns).
 //
 // Not where one soil keeps its water and the other has none, nor where a layer thinner than a cell is the
-// stiffer or stronger one: it bends and bears by itself. Equal soils of two names have their own strains, and
-// slivers, whose stress is that of another place.
+// stiffer or stronger one: it bends and bears by itself. Soils that are equally stiff and strong have
+// their own strains, and slivers, whose stress is that of another place.
 #pragma once
 
 #include "solver/cell_strain/soil_layers.hpp"

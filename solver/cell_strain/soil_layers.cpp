@@ -204,6 +204,21 @@ SharedWater shared_water(const Problem& problem, Stage stage)
 
 } // namespace
 
+/// The first material that is the same soil but for its name, its weight and how it drains from above.
+std::int32_t soil_of(const Problem& problem, std::size_t m)
+{
+    const std::vector<Material>& all = problem.materials;
+    const Material& own = all[all[m].part_of.value_or(m)];
+    const auto first = std::find_if(all.begin(), all.end(), [&](const Material& other) {
+        return !other.part_of && other.has_pores && other.law == own.law &&
+               other.volumetric_strain == own.volumetric_strain &&
+               other.permeability_law == own.permeability_law &&
+               other.hydraulic_conductivity == own.hydraulic_conductivity &&
+               other.conductivity_gravity == own.conductivity_gravity;
+    });
+    return static_cast<std::int32_t>(first - all.begin());
+}
+
 SharedSoils make_shared_soils(const Problem& problem, Stage stage)
 {
     SharedSoils shared;
@@ -211,7 +226,7 @@ SharedSoils make_shared_soils(const Problem& problem, Stage stage)
     for (std::size_t m = 0; m < problem.materials.size(); ++m) {
         const Material& material = problem.materials[m];
         const bool shares = material.has_pores && bears_stress_as_drawn(material.law);
-        shared.of_material.push_back(shares ? static_cast<std::int32_t>(material.part_of.value_or(m)) : -1);
+        shared.of_material.push_back(shares ? soil_of(problem, m) : -1);
         if (shares) soils.insert(shared.of_material.back());
     }
     if (soils.size() < 2) shared.of_material.clear();

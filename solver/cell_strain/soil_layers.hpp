@@ -40,7 +40,7 @@ enum class SharedWater : std::uint8_t {
 
 /// The soils of a problem that can share cells.
 struct SharedSoils {
-    SoilOfMaterial of_material;        // empty: none can
+    SoilOfMaterial of_material;        // empty: none can; soils that differ by name and weight alone are one
     std::vector<std::uint8_t> slivers; // by lasting number: 1 for one, whose stress is that of its carrier
     SharedWater water = SharedWater::none;
     std::vector<Contrast> contrasts; // by two materials

@@ -1,45 +1,63 @@
 #include "solver/cell_strain/volumetric_average.hpp"
 
 #include <algorithm>
+#include <span>
 
 namespace quicksand {
 
 namespace {
 
-/// Give the sum of `xx` and `yy` its mean over the cell, the difference staying as it is.
-void average_traces(const std::vector<std::uint8_t>& asked_for, const CellLists& lists, const Tile& tile,
-                    const Particles& particles, Scalars& xx, Scalars& yy)
+/// Particles of a cell, by the flag of their material.
+class Flagged {
+public:
+    Flagged(const std::vector<std::uint8_t>& flags, const Particles& particles)
+        : flags_(flags), particles_(particles)
+    {
+    }
+    bool operator()(std::int32_t p) const
+    {
+        const std::int32_t material = particles_.material[static_cast<std::size_t>(p)];
+        return flags_[static_cast<std::size_t>(material)] != 0;
+    }
+
+private:
+    const std::vector<std::uint8_t>& flags_;
+    const Particles& particles_;
+};
+
+/// Give the sum of `xx` and `yy` its mean over those of the cell that ask for it, the difference staying as
+/// it is.
+void average_traces(std::span<const std::int32_t> cell, const Flagged& asks, const Scalars& volumes,
+                    Scalars& xx, Scalars& yy)
 {
-    const auto asks = [&](std::size_t p) {
-        return asked_for[static_cast<std::size_t>(particles.material[p])] != 0;
-    };
-    for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
-        const auto slot = static_cast<std::size_t>(c);
-        const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
-        const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
-        double volume = 0.0, sum = 0.0;
-        for (std::size_t k = first; k < last; ++k) {
-            const auto p = static_cast<std::size_t>(lists.order[k]);
-            if (!asks(p)) continue;
-            volume += particles.volume[p];
-            sum += particles.volume[p] * (xx[p] + yy[p]);
-        }
-        for (std::size_t k = first; k < last; ++k) {
-            const auto p = static_cast<std::size_t>(lists.order[k]);
-            if (!asks(p)) continue;
-            const double half = 0.5 * (sum / volume - (xx[p] + yy[p]));
-            xx[p] += half;
-            yy[p] += half;
-        }
+    double volume = 0.0, sum = 0.0;
+    for (const std::int32_t k : cell) {
+        if (!asks(k)) continue;
+        const auto p = static_cast<std::size_t>(k);
+        volume += volumes[p];
+        sum += volumes[p] * (xx[p] + yy[p]);
+    }
+    for (const std::int32_t k : cell) {
+        if (!asks(k)) continue;
+        const auto p = static_cast<std::size_t>(k);
+        const double half = 0.5 * (sum / volume - (xx[p] + yy[p]));
+        xx[p] += half;
+        yy[p] += half;
     }
 }
 
-void average_all(const CellLists& lists, const std::vector<std::uint8_t>& asked_for,
-                 const Particles& particles, Scalars& xx, Scalars& yy)
+/// Call work(cell) for the particles of every cell.
+template <class Work>
+void for_each_cell(const CellLists& lists, Work&& work)
 {
-    if (asked_for.empty()) return;
-    for_each_tile(lists,
-                  [&](const Tile& tile) { average_traces(asked_for, lists, tile, particles, xx, yy); });
+    for_each_tile(lists, [&](const Tile& tile) {
+        for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
+            const auto slot = static_cast<std::size_t>(c);
+            const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
+            const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
+            work(std::span<const std::int32_t>(lists.order).subspan(first, last - first));
+        }
+    });
 }
 
 /// Whether the soil grows as it flows.
@@ -80,13 +98,23 @@ VolumetricAverage make_volumetric_average(const Problem& problem)
 
 void average_volume_change(const CellLists& lists, const VolumetricAverage& average, Particles& particles)
 {
+    if (average.of_strain.empty()) return;
+    const Flagged asks(average.of_strain, particles);
     Gradients& L = particles.velocity_gradient_solid;
-    average_all(lists, average.of_strain, particles, L.xx, L.yy);
+    for_each_cell(lists, [&](std::span<const std::int32_t> cell) {
+        average_traces(cell, asks, particles.volume, L.xx, L.yy);
+    });
 }
 
 void average_mean_stress(const CellLists& lists, const VolumetricAverage& average, Particles& particles)
 {
-    average_all(lists, average.of_stress, particles, particles.stress.xx, particles.stress.yy);
+    if (average.of_stress.empty()) return;
+    const Flagged asks(average.of_strain, particles), dilates(average.of_stress, particles);
+    SymmetricTensors& stress = particles.stress;
+    for_each_cell(lists, [&](std::span<const std::int32_t> cell) {
+        if (std::any_of(cell.begin(), cell.end(), dilates))
+            average_traces(cell, asks, particles.volume, stress.xx, stress.yy);
+    });
 }
 
 } // namespace quicksand

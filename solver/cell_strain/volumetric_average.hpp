@@ -7,8 +7,8 @@
 //   L <- L + (mean tr L - tr L) I / 2
 // Only the stress uses this L; shear strain, motion and velocities stay. The mean stresses of particles that
 // dilate go different ways, and nodal forces that work on their own rates would make energy, sum V s (tr L -
-// mean tr L) of the mean stresses s in the plane: such particles act on the nodes with the mean s of the
-// cell.
+// mean tr L) of the mean stresses s in the plane: the particles of a cell in which some dilate act on the
+// nodes with the mean s of those whose rates are averaged.
 #pragma once
 
 #include "solver/particles/cell_lists.hpp"
@@ -31,7 +31,7 @@ VolumetricAverage make_volumetric_average(const Problem& problem);
 /// Give the particles of such materials the rate of volume change of their cell in their velocity gradients.
 void average_volume_change(const CellLists& lists, const VolumetricAverage& average, Particles& particles);
 
-/// Give those that dilate the mean stress of their cell in the plane.
+/// Give them the mean stress of their cell in the plane where some of it dilate.
 void average_mean_stress(const CellLists& lists, const VolumetricAverage& average, Particles& particles);
 
 } // namespace quicksand

@@ -9,6 +9,7 @@
 #include "solver/base/conventions.hpp"
 #include "solver/soil/law_key.hpp"
 
+#include <cstring>
 #include <limits>
 #include <span>
 
@@ -53,6 +54,9 @@ struct Pm4Sand {
     // derived by complete()
     double critical_ratio = not_given;  // M = 2 sin phi_cv [-]
     double bulk_over_shear = not_given; // K/G [-]
+
+    /// By their bytes: what is not given is equal to what is not given.
+    bool operator==(const Pm4Sand& other) const { return std::memcmp(this, &other, sizeof *this) == 0; }
 };
 
 /// The parameters with a value for every one that is not given, but those of the state at consolidation.

@@ -15,6 +15,8 @@ namespace quicksand {
 struct LinearElastic {
     double shear_modulus = 0.0; // G [Pa]
     double poisson_ratio = 0.0; // nu, drained [-]
+
+    bool operator==(const LinearElastic&) const = default;
 };
 
 /// lambda = 2 G nu / (1 - 2 nu) [Pa]

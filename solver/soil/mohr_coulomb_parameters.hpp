@@ -17,6 +17,8 @@ struct MohrCoulomb {
     double dilation_angle = 0.0; // psi, at most phi [rad]
     /// t; the surface itself ends in tension at c / tan phi, beyond which t has no meaning [Pa].
     double tension_strength = std::numeric_limits<double>::infinity();
+
+    bool operator==(const MohrCoulomb&) const = default;
 };
 
 /// Largest mean tension that cohesion and friction allow: c / tan phi, infinite without friction [Pa].

@@ -17,6 +17,8 @@ namespace quicksand {
 struct NeoHookean {
     double shear_modulus = 0.0; // mu [Pa]
     double poisson_ratio = 0.0; // at small strain [-]
+
+    bool operator==(const NeoHookean&) const = default;
 };
 
 double lame_modulus(const NeoHookean& law);        // lambda [Pa]

@@ -22,6 +22,8 @@ namespace quicksand {
 struct SettlingSand {
     UbcSand sand;
     double surface_stress = 0.0; // weight of a cell of the soil, per area [Pa]
+
+    bool operator==(const SettlingSand&) const = default;
 };
 
 /// With tan(phi_f) and the cohesion divided by the factor.

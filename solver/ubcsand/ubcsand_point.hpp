@@ -45,6 +45,8 @@ struct UbcSand {
     Integration integration;         // of the substeps
     ElasticForm elastic;             // which of the kernels
     SandMemory remembers;
+
+    bool operator==(const UbcSand&) const = default;
 };
 
 /// Stress and memory of a point. A new point has the memory `begin_shaking` gives.
