@@ -43,6 +43,17 @@ double softest_shear_modulus(const Problem& problem)
     return softest;
 }
 
+double mean_shear_compliance(const Problem& problem, const Particles& particles)
+{
+    double sum = 0.0, volume = 0.0;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Material& material = problem.materials[static_cast<std::size_t>(particles.material[p])];
+        sum += particles.volume[p] / shear_modulus_at(material.law, p, particles);
+        volume += particles.volume[p];
+    }
+    return sum / volume;
+}
+
 double elastic_displacement(const Problem& problem, const Particles& particles)
 {
     const double height = drawn_height(particles);

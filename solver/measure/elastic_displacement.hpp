@@ -12,6 +12,9 @@ double drawn_height(const Particles& particles);
 /// G of the softest material [Pa].
 double softest_shear_modulus(const Problem& problem);
 
+/// Mean of 1/G over the volume at the present stress [1/Pa].
+double mean_shear_compliance(const Problem& problem, const Particles& particles);
+
 /// gamma H^2 / G of the softest material, gamma that of the grains alone: the size of elastic displacements
 /// [m].
 double elastic_displacement(const Problem& problem, const Particles& particles);

@@ -25,7 +25,7 @@ struct StrengthReductionControls {
     double largest_displacement = 1.0; // over (gamma H + p) H / G, p the largest pressure of the loads, at
                                        // which the slope has failed [-]
     double crossings = 30.0; // a body that has not settled when a shear wave has crossed the grid's width and
-                             // height so many times does not stand [-]
+                             // height so many times does not stand, unless it comes to rest later [-]
     double seismic_coefficient = 0.0; // k_h, horizontal force towards +x over weight [-]
     double greatest_factor = 32.0;    // beyond which the slope is safe [-]
 };

@@ -58,7 +58,7 @@ material = "stiff"
 /// Settlement of the surface under 1 kPa that comes within 8 s, the mean over its particles and the time from
 /// 8.3 to 10 s, brought to the surface itself by the strain of the stiff soil [mm].
 double settlement(const Section& section, double ratio, double cell, const Vector2& origin,
-                  const std::string& scheme)
+                  const std::string& scheme, const std::string& soils = soils_of_regions)
 {
     const int cells = static_cast<int>(std::ceil(side / cell)) + 3;
     AssembledCase assembled = assemble(
@@ -67,8 +67,7 @@ double settlement(const Section& section, double ratio, double cell, const Vecto
             "[analysis]\nscheme = \"" + scheme +
                 "\"\nstrain = \"small\"\n[gravity]\nacceleration = 0.0\n[sampling]\nparticles_per_cell = "
                 "[2, 2]\n" +
-                elastic_soil("stiff", 1e7) + elastic_soil("soft", 1e7 / ratio) + soils_of_regions +
-                base_and_sides +
+                elastic_soil("stiff", 1e7) + elastic_soil("soft", 1e7 / ratio) + soils + base_and_sides +
                 "[boundaries.surface]\nsoil = \"free\"\npressure = 1000.0\nramp_time = 8.0\n"),
         section);
     State& state = assembled.state;
@@ -120,6 +119,30 @@ TEST(Seam, SettlesAtAnAngleAsFiniteElements)
     }
 }
 
+// A skin of stiff soil along the seam, thinner than a cell, counted as a thin layer that bears and was taken
+// together with the seam: 3.29 mm under another name, 3.67 mm under the same.
+TEST(Seam, DoesNotKnowTheNamesOfTheSoilBesideIt)
+{
+    constexpr double slope = 0.4, thickness = 1.0, middle = 4.1, skin = 0.2;
+    Section section = ground_with_seam(slope, thickness, middle);
+    const double rise = std::hypot(1.0, slope), top = 0.5 * thickness * rise, above = top + skin * rise;
+    const auto face = [&](double x, double offset) {
+        return Vector2(x, middle + slope * (x - 4.0) + offset);
+    };
+    section.regions[2] = {"skin",
+                          {{{face(0.0, top), face(side, top), face(side, above), face(0.0, above)}, {}}}};
+    section.regions.push_back(
+        {"upper", {{{face(0.0, above), face(side, above), {side, side}, {0.0, side}}, {}}}});
+    bound_section(section);
+    const auto with_skin_of = [&](const std::string& name) {
+        return settlement(section, 100.0, 0.5, {-0.5, -0.5}, "implicit",
+                          elastic_soil("twin", 1e7) + soils_of_regions + "[regions.skin]\nmaterial = \"" +
+                              name + "\"\n");
+    };
+    const double same = with_skin_of("stiff");
+    EXPECT_NEAR(with_skin_of("twin"), same, 1e-9 * same);
+}
+
 /// The factor of safety of a strong slab 3 m thick and 16 m long on a weak seam of 1 m, which dips by an
 /// angle [deg], on cells of 0.5 m.
 double factor_of_slab(double dip)
@@ -160,7 +183,7 @@ TEST(Seam, OfWeakSoilLetsASlabSlideOnItAtAnAngle)
     const double exact = 35000.0 / (weight * std::sin(dip * std::numbers::pi / 180.0));
     const double found = factor_of_slab(dip);
     EXPECT_GT(found, exact);
-    EXPECT_LT(found, 1.75 * exact); // 3.4 times with strains of the particles
+    EXPECT_LT(found, 1.5 * exact); // 1.45, and 3.4 with strains of the particles
 }
 
 /// Steps in which the ground settles under its weight, with a seam at an angle; by how much it moves [m].
@@ -216,7 +239,7 @@ TEST(Seam, OfEqualSoilRestsInWaterAboveTheLevel)
 {
     const std::vector<double> one = stresses_in_risen_water("stiff"), two = stresses_in_risen_water("soft");
     ASSERT_EQ(one.size(), two.size());
-    for (std::size_t p = 0; p < one.size(); ++p) EXPECT_NEAR(one[p], two[p], 600.0) << p;
+    for (std::size_t p = 0; p < one.size(); ++p) EXPECT_NEAR(one[p], two[p], 1e-6) << p;
 }
 
 // Slivers in the layers' strains made 0.2 to 2.4 of the work of the load.
