@@ -52,7 +52,13 @@ std::vector<SceneReading> read_stages(const SceneChoice& choice, Journal& journa
 
 SceneHashes hashes_of(const SceneChoice& choice, const SceneReading& reading)
 {
-    return {scene_hash(reading.scene.text, choice.overrides), text_hash(state_text(reading.keys))};
+    // later stages may ask for histories, which no key of this one tells
+    const std::vector<SceneMaterial>& materials = reading.scene.materials;
+    const bool has_histories = std::any_of(materials.begin(), materials.end(), [](const SceneMaterial& each) {
+        return keeps_history(each.material.law);
+    });
+    return {scene_hash(reading.scene.text, choice.overrides),
+            text_hash(state_text(reading.keys) + (has_histories ? "histories" : ""))};
 }
 
 SceneSetup set_up_reading(const SceneChoice& choice, SceneReading reading, Journal& journal)

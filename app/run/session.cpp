@@ -307,7 +307,10 @@ Resumption resume_run(const ResultsFolder& folder, const SceneSetup& setup,
 {
     const std::vector<ResolvedKey> before = keys_at_beginning(folder);
     const bool is_told = !before.empty();
-    const std::vector<std::string> changes = state_changes(before, setup.keys);
+    std::vector<std::string> changes = state_changes(before, setup.keys);
+    const bool is_same = read_run_record(folder.manifest()).state_hash == setup.hashes.state;
+    if (is_told && changes.empty() && !is_same) // all that the hash has besides the keys
+        changes.emplace_back("stages that follow: whether they ask for the history of the sand");
     if (is_told && !changes.empty()) refuse(folder, changes);
     Resumption resumption{read_checkpoint(folder.checkpoint(), setup.hashes.state), {}};
     require_same_inputs(folder.manifest(), inputs);

@@ -24,7 +24,7 @@ struct SessionOutcome {
 struct Origin {
     State reached;
     StageStart start;
-    std::string warning; // of what the stage leaves behind, "" without
+    std::vector<std::string> warnings; // of what the stage leaves behind
 };
 
 /// Run the scene into the results folder, from the state as drawn or from an origin. A numerical failure is

@@ -72,6 +72,29 @@ std::string warn_of_lost_pressure(const Particles& drawn, const Particles& reach
         short_number(1e-3 * lost, 3));
 }
 
+/// Sand that is to settle after it has liquefied, and does not know that it has.
+std::string warn_of_lost_history(const Problem& problem, const StageStart& start, const State& reached)
+{
+    if (!(reached.time > 0.0)) return "";
+    const Particles& particles = reached.particles;
+    bool lost = false;
+    for (std::size_t p = 0; p < particles.size() && !lost; ++p) {
+        const SkeletonLaw& law = problem.materials[static_cast<std::size_t>(particles.material[p])].law;
+        const auto region = static_cast<std::size_t>(particles.region[p]);
+        const bool is_new = region < start.changed_soils.size() && start.changed_soils[region];
+        lost = !is_new && keeps_history(law) &&
+               (start.settles || particles.memory.size() < memory_of(law).size());
+    }
+    if (!lost) return "";
+    return start.settles
+               ? "warning: sand forgets its shaking where soil settles: a later stage does not compact it "
+                 "for it"
+                 "\nhint: stages that shake or consolidate keep the history of the sand"
+               : "warning: the run before kept no history of the sand, which begins here: it does not settle "
+                 "for having liquefied\nhint: run both as stages of one scene, or with the same keys of the "
+                 "sand";
+}
+
 } // namespace
 
 fs::path folder_of_end(const std::string& from)
@@ -122,7 +145,9 @@ Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
     origin.reached = read_checkpoint(results.checkpoint(), record.state_hash);
     const bool has_excess = origin.reached.time > 0.0 || has_settled_undrained(before);
     if (origin.start.settles && !settles_undrained(assembled.problem) && has_excess)
-        origin.warning = warn_of_lost_pressure(assembled.state.particles, origin.reached.particles);
+        origin.warnings.push_back(warn_of_lost_pressure(assembled.state.particles, origin.reached.particles));
+    origin.warnings.push_back(warn_of_lost_history(assembled.problem, origin.start, origin.reached));
+    std::erase(origin.warnings, "");
     return origin;
 }
 

@@ -27,7 +27,7 @@ std::optional<Origin> origin_of_run(const std::optional<fs::path>& before, const
 {
     if (!before || choice.resume) return std::nullopt;
     Origin origin = origin_from(*before, setup.keys, setup.assembled);
-    if (!origin.warning.empty()) journal.say(origin.warning);
+    for (const std::string& warning : origin.warnings) journal.say(warning);
     return origin;
 }
 
@@ -130,6 +130,8 @@ private:
         }
         const FormerRun former = former_run({folder}, hashes_of(choice_.scene, stages_[next_]));
         take_up(former, chosen);
+        const bool is_another = former == FormerRun::none && fs::exists(ResultsFolder{folder}.manifest());
+        if (is_another) chosen.resume = choice_.resume; // and is refused with what has changed
         return former == FormerRun::finished;
     }
 

@@ -273,6 +273,45 @@ TEST_F(Stages, AStageThatSettlesTellsOfThePressuresThatAreLost)
     EXPECT_GT(told, outcome.output.find("Stage 3 of 3")) << outcome.output;
 }
 
+// The run had not kept what a later stage asks for now: it went on without it, and ended in a segmentation
+// fault.
+TEST_F(Stages, ARunWithoutTheHistoryThatALaterStageAsksForIsNotResumed)
+{
+    ASSERT_EQ(run(scene() + " -o " + results("a")).code, 0);
+    const std::string with_history = "[stages.materials.sand]\nreconsolidation_slope = 0.3\n";
+    std::ofstream(folder / "column/staged.toml") << stages << with_history;
+    const Outcome resumed = run(scene() + " -o " + results("a") + " --resume");
+    EXPECT_EQ(resumed.code, 2) << resumed.output;
+    EXPECT_NE(
+        resumed.output.find("cannot be resumed, for its state hangs on what has changed since the run "
+                            "began:\n  stages that follow: whether they ask for the history of the sand"),
+        std::string::npos)
+        << resumed.output;
+
+    std::ofstream(folder / "column/drain.toml")
+        << "scene_version = 1\nbase = \"scene.toml\"\n[[stages]]\nname = \"drain\"\nkind = \"consolidate\"\n"
+           "duration = \"5 ms\"\n"
+        << with_history;
+    const Outcome from = run((folder / "column/drain.toml").string() + " --from " + results("a") +
+                             ":shaking -o " + results("b"));
+    EXPECT_EQ(from.code, 0) << from.output;
+    EXPECT_NE(from.output.find("warning: the run before kept no history of the sand"), std::string::npos)
+        << from.output;
+}
+
+TEST_F(Stages, SandForgetsItsShakingWhereSoilSettles)
+{
+    std::ofstream(folder / "column/forgets.toml")
+        << rest_and_load << "[[stages]]\nname = \"again\"\nkind = \"settle\"\n[[stages]]\nname = \"drain\"\n"
+        << "kind = \"consolidate\"\nduration = \"5 ms\"\n"
+        << "[stages.materials.sand]\nreconsolidation_slope = 0.3\n";
+    const Outcome outcome = run((folder / "column/forgets.toml").string() + " -o " + results("c"));
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    const std::size_t told = outcome.output.find("warning: sand forgets its shaking where soil settles");
+    ASSERT_NE(told, std::string::npos) << outcome.output;
+    EXPECT_GT(told, outcome.output.find("Stage 3 of 4")) << outcome.output;
+}
+
 TEST_F(Stages, AStageOfOtherStillWaterLosesNoPressure)
 {
     std::ofstream(folder / "column/lower.toml")
