@@ -4,9 +4,11 @@
 #include "io/scene/cell_size.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace quicksand {
 
@@ -139,6 +141,41 @@ void doubt_size(const Scene& scene, const Section& section, Diagnostics& finding
         "coordinates are in metres; Dilate {{0, 0, 0}, 0.001} {Surface{:};} turns millimetres into them"));
 }
 
+/// Material points that a lattice cuts from the section, about; 0 where a mesh does.
+double count_points(const Scene& scene, const Section& section, double h)
+{
+    const auto* lattice = std::get_if<LatticeSampling>(&scene.sampling);
+    if (lattice == nullptr) return 0.0;
+    double soil = 0.0; // [m2]
+    for (const Region& region : section.regions) soil += area(region);
+    return soil / (h * h) * lattice->per_cell_x * lattice->per_cell_y;
+}
+
+/// Find cells that are larger than the section, and so small that the machine cannot hold the soil: before
+/// anything is made of them.
+void doubt_cells(const Scene& scene, const Section& section, double h, Diagnostics& findings)
+{
+    constexpr double rounding = 1.0 + 1e-9, bytes = 700.0; // of a point; solver/PERFORMANCE.md
+    const Vector2 size = section.upper - section.lower;
+    if (size.maxCoeff() * rounding < h)
+        findings.add(
+            error_at(scene.grid_place, "range",
+                     fmt::format("the section, {:.4g} m wide and {:.4g} m high, is smaller than a cell "
+                                 "of {:.4g} m",
+                                 size.x(), size.y(), h),
+                     "a width or height of a cell at least", "give a smaller grid.cell_size"));
+    const double points = count_points(scene, section, h);
+    const double memory =
+        static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)); // [B]
+    if (points * bytes > memory)
+        findings.add(error_at(
+            scene.grid_place, "range",
+            fmt::format("some {:.2g} material points need {:.2g} GB of memory, and this machine has {:.2g}",
+                        points, 1e-9 * points * bytes, 1e-9 * memory),
+            "",
+            "a larger cell_size or fewer particles_per_cell; are cell_size and the drawing both in metres?"));
+}
+
 } // namespace
 
 std::optional<GridChoice> choose_grid(const Scene& scene, const Section& section, Diagnostics& findings)
@@ -174,6 +211,7 @@ std::optional<GridChoice> choose_grid(const Scene& scene, const Section& section
                      "are cell_size and the drawing both in metres?"));
         return std::nullopt;
     }
+    doubt_cells(scene, section, h, findings);
     choice.grid = BackgroundGrid{origin, h, static_cast<int>(cells_x), static_cast<int>(cells_y)};
     return choice;
 }

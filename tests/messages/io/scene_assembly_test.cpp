@@ -328,5 +328,23 @@ TEST(Assembly, RefusesAGridOfTooManyCells)
         << message;
 }
 
+TEST(Assembly, RefusesMorePointsThanTheMachineCanHold)
+{
+    const std::string text = replaced(column_scene, "\"7.5 mm\"", "1.5e-5");
+    const std::string message = SceneFolder().assembly_message(text, column_section());
+    EXPECT_NE(message.find("error[range]: some "), std::string::npos) << message;
+    EXPECT_NE(message.find(" material points need "), std::string::npos) << message;
+    EXPECT_NE(message.find("hint: a larger cell_size or fewer particles_per_cell"), std::string::npos)
+        << message;
+}
+
+TEST(Assembly, RefusesCellsLargerThanTheSection)
+{
+    const std::string text = replaced(column_scene, "\"7.5 mm\"", "0.5");
+    const std::string message = SceneFolder().assembly_message(text, column_section());
+    EXPECT_NE(message.find("is smaller than a cell of 0.5 m\n"), std::string::npos) << message;
+    EXPECT_NE(message.find("hint: give a smaller grid.cell_size"), std::string::npos) << message;
+}
+
 } // namespace
 } // namespace quicksand
