@@ -62,7 +62,8 @@ void aggregate_kept_volume(const std::vector<std::uint8_t>& spoilt, StepWorkspac
     std::erase_if(whole, [&](const AggregatedCell& cell) {
         return !spoilt.empty() && spoilt[static_cast<std::size_t>(cell.slot)] != 0;
     });
-    aggregate_cells(work.wet_lists, whole, work.kept_lists);
+    if (!work.kept_lists) work.kept_lists.emplace();
+    aggregate_cells(work.wet_lists, whole, *work.kept_lists);
 }
 
 /// Mark the roots of cells that hold little water and are well filled by soil; `solids` has the slots with

@@ -32,7 +32,7 @@ struct StepWorkspace {
     CellLists wet_lists;                                    // the wet particles alone, where there are others
     bool partly_wet = false;                                // see is_partly_wet()
     AggregatedLists aggregated_lists, aggregated_wet_lists; // where soil ends within cells
-    AggregatedLists kept_lists;                             // see lists_of_kept_volume()
+    std::optional<AggregatedLists> kept_lists;              // see lists_of_kept_volume()
     NodeConditions conditions;
     std::vector<std::uint8_t> drawn_conditions; // of the nodes by curves alone; none without solids in water
     WallRows walls;
@@ -66,7 +66,7 @@ struct StepWorkspace {
     /// root. (Its pressure would do work that the root's strain does not know: vibrations grew in shaking.)
     const CellLists& lists_of_kept_volume() const
     {
-        return kept_lists.changes < 0 ? lists_with_pressure() : kept_lists.lists;
+        return kept_lists ? kept_lists->lists : lists_with_pressure();
     }
 
     const StencilStore& stencils_of(const Tile& tile) const

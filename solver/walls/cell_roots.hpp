@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace quicksand {
@@ -72,9 +73,8 @@ void follow(const BackgroundGrid& grid, const CellRoots& roots, std::size_t node
 /// Lists with the particles of aggregated cells in the slots of their roots.
 struct AggregatedLists {
     CellLists lists;
-    std::vector<AggregatedCell>
-        aggregated; // and the `changes` of the cell lists from which the lists were made
-    std::int64_t changes = -1;
+    std::vector<AggregatedCell> aggregated; // from which the lists were made
+    std::optional<std::int64_t> changes;    // of the cell lists from which they were made; none: not yet
 };
 
 /// Bring them up to date with the lists of the cells themselves.
