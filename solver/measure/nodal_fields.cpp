@@ -1,5 +1,6 @@
 #include "solver/measure/nodal_fields.hpp"
 
+#include "solver/base/slope_fit.hpp"
 #include "solver/interpolation/cpdi.hpp"
 #include "solver/particles/cell_lists.hpp"
 
@@ -133,17 +134,38 @@ NodalFields empty_fields(const BackgroundGrid& grid, const Particles& particles)
     return fields;
 }
 
-/// A particle's values of all fields, one after the other.
+/// A particle's place and its values of all fields, one after the other.
 void take_values(const NodalFields& fields, const Problem& problem, const Particles& particles, std::size_t p,
                  std::vector<double>& values)
 {
-    std::size_t k = 0;
+    values[0] = particles.position.x[p], values[1] = particles.position.y[p];
+    std::size_t k = 2;
     for (const NodalField& field : fields.fields) {
         const Quantity& quantity = *field.quantity;
         const ParticleValue value = quantity.averaged != nullptr ? quantity.averaged : quantity.value;
         const QuantityValues of_particle = value(problem, particles, p);
         for (std::size_t c = 0; c < field.components.size(); ++c) values[k++] = of_particle[c];
     }
+}
+
+/// Call work(neighbour) for the nodes of the 3 x 3 around a node, itself left out.
+template <class Work>
+void for_each_around(const BackgroundGrid& grid, std::size_t node, Work&& work)
+{
+    const auto columns = static_cast<std::size_t>(grid.nodes_x());
+    const int i = static_cast<int>(node % columns), j = static_cast<int>(node / columns);
+    for (int b = std::max(0, j - 1); b <= std::min(j + 1, grid.nodes_y() - 1); ++b)
+        for (int a = std::max(0, i - 1); a <= std::min(i + 1, grid.nodes_x() - 1); ++a)
+            if (a != i || b != j) work(grid.node_index(a, b));
+}
+
+/// The nodes that are asked for and those around them.
+NodeMask with_neighbours(const BackgroundGrid& grid, const NodeMask& wanted)
+{
+    NodeMask grown = wanted;
+    for (std::size_t node = 0; node < wanted.size(); ++node)
+        if (wanted[node] != 0) for_each_around(grid, node, [&](std::size_t other) { grown[other] = 1; });
+    return grown;
 }
 
 /// Sums over the particles at the nodes that are asked for, the volume first: those of a node lie side by
@@ -177,12 +199,14 @@ public:
         }
     }
 
-    void find_means(NodalFields& fields) const
+    void find_means(std::vector<Vector2>& places, NodalFields& fields) const
     {
         for (std::size_t node = 0; node < first_.size(); ++node) {
             if (first_[node] == none || sums_[first_[node]] <= 0.0) continue;
             const double* sum = sums_.data() + first_[node];
-            fields.volume[node] = *sum++;
+            fields.volume[node] = sum[0];
+            places[node] = Vector2(sum[1], sum[2]) / sum[0];
+            sum += 3;
             for (NodalField& field : fields.fields)
                 for (Scalars& component : field.components) component[node] = *sum++ / fields.volume[node];
         }
@@ -197,25 +221,82 @@ private:
     std::vector<double> sums_;
 };
 
+/// Nodes that are not asked for have nothing.
+void leave_out(const NodeMask& wanted, NodalFields& fields)
+{
+    for (std::size_t node = 0; node < wanted.size(); ++node) {
+        if (wanted[node] != 0) continue;
+        fields.volume[node] = 0.0;
+        for (NodalField& field : fields.fields)
+            for (Scalars& component : field.components) component[node] = 0.0;
+    }
+}
+
+/// By what a mean has to change from the mean place of what it is the mean of to the node: the slope of the
+/// means around, each at its own mean place, times the way; no farther than those means lie apart.
+double change_to_node(const BackgroundGrid& grid, std::size_t node, const std::vector<Vector2>& places,
+                      const Scalars& volume, const Scalars& means)
+{
+    SlopeFit fit;
+    double most = 0.0;
+    for_each_around(grid, node, [&](std::size_t other) {
+        if (!(volume[other] > 0.0)) return;
+        const double root = std::sqrt(volume[other] / volume[node]), apart = means[other] - means[node];
+        fit.add(root * (places[other] - places[node]), root * apart);
+        most = std::max(most, std::abs(apart));
+    });
+    const double change = fit.slope(grid.cell_size).dot(grid.node_position(node) - places[node]);
+    return std::clamp(change, -most, most);
+}
+
+/// Bring the means of nodes at the rim of the soil, whose particles lie on one side, to the nodes themselves:
+/// they are exact for linear fields.
+void move_to_nodes(const BackgroundGrid& grid, const NodeMask& wanted, const std::vector<Vector2>& places,
+                   NodalFields& fields)
+{
+    constexpr double rounding = 1e-3; // [cells]
+    std::vector<std::size_t> nodes;
+    for (std::size_t node = 0; node < wanted.size(); ++node)
+        if (wanted[node] != 0 && fields.volume[node] > 0.0 &&
+            (places[node] - grid.node_position(node)).norm() > rounding * grid.cell_size)
+            nodes.push_back(node);
+    for (NodalField& field : fields.fields) {
+        const bool is_size = field.quantity->range == QuantityRange::not_negative;
+        for (Scalars& component : field.components) {
+            Scalars changes;
+            for (const std::size_t node : nodes)
+                changes.push_back(change_to_node(grid, node, places, fields.volume, component));
+            for (std::size_t k = 0; k < nodes.size(); ++k) {
+                double& value = component[nodes[k]];
+                value = is_size ? std::max(0.0, value + changes[k]) : value + changes[k];
+            }
+        }
+    }
+}
+
 NodalFields average(const Problem& problem, const Particles& particles, const NodeMask& wanted)
 {
     const BackgroundGrid& grid = problem.grid;
     NodalFields fields = empty_fields(grid, particles);
-    std::size_t components = 0;
+    std::size_t components = 2; // of the place
     for (const NodalField& field : fields.fields) components += field.components.size();
 
-    NodeSums sums(grid, wanted, components);
+    const NodeMask summed = with_neighbours(grid, wanted);
+    NodeSums sums(grid, summed, components);
     NodeStencil stencil;
     std::vector<double> values(components);
-    const NodeRange range = range_of(grid, wanted);
+    const NodeRange range = range_of(grid, summed);
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const PresentDomain domain = present_domain(problem, particles, p);
-        if (!may_reach(grid, domain, wanted, range)) continue;
+        if (!may_reach(grid, domain, summed, range)) continue;
         evaluate_anywhere(grid, domain, stencil);
         take_values(fields, problem, particles, p, values);
         sums.add(stencil, particles.volume[p], values);
     }
-    sums.find_means(fields);
+    std::vector<Vector2> places(grid.node_count(), Vector2::Zero());
+    sums.find_means(places, fields);
+    move_to_nodes(grid, wanted, places, fields);
+    leave_out(wanted, fields);
     return fields;
 }
 

@@ -1,4 +1,5 @@
-// Volume-weighted nodal averages of particle quantities, A_i = sum_p phi_ip V_p A_p / sum_p phi_ip V_p:
+// Volume-weighted nodal averages of particle quantities, A_i = sum_p phi_ip V_p A_p / sum_p phi_ip V_p, at
+// the rim of the soil brought from the mean place of those particles to the node:
 // the connected picture of the state for output and for probes at fixed points.
 #pragma once
 

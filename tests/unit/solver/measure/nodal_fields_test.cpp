@@ -32,6 +32,37 @@ struct Block {
 
 } // namespace
 
+// The mean of the particles at a surface is that of a place a third of a cell below it.
+TEST(NodalFields, AreExactForLinearFieldsAtTheRimOfTheSoilToo)
+{
+    const auto velocity = [](const Vector2& x) { return Vector2(0.3 + 2.0 * x.x() - x.y(), 4.0 * x.y()); };
+    for (const double top : {3.5, 3.25}) { // on lines and within a cell
+        Block block;
+        block.state = fixtures::fill(block.problem, 4, [&](const Vector2& x) { return x.y() < top; });
+        Particles& particles = block.state.particles;
+        for (std::size_t p = 0; p < particles.size(); ++p)
+            particles.velocity_solid.set(p, velocity(particles.position[p]));
+        const NodalFields fields = nodal_fields(block.problem, particles);
+        const BackgroundGrid& grid = block.problem.grid;
+        const NodalField& found = *fields.find("velocity_solid");
+        std::size_t count = 0;
+        for (std::size_t node = 0; node < grid.node_count(); ++node) {
+            const Vector2 x = grid.node_position(node);
+            if (!(fields.volume[node] > 0.0) || x.y() > top) continue;
+            EXPECT_NEAR(found.components[0][node], velocity(x).x(), 1e-12) << x.transpose();
+            EXPECT_NEAR(found.components[1][node], velocity(x).y(), 1e-12) << x.transpose();
+            ++count;
+        }
+        EXPECT_EQ(count, top == 3.5 ? 20U : 15U);
+        const Vector2 surface(1.6, top);
+        const NodalFields there = nodal_fields_at(block.problem, particles, {surface});
+        for (std::size_t node = 0; node < grid.node_count(); ++node)
+            if (there.volume[node] > 0.0) {
+                EXPECT_EQ(there.find("velocity_solid")->components[1][node], found.components[1][node]);
+            }
+    }
+}
+
 TEST(NodalFields, LeaveOutNodesBeyondTheGrid)
 {
     // displaced domains of small strain go wherever they please: beyond each side, by parts and altogether
