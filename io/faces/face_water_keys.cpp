@@ -33,7 +33,7 @@ const std::vector<SceneWaterKind>& water_kinds()
         {.word = "pore_pressure", .keys = {
             {.pattern = "boundaries.*.pore_pressure", .dimension = Dimension::pressure, .required = true,
              .saturated_only = true,
-             .doc = "Pore pressure along the curve, with its static part."}},
+             .doc = "Pore pressure along the curve, with its static part; on a free curve the water beyond it presses on the soil besides."}},
          .read = [](BoundaryTable& table) { return read_prescribed<PorePressure>(table, "pore_pressure"); }},
     };
     return kinds;

@@ -29,8 +29,10 @@ std::string description(const SceneProbe& probe, std::int32_t identifier)
             "no soil",
             probe.name, at.x(), at.y());
     case ProbeKind::surface:
-        return fmt::format("{}, surface: the highest soil at x = {} m, values of the particle that is there",
-                           probe.name, at.x());
+        return fmt::format(
+            "{}, surface: the highest soil at x = {} m; displacement and velocity of the surface, "
+            "all else of the particle that is there",
+            probe.name, at.x());
     case ProbeKind::profile:
         return fmt::format(
             "{}, profile: {} fixed points from ({}, {}) to ({}, {}) m, interpolated in the nodal "
@@ -202,9 +204,7 @@ std::vector<PointSample> ProbeWriter::sample(const Probe& probe, const Problem& 
         const double x = probe.scene.at->x();
         const SurfacePoint surface = surface_point(problem, particles, x);
         if (!surface.found) return {PointSample()};
-        PointSample sample = sample_particle(problem, particles, surface.particle);
-        sample["position"] = {x, surface.height};
-        return {sample};
+        return {sample_surface(problem, particles, surface.particle, {x, surface.height})};
     }
     case ProbeKind::profile:
         break;

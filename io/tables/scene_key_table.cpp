@@ -252,7 +252,7 @@ std::vector<SceneKey> run_keys()
         {.pattern = "probes.*", .type = table, .doc = "One probe; its name is that of its CSV file."},
         {.pattern = "probes.*.kind", .type = word, .default_value = "material",
          .words = {"material", "fixed", "surface", "profile"},
-         .doc = "Moves with the soil, in all stages with the same particle, is fixed in space, follows the surface at an x, or samples a line."},
+         .doc = "Moves with the soil, in all stages with the same particle, is fixed in space, follows the surface at an x, with the displacement and velocity of the surface itself, or samples a line."},
         {.pattern = "probes.*.at", .type = point, .dimension = Dimension::length,
          .default_note = "the physical point of the probe's name",
          .doc = "Place of the probe; start of a profile."},

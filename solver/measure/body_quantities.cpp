@@ -49,7 +49,7 @@ constexpr std::array body_quantity_table = {
         [](const MeasuredBody& body) { return static_cast<double>(body.limited_domains); }, {}, {}, true},
     BodyQuantity{"mean_stress_checkerboard", "-", "|sum (-1)^(i+j) p_c V_c| / sum |p_c| V_c over the cells, of the mean effective stress; above 0.05 neighbouring cells oscillate", any_body,
         [](const MeasuredBody& body) { return body.oscillations.mean_stress_checkerboard; }},
-    BodyQuantity{"mean_stress_scatter", "-", "mean effective stress of the particles less the plane through the cell means / its size; some tenths where the volume locks", any_body,
+    BodyQuantity{"mean_stress_scatter", "-", "mean effective stress of the particles less the plane through the cell means / its size; some tenths where the volume locks, or soil flows that dilates", any_body,
         [](const MeasuredBody& body) { return body.oscillations.mean_stress_scatter; }},
     BodyQuantity{"pore_pressure_checkerboard", "-", "as mean_stress_checkerboard, of the excess pore pressure", wet_body,
         [](const MeasuredBody& body) { return body.oscillations.pore_pressure_checkerboard; }},

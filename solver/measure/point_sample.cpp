@@ -64,29 +64,55 @@ std::vector<NearParticle> particles_near(const Problem& problem, const Particles
     return found;
 }
 
-/// What a plane through the values of the particles near p, by weighted least squares, has at p; exact where
-/// values are linear.
+/// A plane through the values of the particles near p, by weighted least squares; exact where they are
+/// linear.
+struct FittedPlane {
+    double value = 0.0;              // at p
+    Vector2 slope = Vector2::Zero(); // [1/m]
+};
+
+FittedPlane fit_plane(const Problem& problem, const Particles& particles, std::size_t p,
+                      const Quantity& quantity, std::size_t component,
+                      const std::vector<NearParticle>& all_near)
+{
+    const auto value = [&](const NearParticle& near) {
+        return quantity.value(problem, particles, near.index)[component];
+    };
+    double mean = 0.0;
+    for (const NearParticle& near : all_near) mean += near.weight * value(near);
+    SlopeFit fit;
+    Vector2 to_particle = Vector2::Zero(); // from the mean place
+    for (const NearParticle& near : all_near) {
+        const double root = std::sqrt(near.weight);
+        fit.add(root * near.apart, root * (value(near) - mean));
+        if (near.index == p) to_particle = near.apart;
+    }
+    constexpr double distance = 1.0 / 3.0; // of the particles, about, from their mean place [cells]
+    const Vector2 slope = fit.slope(distance * problem.grid.cell_size);
+    return {mean + slope.dot(to_particle), slope};
+}
+
 QuantityValues fitted_value(const Problem& problem, const Particles& particles, std::size_t p,
                             const Quantity& quantity, const std::vector<NearParticle>& all_near)
 {
     QuantityValues fitted{};
-    for (std::size_t c = 0; c < component_count(quantity.form); ++c) {
-        const auto value = [&](const NearParticle& near) {
-            return quantity.value(problem, particles, near.index)[c];
-        };
-        double mean = 0.0;
-        for (const NearParticle& near : all_near) mean += near.weight * value(near);
-        SlopeFit fit;
-        Vector2 to_particle = Vector2::Zero(); // from the mean place
-        for (const NearParticle& near : all_near) {
-            const double root = std::sqrt(near.weight);
-            fit.add(root * near.apart, root * (value(near) - mean));
-            if (near.index == p) to_particle = near.apart;
-        }
-        constexpr double distance = 1.0 / 3.0; // of the particles, about, from their mean place [cells]
-        fitted[c] = mean + fit.slope(distance * problem.grid.cell_size).dot(to_particle);
-    }
+    for (std::size_t c = 0; c < component_count(quantity.form); ++c)
+        fitted[c] = fit_plane(problem, particles, p, quantity, c, all_near).value;
     return fitted;
+}
+
+/// Of the particle p.
+PointSample values_of(const Problem& problem, const Particles& particles, std::size_t p,
+                      const std::vector<NearParticle>& all_near)
+{
+    PointSample sample;
+    for (std::size_t k = 0; k < sampled().size(); ++k) {
+        const Quantity& quantity = *sampled()[k];
+        if (quantity.value == nullptr || !have(particles, quantity)) continue;
+        sample.values[k] = quantity.scatters ? fitted_value(problem, particles, p, quantity, all_near)
+                                             : quantity.value(problem, particles, p);
+    }
+    return sample;
 }
 
 /// The mean of the nodes around the point; `values` keeps what it has where the scene has no such field.
@@ -121,14 +147,21 @@ QuantityValues& PointSample::operator[](std::string_view name)
 
 PointSample sample_particle(const Problem& problem, const Particles& particles, std::size_t p)
 {
-    PointSample sample;
+    return values_of(problem, particles, p, particles_near(problem, particles, p));
+}
+
+PointSample sample_surface(const Problem& problem, const Particles& particles, std::size_t p,
+                           const Vector2& point)
+{
     const std::vector<NearParticle> near = particles_near(problem, particles, p);
-    for (std::size_t k = 0; k < sampled().size(); ++k) {
-        const Quantity& quantity = *sampled()[k];
-        if (quantity.value == nullptr || !have(particles, quantity)) continue;
-        sample.values[k] = quantity.scatters ? fitted_value(problem, particles, p, quantity, near)
-                                             : quantity.value(problem, particles, p);
+    PointSample sample = values_of(problem, particles, p, near);
+    const Vector2 apart = point - particles.position[p];
+    for (const std::string_view motion : {"displacement", "velocity_solid"}) {
+        const Quantity& quantity = quantity_named(motion);
+        for (std::size_t c = 0; c < component_count(quantity.form); ++c)
+            sample[motion][c] += fit_plane(problem, particles, p, quantity, c, near).slope.dot(apart);
     }
+    sample["position"] = {point.x(), point.y()};
     return sample;
 }
 

@@ -29,6 +29,12 @@ public:
 /// within a cell around it.
 PointSample sample_particle(const Problem& problem, const Particles& particles, std::size_t p);
 
+/// The motion of a point of the surface on the domain of particle p, which lies a part of a cell below it:
+/// the particle's own plus the slope, of a plane through the particles of its soil within a cell around it,
+/// times the way to the point. All other values are the particle's.
+PointSample sample_surface(const Problem& problem, const Particles& particles, std::size_t p,
+                           const Vector2& point);
+
 /// Bilinear values of the nodal fields at a point; only the position where there is no soil.
 PointSample sample_point(const Problem& problem, const NodalFields& fields, const Vector2& point);
 

@@ -143,7 +143,7 @@ R"_(
 scene.toml:41:1: error[missing-key]: [boundaries.surface] has no pore_pressure
    41 | [boundaries.surface]
       | ^~~~~~~~~~~~~~~~~~~~
-expected: pore_pressure [Pa]: Pore pressure along the curve, with its static part.
+expected: pore_pressure [Pa]: Pore pressure along the curve, with its static part; on a free curve the water beyond it presses on the soil besides.
 )_"},
 SceneMistake{"HeadOnATiedSide",
     "tied_to = \"right\"",

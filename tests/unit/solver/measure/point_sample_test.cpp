@@ -74,6 +74,37 @@ TEST(PointSample, AParticlesShearStrainFollowsItsEdges)
     EXPECT_NEAR(sample_particle(problem, state.particles, 3)["shear_strain_xy"][0], 0.02, 1e-14);
 }
 
+// The particle lies a quarter of a cell below the surface, which has strained as the soil around it.
+TEST(PointSample, TheSurfaceMovesAsThePlaneThroughTheParticlesBelowIt)
+{
+    const Problem problem = fixtures::small_problem(false);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    const auto motion = [](const Vector2& x) {
+        return Vector2(1e-3 + 2e-2 * x.x() - 3e-2 * x.y(), -2e-3 + 1e-2 * x.x() - 5e-2 * x.y());
+    };
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Vector2 drawn = particles.reference_position[p];
+        particles.velocity_solid.set(p, motion(drawn));
+        particles.position.set(p, drawn + motion(drawn));
+        particles.stress.yy[p] = -1e3 * drawn.y();
+    }
+    for (const Vector2& drawn : {Vector2(0.9, 1.5), Vector2(1.1, 1.5), Vector2(0.0, 1.5)}) {
+        std::size_t below = 0;
+        for (std::size_t p = 1; p < particles.size(); ++p)
+            if ((particles.reference_position[p] - drawn).norm() <
+                (particles.reference_position[below] - drawn).norm())
+                below = p;
+        const Vector2 place = drawn + motion(drawn);
+        const PointSample surface = sample_surface(problem, particles, below, place);
+        EXPECT_LT((surface.vector("displacement") - motion(drawn)).norm(), 1e-12);
+        EXPECT_LT((surface.vector("velocity_solid") - motion(drawn)).norm(), 1e-12);
+        EXPECT_EQ(surface.vector("position"), place);
+        const PointSample particle = sample_particle(problem, particles, below);
+        EXPECT_EQ(surface["vertical_effective_stress"][0], particle["vertical_effective_stress"][0]);
+    }
+}
+
 // Stresses of neighbouring particles of liquefied sand are as far apart as they are large.
 TEST(PointSample, AParticlesStressesAreThoseOfASmoothFieldAroundIt)
 {
