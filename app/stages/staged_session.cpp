@@ -18,6 +18,8 @@
 
 namespace quicksand {
 
+namespace fs = std::filesystem;
+
 namespace {
 
 /// Where a run begins that goes on from the results `before`; none for one that begins as drawn or is
@@ -30,8 +32,6 @@ std::optional<Origin> origin_of_run(const std::optional<fs::path>& before, const
     for (const std::string& warning : origin.warnings) journal.say(warning);
     return origin;
 }
-
-namespace fs = std::filesystem;
 
 /// Have particles parted as in its own results where it is resumed, and else as in those before it.
 void part_as_before(const RunChoice& chosen, const std::optional<fs::path>& before, SceneReading& reading)

@@ -9,7 +9,9 @@
 #include "solver/base/conventions.hpp"
 #include "solver/soil/law_key.hpp"
 
-#include <cstring>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <limits>
 #include <span>
 
@@ -54,10 +56,14 @@ struct Pm4Sand {
     // derived by complete()
     double critical_ratio = not_given;  // M = 2 sin phi_cv [-]
     double bulk_over_shear = not_given; // K/G [-]
-
-    /// By their bytes: what is not given is equal to what is not given.
-    bool operator==(const Pm4Sand& other) const { return std::memcmp(this, &other, sizeof *this) == 0; }
 };
+
+/// By their bits: what is not given is equal to what is not given.
+inline bool operator==(const Pm4Sand& a, const Pm4Sand& b)
+{
+    using Bits = std::array<std::uint64_t, sizeof(Pm4Sand) / sizeof(std::uint64_t)>;
+    return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
+}
 
 /// The parameters with a value for every one that is not given, but those of the state at consolidation.
 Pm4Sand complete(Pm4Sand law);
