@@ -81,10 +81,12 @@ std::vector<Vector2> points_of(const SceneProbe& probe)
     return points;
 }
 
-SurfacePoint surface_point(const Problem& problem, const Particles& particles, double x)
+namespace {
+
+/// Raise the surface to what there is at x; its shift stays.
+void raise_surface(const Problem& problem, const Particles& particles, double x, SurfacePoint& surface)
 {
     constexpr double rounding = 1e-9; // where two domains meet, x lies beside both or neither without it [-]
-    SurfacePoint surface;
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const auto [middle, reach] = width_of(problem, particles, p);
         const double apart = x - middle, rim = (1.0 - rounding) * reach;
@@ -93,8 +95,24 @@ SurfacePoint surface_point(const Problem& problem, const Particles& particles, d
         for_each_crossing(domain_polygon(problem.cut_domains, particles, p), inside, [&](double y) {
             const bool tie = surface.found && y == surface.height &&
                              particles.identifier[p] < particles.identifier[surface.particle];
-            if (!surface.found || y > surface.height || tie) surface = {true, p, y};
+            if (!surface.found || y > surface.height || tie) surface = {true, p, y, surface.shift};
         });
+    }
+}
+
+} // namespace
+
+SurfacePoint surface_point(const Problem& problem, const Particles& particles, double x)
+{
+    SurfacePoint surface;
+    raise_surface(problem, particles, x, surface);
+    if (!problem.tied_sides) return surface;
+    const double period = problem.tied_sides->x_right - problem.tied_sides->x_left;
+    for (const double shift : {-period, period}) {
+        SurfacePoint image;
+        image.shift = shift;
+        raise_surface(problem, particles, x + shift, image);
+        if (image.found && (!surface.found || image.height > surface.height)) surface = image;
     }
     return surface;
 }

@@ -23,11 +23,12 @@ std::optional<std::string> outside_soil(const Problem& problem, const Particles&
 /// Where a probe looks: one point, or those of a profile. It must have its place.
 std::vector<Vector2> points_of(const SceneProbe& probe);
 
-/// The particle whose domain is highest at x, and that height.
+/// The particle whose domain is highest at x, and that height. Between tied sides soil goes on periodically.
 struct SurfacePoint {
     bool found = false; // false where there is no soil at x
     std::size_t particle = 0;
     double height = 0.0; // [m]
+    double shift = 0.0;  // of x to where the particle is: a period, where it is beyond a tied side [m]
 };
 SurfacePoint surface_point(const Problem& problem, const Particles& particles, double x);
 

@@ -204,7 +204,10 @@ std::vector<PointSample> ProbeWriter::sample(const Probe& probe, const Problem& 
         const double x = probe.scene.at->x();
         const SurfacePoint surface = surface_point(problem, particles, x);
         if (!surface.found) return {PointSample()};
-        return {sample_surface(problem, particles, surface.particle, {x, surface.height})};
+        PointSample sample =
+            sample_surface(problem, particles, surface.particle, {x + surface.shift, surface.height});
+        sample["position"] = {x, surface.height};
+        return {sample};
     }
     case ProbeKind::profile:
         break;

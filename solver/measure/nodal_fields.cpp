@@ -8,23 +8,33 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <utility>
 
 namespace quicksand {
 
 namespace {
 
-/// The cell of a point wherever it may lie; the grid's upper and right edges belong to the last cells.
-std::optional<PlaceInCell> find_cell(const BackgroundGrid& grid, const Vector2& point)
+/// The cells that a point lies in or at the edge of, wherever it may lie; of a point on a grid line both.
+std::vector<PlaceInCell> cells_at(const BackgroundGrid& grid, const Vector2& point)
 {
+    constexpr double rounding = 1e-9; // [cells]
     const Vector2 cells = grid.cells_from_rim(point);
     const bool in_grid = cells.x() >= 0.0 && cells.y() >= 0.0 && cells.x() <= grid.all_cells_x() &&
                          cells.y() <= grid.all_cells_y();
-    if (!in_grid) return std::nullopt;
-    const int i = std::min(static_cast<int>(cells.x()), grid.all_cells_x() - 1),
-              j = std::min(static_cast<int>(cells.y()), grid.all_cells_y() - 1);
-    return PlaceInCell{i, j, cells.x() - i, cells.y() - j};
+    if (!in_grid) return {};
+    const auto along = [&](double place, int count) {
+        std::vector<int> numbers;
+        for (const double beside : {rounding, -rounding}) {
+            const int number = std::clamp(static_cast<int>(std::floor(place + beside)), 0, count - 1);
+            if (numbers.empty() || numbers.back() != number) numbers.push_back(number);
+        }
+        return numbers;
+    };
+    std::vector<PlaceInCell> places;
+    for (const int j : along(cells.y(), grid.all_cells_y()))
+        for (const int i : along(cells.x(), grid.all_cells_x()))
+            places.push_back({i, j, cells.x() - i, cells.y() - j});
+    return places;
 }
 
 /// Node k of the four of a cell, row by row.
@@ -232,21 +242,31 @@ void leave_out(const NodeMask& wanted, NodalFields& fields)
     }
 }
 
-/// By what a mean has to change from the mean place of what it is the mean of to the node: the slope of the
-/// means around, each at its own mean place, times the way; no farther than those means lie apart.
-double change_to_node(const BackgroundGrid& grid, std::size_t node, const std::vector<Vector2>& places,
-                      const Scalars& volume, const Scalars& means)
+/// Whether the slope of a quantity tells it a part of a cell farther on: motion and the pressure of the
+/// water. Stresses and states of the soil scatter.
+bool is_smooth(const Quantity& quantity)
 {
+    const bool is_water_pressure = quantity.of == QuantityOf::wet_soil && quantity.unit == "Pa";
+    return quantity.form == QuantityForm::vector || is_water_pressure;
+}
+
+/// A mean, brought from the mean place of what it is the mean of to the node: by the slope of the means
+/// around, each at its own mean place.
+double value_at_node(const BackgroundGrid& grid, std::size_t node, const std::vector<Vector2>& places,
+                     const Scalars& volume, const Scalars& means)
+{
+    // times the largest difference of the means: linear fields have 2 where soil ends .3 cells above a line
+    constexpr double farthest = 2.0;
     SlopeFit fit;
     double most = 0.0;
     for_each_around(grid, node, [&](std::size_t other) {
         if (!(volume[other] > 0.0)) return;
         const double root = std::sqrt(volume[other] / volume[node]), apart = means[other] - means[node];
         fit.add(root * (places[other] - places[node]), root * apart);
-        most = std::max(most, std::abs(apart));
+        most = std::max(most, farthest * std::abs(apart));
     });
     const double change = fit.slope(grid.cell_size).dot(grid.node_position(node) - places[node]);
-    return std::clamp(change, -most, most);
+    return means[node] + std::clamp(change, -most, most);
 }
 
 /// Bring the means of nodes at the rim of the soil, whose particles lie on one side, to the nodes themselves:
@@ -261,15 +281,12 @@ void move_to_nodes(const BackgroundGrid& grid, const NodeMask& wanted, const std
             (places[node] - grid.node_position(node)).norm() > rounding * grid.cell_size)
             nodes.push_back(node);
     for (NodalField& field : fields.fields) {
-        const bool is_size = field.quantity->range == QuantityRange::not_negative;
+        if (!is_smooth(*field.quantity)) continue;
         for (Scalars& component : field.components) {
-            Scalars changes;
+            Scalars values;
             for (const std::size_t node : nodes)
-                changes.push_back(change_to_node(grid, node, places, fields.volume, component));
-            for (std::size_t k = 0; k < nodes.size(); ++k) {
-                double& value = component[nodes[k]];
-                value = is_size ? std::max(0.0, value + changes[k]) : value + changes[k];
-            }
+                values.push_back(value_at_node(grid, node, places, fields.volume, component));
+            for (std::size_t k = 0; k < nodes.size(); ++k) component[nodes[k]] = values[k];
         }
     }
 }
@@ -323,24 +340,24 @@ NodalFields nodal_fields_at(const Problem& problem, const Particles& particles,
                             const std::vector<Vector2>& points)
 {
     NodeMask wanted(problem.grid.node_count(), 0);
-    for (const Vector2& point : points) {
-        const auto cell = find_cell(problem.grid, point);
-        for (int k = 0; cell && k < 4; ++k) wanted[node_of(problem.grid, *cell, k)] = 1;
-    }
+    for (const Vector2& point : points)
+        for (const PlaceInCell& cell : cells_at(problem.grid, point))
+            for (int k = 0; k < 4; ++k) wanted[node_of(problem.grid, cell, k)] = 1;
     return average(problem, particles, wanted);
 }
 
 PointWeights point_weights(const BackgroundGrid& grid, const NodalFields& fields, const Vector2& point)
 {
     PointWeights result;
-    const auto cell = find_cell(grid, point);
-    if (!cell) return result;
-    result.inside = true;
-    for (int k = 0; k < 4; ++k) {
-        result.node[k] = node_of(grid, *cell, k);
-        result.weight[k] =
-            (k % 2 == 0 ? 1.0 - cell->xi : cell->xi) * (k / 2 == 0 ? 1.0 - cell->eta : cell->eta);
-        result.inside = result.inside && fields.volume[result.node[k]] > 0.0;
+    for (const PlaceInCell& cell : cells_at(grid, point)) {
+        result.inside = true;
+        for (int k = 0; k < 4; ++k) {
+            result.node[k] = node_of(grid, cell, k);
+            result.weight[k] =
+                (k % 2 == 0 ? 1.0 - cell.xi : cell.xi) * (k / 2 == 0 ? 1.0 - cell.eta : cell.eta);
+            result.inside = result.inside && fields.volume[result.node[k]] > 0.0;
+        }
+        if (result.inside) break;
     }
     return result;
 }

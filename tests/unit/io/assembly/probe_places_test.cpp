@@ -37,6 +37,22 @@ TEST(ProbePlaces, SurfaceIsTheHighestDomainOverTheLine)
     EXPECT_FALSE(surface_point(problem, particles, 7.0).found);
 }
 
+// The top of a column that sways had left the line of its side, where the base alone was found.
+TEST(ProbePlaces, SurfaceGoesOnBeyondTiedSides)
+{
+    Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    const double width = 2.0, highest = surface_point(problem, particles, 1.0).height;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        particles.position.x[p] -= 0.1 * particles.position.y[p];
+    EXPECT_LT(surface_point(problem, particles, width).height, highest);
+    problem.tied_sides = TiedSides{"left", "right", 0.0, width};
+    const SurfacePoint surface = surface_point(problem, particles, width);
+    EXPECT_NEAR(surface.height, highest, 1e-12);
+    EXPECT_EQ(surface.shift, -width);
+}
+
 TEST(ProbePlaces, ASurfaceIsFoundWhereDomainsMeetButForRounding)
 {
     const Problem problem = fixtures::small_problem(true);

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -36,7 +37,7 @@ struct Block {
 TEST(NodalFields, AreExactForLinearFieldsAtTheRimOfTheSoilToo)
 {
     const auto velocity = [](const Vector2& x) { return Vector2(0.3 + 2.0 * x.x() - x.y(), 4.0 * x.y()); };
-    for (const double top : {3.5, 3.25}) { // on lines and within a cell
+    for (const double top : {3.5, 3.375, 3.25}) { // on lines and within a cell
         Block block;
         block.state = fixtures::fill(block.problem, 4, [&](const Vector2& x) { return x.y() < top; });
         Particles& particles = block.state.particles;
@@ -48,19 +49,42 @@ TEST(NodalFields, AreExactForLinearFieldsAtTheRimOfTheSoilToo)
         std::size_t count = 0;
         for (std::size_t node = 0; node < grid.node_count(); ++node) {
             const Vector2 x = grid.node_position(node);
-            if (!(fields.volume[node] > 0.0) || x.y() > top) continue;
+            if (!(fields.volume[node] > 0.0)) continue;
             EXPECT_NEAR(found.components[0][node], velocity(x).x(), 1e-12) << x.transpose();
             EXPECT_NEAR(found.components[1][node], velocity(x).y(), 1e-12) << x.transpose();
             ++count;
         }
-        EXPECT_EQ(count, top == 3.5 ? 20U : 15U);
-        const Vector2 surface(1.6, top);
+        EXPECT_EQ(count, 20U);
+        const Vector2 surface(1.6, top); // on a grid line, above which there is no soil, or within a cell
         const NodalFields there = nodal_fields_at(block.problem, particles, {surface});
         for (std::size_t node = 0; node < grid.node_count(); ++node)
             if (there.volume[node] > 0.0) {
                 EXPECT_EQ(there.find("velocity_solid")->components[1][node], found.components[1][node]);
             }
+        const PointWeights weights = point_weights(grid, there, surface);
+        ASSERT_TRUE(weights.inside);
+        double at_surface = 0.0;
+        for (std::size_t k = 0; k < 4; ++k)
+            at_surface += weights.weight[k] * found.components[1][weights.node[k]];
+        EXPECT_NEAR(at_surface, velocity(surface).y(), 1e-12);
     }
+}
+
+// Stresses scatter, and a slope would tell tension where there is none.
+TEST(NodalFields, AreMeansOfStressesAtTheRimOfTheSoil)
+{
+    Block block;
+    Particles& particles = block.state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        particles.stress.yy[p] = -1e3 * std::exp(4.0 * (3.5 - particles.position.y[p]));
+    const NodalFields fields = nodal_fields(block.problem, particles);
+    const Scalars& found = fields.find("vertical_effective_stress")->components[0];
+    const auto [low, high] = std::minmax_element(particles.stress.yy.begin(), particles.stress.yy.end());
+    for (std::size_t node = 0; node < found.size(); ++node)
+        if (fields.volume[node] > 0.0) {
+            EXPECT_GE(found[node], -*high);
+            EXPECT_LE(found[node], -*low);
+        }
 }
 
 TEST(NodalFields, LeaveOutNodesBeyondTheGrid)
