@@ -1,7 +1,8 @@
 #include "solver/cell_strain/volumetric_average.hpp"
 
+#include "solver/cell_strain/soil_faces.hpp"
+
 #include <algorithm>
-#include <span>
 
 namespace quicksand {
 
@@ -27,8 +28,7 @@ private:
 
 /// Give the sum of `xx` and `yy` its mean over those of the cell that ask for it, the difference staying as
 /// it is.
-void average_traces(std::span<const std::int32_t> cell, const Flagged& asks, const Scalars& volumes,
-                    Scalars& xx, Scalars& yy)
+void average_traces(CellEntries cell, const Flagged& asks, const Scalars& volumes, Scalars& xx, Scalars& yy)
 {
     double volume = 0.0, sum = 0.0;
     for (const std::int32_t k : cell) {
@@ -51,12 +51,8 @@ template <class Work>
 void for_each_cell(const CellLists& lists, Work&& work)
 {
     for_each_tile(lists, [&](const Tile& tile) {
-        for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
-            const auto slot = static_cast<std::size_t>(c);
-            const auto first = static_cast<std::size_t>(lists.cell_start[slot]);
-            const auto last = static_cast<std::size_t>(lists.cell_start[slot + 1]);
-            work(std::span<const std::int32_t>(lists.order).subspan(first, last - first));
-        }
+        for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c)
+            work(entries_of(lists, static_cast<std::size_t>(c)));
     });
 }
 
@@ -101,9 +97,7 @@ void average_volume_change(const CellLists& lists, const VolumetricAverage& aver
     if (average.of_strain.empty()) return;
     const Flagged asks(average.of_strain, particles);
     Gradients& L = particles.velocity_gradient_solid;
-    for_each_cell(lists, [&](std::span<const std::int32_t> cell) {
-        average_traces(cell, asks, particles.volume, L.xx, L.yy);
-    });
+    for_each_cell(lists, [&](CellEntries cell) { average_traces(cell, asks, particles.volume, L.xx, L.yy); });
 }
 
 void average_mean_stress(const CellLists& lists, const VolumetricAverage& average, Particles& particles)
@@ -111,7 +105,7 @@ void average_mean_stress(const CellLists& lists, const VolumetricAverage& averag
     if (average.of_stress.empty()) return;
     const Flagged asks(average.of_strain, particles), dilates(average.of_stress, particles);
     SymmetricTensors& stress = particles.stress;
-    for_each_cell(lists, [&](std::span<const std::int32_t> cell) {
+    for_each_cell(lists, [&](CellEntries cell) {
         if (std::any_of(cell.begin(), cell.end(), dilates))
             average_traces(cell, asks, particles.volume, stress.xx, stress.yy);
     });
