@@ -62,9 +62,12 @@ std::string describe_trial(const StrengthTrial& trial)
 std::string describe_result(const SafetyFactor& safety)
 {
     if (safety.stands == 0.0)
-        return fmt::format("The factor of safety is less than {:.4f}: the slope stands at no strength of its "
-                           "soil. Either its pores bear its weight, or forces of the shaking still act.",
-                           safety.fails);
+        return fmt::format(
+            "The factor of safety is less than {:.4f}: the slope stands at no strength of its "
+            "soil. Either its pores bear its weight, or forces of the shaking still act."
+            "\nhint: residual_strength in a stage of kind = \"stability\" is what sand keeps that "
+            "has liquefied",
+            safety.fails);
     if (std::isinf(safety.fails))
         return fmt::format("The factor of safety is more than {:.4g}: the slope still stands.",
                            safety.stands);

@@ -14,8 +14,10 @@
 #include "io/scene/scene_section.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace quicksand {
 
@@ -48,6 +50,21 @@ Problem make_problem(const Scene& scene, const Section& section)
     return problem;
 }
 
+/// Warn of soil that falls, for no curve bears it.
+void doubt_support(const Scene& scene, const Problem& problem, Diagnostics& findings)
+{
+    const bool falls =
+        std::all_of(problem.boundaries.begin(), problem.boundaries.end(), [](const Boundary& boundary) {
+            return std::holds_alternative<FreeFace>(boundary.soil) ||
+                   std::holds_alternative<TiedSide>(boundary.soil) ||
+                   std::holds_alternative<FreeFieldSide>(boundary.soil);
+        });
+    if (falls && problem.gravity > 0.0)
+        findings.add(warning_at(scene.geometry_place, "boundaries", "support",
+                                "no curve bears the soil: it falls under its weight",
+                                "soil = \"fixed\" or \"roller\" on a curve, as in [boundaries.base]"));
+}
+
 /// Everything that can be wrong between scene and section before a particle exists. Names and grid are those
 /// of all that is drawn, boundaries those of the soil that is there.
 void check_case(const Section& drawn, AssembledCase& assembled)
@@ -69,6 +86,7 @@ void check_case(const Section& drawn, AssembledCase& assembled)
         problem.boundaries = find_boundaries(scene, section, findings);
         if (scene.stage && scene.stage->kind == StageKind::consolidate)
             for (Boundary& boundary : problem.boundaries) hold(boundary.soil);
+        doubt_support(scene, problem, findings);
         problem.rim = rim_of(section);
         problem.tied_sides = find_tied_sides(scene, section, grid, findings);
         check_free_field_sides(scene, section, grid, findings);

@@ -328,6 +328,17 @@ TEST(Assembly, RefusesAGridOfTooManyCells)
         << message;
 }
 
+TEST(Assembly, WarnsOfSoilThatNoCurveBears)
+{
+    const std::string text = replaced(column_scene, "soil = \"fixed\"", "soil = \"free\"");
+    const std::string message = SceneFolder().assembly_message(text, column_section());
+    EXPECT_NE(message.find("warning[support]: no curve bears the soil: it falls under its weight"),
+              std::string::npos)
+        << message;
+    EXPECT_NE(message.find("expected: soil = \"fixed\" or \"roller\" on a curve"), std::string::npos)
+        << message;
+}
+
 TEST(Assembly, RefusesMorePointsThanTheMachineCanHold)
 {
     const std::string text = replaced(column_scene, "\"7.5 mm\"", "1.5e-5");
