@@ -1,5 +1,7 @@
 #include "solver/cell_strain/shared_means.hpp"
 
+#include "solver/cell_strain/cell_walk.hpp"
+
 #include <algorithm>
 
 namespace quicksand {
@@ -44,11 +46,8 @@ void find_cells_with_means(const Problem& problem, const CellLists& lists, const
     if (shared.of_material.empty()) return;
     const Soils soils{shared.of_material, shared.slivers, particles};
     cells.assign(lists.cell_of_slot.size(), 0);
-    for_each_tile(lists, [&](const Tile& tile) {
-        for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
-            const auto slot = static_cast<std::size_t>(c);
-            cells[slot] = has_mean(problem, lists, slot, shared, soils) ? 1 : 0;
-        }
+    for_each_slot(lists, [&](std::size_t slot) {
+        cells[slot] = has_mean(problem, lists, slot, shared, soils) ? 1 : 0;
     });
 }
 
@@ -72,12 +71,9 @@ void approach_means(const CellLists& lists, const SharedSoils& shared, const Cel
                 own = mean + own_part * (own - mean);
             }
     };
-    for_each_tile(lists, [&](const Tile& tile) {
-        for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
-            const auto slot = static_cast<std::size_t>(c);
-            if (cells[slot] == 0) continue;
-            for (Scalars* value : values) approach(entries_of(lists, slot), *value);
-        }
+    for_each_slot(lists, [&](std::size_t slot) {
+        if (cells[slot] == 0) return;
+        for (Scalars* value : values) approach(entries_of(lists, slot), *value);
     });
 }
 

@@ -1,5 +1,6 @@
 #include "solver/cell_strain/soil_layers.hpp"
 
+#include "solver/cell_strain/cell_walk.hpp"
 #include "solver/problem/buoyancy.hpp"
 #include "solver/problem/kept_water.hpp"
 
@@ -248,12 +249,9 @@ void part_strains_of_soils(const Problem& problem, double dt, const CellLists& l
 {
     if (shared.of_material.empty()) return;
     const Soils soils{shared.of_material, shared.slivers, particles};
-    for_each_tile(lists, [&](const Tile& tile) {
-        for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c) {
-            const auto slot = static_cast<std::size_t>(c);
-            if (is_shared(entries_of(lists, slot), soils))
-                part_strain(problem, dt, lists, slot, shared, particles);
-        }
+    for_each_slot(lists, [&](std::size_t slot) {
+        if (is_shared(entries_of(lists, slot), soils))
+            part_strain(problem, dt, lists, slot, shared, particles);
     });
 }
 

@@ -1,5 +1,6 @@
 #include "solver/cell_strain/volumetric_average.hpp"
 
+#include "solver/cell_strain/cell_walk.hpp"
 #include "solver/cell_strain/soil_faces.hpp"
 
 #include <algorithm>
@@ -46,16 +47,6 @@ void average_traces(CellEntries cell, const Flagged& asks, const Scalars& volume
     }
 }
 
-/// Call work(cell) for the particles of every cell.
-template <class Work>
-void for_each_cell(const CellLists& lists, Work&& work)
-{
-    for_each_tile(lists, [&](const Tile& tile) {
-        for (std::int32_t c = tile.first_cell; c < tile.last_cell; ++c)
-            work(entries_of(lists, static_cast<std::size_t>(c)));
-    });
-}
-
 /// Whether the soil grows as it flows.
 bool dilates(const SkeletonLaw& any)
 {
@@ -97,7 +88,9 @@ void average_volume_change(const CellLists& lists, const VolumetricAverage& aver
     if (average.of_strain.empty()) return;
     const Flagged asks(average.of_strain, particles);
     Gradients& L = particles.velocity_gradient_solid;
-    for_each_cell(lists, [&](CellEntries cell) { average_traces(cell, asks, particles.volume, L.xx, L.yy); });
+    for_each_slot(lists, [&](std::size_t slot) {
+        average_traces(entries_of(lists, slot), asks, particles.volume, L.xx, L.yy);
+    });
 }
 
 void average_mean_stress(const CellLists& lists, const VolumetricAverage& average, Particles& particles)
@@ -105,7 +98,8 @@ void average_mean_stress(const CellLists& lists, const VolumetricAverage& averag
     if (average.of_stress.empty()) return;
     const Flagged asks(average.of_strain, particles), dilates(average.of_stress, particles);
     SymmetricTensors& stress = particles.stress;
-    for_each_cell(lists, [&](CellEntries cell) {
+    for_each_slot(lists, [&](std::size_t slot) {
+        const CellEntries cell = entries_of(lists, slot);
         if (std::any_of(cell.begin(), cell.end(), dilates))
             average_traces(cell, asks, particles.volume, stress.xx, stress.yy);
     });
