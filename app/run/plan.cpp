@@ -29,9 +29,13 @@ std::string describe_waves(const Material& material, const WaveSpeeds& waves, co
         text += fmt::format("fast P {:.0f}, undrained P {:.0f}, slow P {:.0f}, ", waves.fast, waves.undrained,
                             waves.slow);
     }
-    return text + fmt::format("skeleton P {:.0f}, shear {:.0f} m/s; waves up to {:.0f} Hz are resolved\n",
-                              waves.skeleton, waves.shear,
-                              waves.shear / (cells_per_wavelength * problem.grid.cell_size));
+    text +=
+        fmt::format("skeleton P {:.0f}, shear {:.0f} m/s; waves up to {:.0f} Hz are resolved", waves.skeleton,
+                    waves.shear, waves.shear / (cells_per_wavelength * problem.grid.cell_size));
+    if (const auto damping = vibration_damping_of(material.law))
+        text += fmt::format(", damped by {:.2g} % from {:.3g} to {:.3g} Hz", 100.0 * damping->ratio,
+                            damping->lowest, damping->highest);
+    return text + "\n";
 }
 
 /// The word of a law whose soil is free of stress as drawn; "" without any.

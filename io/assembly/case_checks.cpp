@@ -9,10 +9,14 @@
 #include "io/assembly/present_soil.hpp"
 #include "io/assembly/thin_gaps.hpp"
 #include "io/assembly/thin_layers.hpp"
+#include "io/keys/scene_schema.hpp"
 #include "io/scene/cell_size.hpp"
 #include "io/scene/scene_grid.hpp"
 #include "io/scene/scene_section.hpp"
 #include "solver/boundaries/boundary_pieces.hpp"
+#include "solver/problem/motion_measures.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <optional>
@@ -65,6 +69,24 @@ void doubt_support(const Scene& scene, const Problem& problem, Diagnostics& find
                                 "soil = \"fixed\" or \"roller\" on a curve, as in [boundaries.base]"));
 }
 
+/// Warn of shaking that soil is not damped in as it was asked for.
+void doubt_damping(const Scene& scene, Diagnostics& findings)
+{
+    const double highest = highest_frequency(scene.base_motion);
+    for (const SceneMaterial& each : scene.materials) {
+        const auto damping = vibration_damping_of(each.material.law);
+        if (!damping || highest == 0.0) continue;
+        if (highest >= damping->lowest && highest <= damping->highest) continue;
+        const std::string table = join_path({"materials", each.material.name});
+        findings.add(warning_at(
+            each.place, table + ".damping_frequency", "damping",
+            fmt::format(
+                "{}.damping_ratio holds from {:.3g} to {:.3g} Hz, and the shaking has up to {:.3g} Hz", table,
+                damping->lowest, damping->highest, highest),
+            "", "damping_frequency is the middle of the band: take that of the shaking"));
+    }
+}
+
 /// Everything that can be wrong between scene and section before a particle exists. Names and grid are those
 /// of all that is drawn, boundaries those of the soil that is there.
 void check_case(const Section& drawn, AssembledCase& assembled)
@@ -87,6 +109,7 @@ void check_case(const Section& drawn, AssembledCase& assembled)
         if (scene.stage && scene.stage->kind == StageKind::consolidate)
             for (Boundary& boundary : problem.boundaries) hold(boundary.soil);
         doubt_support(scene, problem, findings);
+        doubt_damping(scene, findings);
         problem.rim = rim_of(section);
         problem.tied_sides = find_tied_sides(scene, section, grid, findings);
         check_free_field_sides(scene, section, grid, findings);

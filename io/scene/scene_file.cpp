@@ -342,6 +342,7 @@ std::vector<SceneReading> read_scene_stages(const std::filesystem::path& file,
     for (std::size_t k = 1; k < readings.size(); ++k)
         readings[k].warnings.keep_texts_of(readings.front().warnings);
     keep_histories(readings);
+    end_damping(readings);
     carry_courses_on(readings);
     carry_water_on(readings);
     share_water_lines(readings);

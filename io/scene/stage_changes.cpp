@@ -94,11 +94,11 @@ void check_stage(const SceneReading& before, const SceneReading& now, Diagnostic
 
 /// Keys of a material that leave it the same soil, which remembers what it went through: how its water flows,
 /// how it settles after shaking, how exactly its law is integrated.
-constexpr std::array<std::string_view, 14> of_same_soil = {
+constexpr std::array<std::string_view, 16> of_same_soil = {
     "hydraulic_conductivity", "conductivity_gravity",  "permeability_law",    "liquefied_conductivity",
     "reconsolidation",        "reconsolidation_slope", "sedimentation_floor", "sedimentation_stress",
     "volumetric_strain",      "largest_ratio_step",    "largest_stress_step", "resolved_floors",
-    "substep_tolerance",      "stress_tolerance"};
+    "substep_tolerance",      "stress_tolerance",      "damping_ratio",       "damping_frequency"};
 
 /// The keys that are given of the soil of a region and tell which soil it is, by their names; what its law
 /// derives follows from them.
@@ -145,6 +145,14 @@ void keep_histories(std::vector<SceneReading>& stages)
     bool is_asked_for = false;
     for_each_law([&](const SkeletonLaw& law) { is_asked_for = is_asked_for || keeps_history(law); });
     if (is_asked_for) for_each_law([](SkeletonLaw& law) { keep_history(law); });
+}
+
+void end_damping(std::vector<SceneReading>& stages)
+{
+    for (SceneReading& stage : stages) {
+        if (!stage.scene.stage || stage.scene.stage->kind == StageKind::shake) continue;
+        for (SceneMaterial& each : stage.scene.materials) each.material.law = undamped(each.material.law);
+    }
 }
 
 std::vector<std::string> uncommon_keys(const Keys& before, const Keys& now, bool settles)

@@ -15,6 +15,10 @@ void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings
 /// Let the soils of all stages remember what those of any ask for.
 void keep_histories(std::vector<SceneReading>& stages);
 
+/// Leave the damping of elastic soil out of stages that do not shake: loads that last would find the soil
+/// softer by it.
+void end_damping(std::vector<SceneReading>& stages);
+
 /// Names of the keys that a run and the one that it goes on from have to share and do not: drawing's numbers,
 /// grid, sampling, gravity, and unless it settles the still water.
 std::vector<std::string> uncommon_keys(const std::vector<ResolvedKey>& before,

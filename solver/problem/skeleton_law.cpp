@@ -105,6 +105,16 @@ SkeletonLaw settling_form(const SkeletonLaw& law, double cell_weight)
     return std::visit([&](const auto& any) -> SkeletonLaw { return settling_form(any, cell_weight); }, law);
 }
 
+std::optional<VibrationDamping> vibration_damping_of(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) { return vibration_damping_of(any); }, law);
+}
+
+SkeletonLaw undamped(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) -> SkeletonLaw { return undamped(any); }, law);
+}
+
 bool yields(const SkeletonLaw& law)
 {
     return std::visit([](const auto& any) { return yields(any); }, law);

@@ -42,6 +42,8 @@ void complete_memory(const SkeletonLaw& law, std::size_t first, std::size_t last
 std::size_t count_at_failure(const SkeletonLaw& law, std::size_t first, std::size_t last,
                              const Particles& particles);
 SkeletonLaw settling_form(const SkeletonLaw& law, double cell_weight);
+std::optional<VibrationDamping> vibration_damping_of(const SkeletonLaw& law);
+SkeletonLaw undamped(const SkeletonLaw& law);
 bool yields(const SkeletonLaw& law);
 bool damps_vibrations(const SkeletonLaw& law);
 bool bears_stress_as_drawn(const SkeletonLaw& law);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "solver/soil/law_key.hpp"
+#include "solver/soil/maxwell_elements.hpp"
 
 namespace quicksand {
 
@@ -15,5 +16,23 @@ inline constexpr LawKeyText poisson_ratio_key = {.name = "poisson_ratio",
                                                  .meaning = "Drained Poisson's ratio of the skeleton.",
                                                  .allowed = {.lower = 0.0, .upper = 0.5, .upper_open = true},
                                                  .usual = {0.0, 0.49}};
+
+inline constexpr LawKeyText damping_ratio_key = {
+    .name = "damping_ratio",
+    .unit = "-",
+    .meaning =
+        "Damping ratio of vibrations, in shear and compression alike, within 5 % of itself over a band of "
+        "frequencies of 1 : 40; in stages that shake.",
+    .allowed = {.lower = 0.0, .upper = 0.3},
+    .usual = {0.0, 0.1},
+    .standard = 0.0};
+inline constexpr LawKeyText damping_frequency_key = {
+    .name = "damping_frequency",
+    .unit = "Hz",
+    .meaning = "Middle of the band of damping_ratio, which goes from a sixth of it to six times; the moduli "
+               "hold there.",
+    .allowed = {.lower = 0.0, .lower_open = true},
+    .usual = {0.5, 200.0},
+    .standard = usual_damping_frequency};
 
 } // namespace quicksand

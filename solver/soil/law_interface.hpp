@@ -136,6 +136,24 @@ Law settling_form(const Law& law, double)
     return law;
 }
 
+/// Damping of vibrations that users ask for, and the frequencies between which it holds.
+struct VibrationDamping {
+    double ratio = 0.0;                 // [-]
+    double lowest = 0.0, highest = 0.0; // [Hz]
+};
+template <class Law>
+std::optional<VibrationDamping> vibration_damping_of(const Law&)
+{
+    return std::nullopt;
+}
+
+/// The law without what damps vibrations, for stages that shake nothing.
+template <class Law>
+Law undamped(const Law& law)
+{
+    return law;
+}
+
 /// Whether the soil flows at a strength: its stress then hangs on the path, not on the shape.
 template <class Law>
 bool yields(const Law&)

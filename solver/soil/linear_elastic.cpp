@@ -24,12 +24,15 @@ double shear_modulus(const LinearElastic& law)
 
 ParticleModuli particle_moduli(const LinearElastic& law, std::size_t, std::size_t, const Particles&)
 {
-    return {constrained_modulus(law), constrained_modulus(law)};
+    const double M = constrained_modulus(law) * unrelaxed_stiffness(law.damping_ratio, law.damping_frequency);
+    return {M, M};
 }
 
+namespace {
+
 VECTOR_KERNEL
-void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
-                   Particles& particles)
+void add_elastic(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
+                 Particles& particles)
 {
     // d sigma' = lambda tr(d eps) I + 2 G d eps,  d eps = sym(L) dt,  d eps_zz = 0
     const double lambda = lame_modulus(law);
@@ -46,11 +49,57 @@ void update_stress(const LinearElastic& law, double dt, std::size_t first, std::
     }
 }
 
+} // namespace
+
+void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
+                   Particles& particles)
+{
+    if (law.damping_ratio == 0.0) {
+        add_elastic(law, dt, first, last, particles);
+        return;
+    }
+    const MaxwellStep step =
+        maxwell_step(make_maxwell_elements(law.damping_ratio, law.damping_frequency), dt);
+    const double lambda = lame_modulus(law), G = law.shear_modulus;
+    const Gradients& L = particles.velocity_gradient_solid;
+    for (std::size_t p = first; p < last; ++p) {
+        const double growth = dt * (L.xx[p] + L.yy[p]);
+        add_damped(step,
+                   {(lambda + G) * growth, G * dt * (L.xx[p] - L.yy[p]), G * dt * (L.xy[p] + L.yx[p]),
+                    lambda * growth},
+                   p, particles);
+    }
+}
+
+LawMemory memory_of(const LinearElastic& law)
+{
+    return memory_of_damping(law.damping_ratio);
+}
+
+std::optional<VibrationDamping> vibration_damping_of(const LinearElastic& law)
+{
+    return vibration_damping(law.damping_ratio, law.damping_frequency);
+}
+
+LinearElastic settling_form(const LinearElastic& law, double)
+{
+    return undamped(law);
+}
+
+LinearElastic undamped(const LinearElastic& law)
+{
+    LinearElastic still = law;
+    still.damping_ratio = 0.0;
+    return still;
+}
+
 std::span<const LawKey<LinearElastic>> keys_of(const LinearElastic&)
 {
-    static constexpr std::array<LawKey<LinearElastic>, 2> keys = {{
+    static constexpr std::array<LawKey<LinearElastic>, 4> keys = {{
         {shear_modulus_key, &LinearElastic::shear_modulus},
         {poisson_ratio_key, &LinearElastic::poisson_ratio},
+        {damping_ratio_key, &LinearElastic::damping_ratio},
+        {damping_frequency_key, &LinearElastic::damping_frequency},
     }};
     return keys;
 }

@@ -1,20 +1,25 @@
 // Isotropic linear elasticity in rate form: the objective (Jaumann) rate of the effective stress is linear
-// in the strain rate.
+// in the strain rate; with a damping ratio Maxwell elements stand beside it while the soil is shaken.
 #pragma once
 
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
+#include "solver/soil/law_interface.hpp"
 #include "solver/soil/law_key.hpp"
+#include "solver/soil/maxwell_elements.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 
 namespace quicksand {
 
 struct LinearElastic {
-    double shear_modulus = 0.0; // G [Pa]
-    double poisson_ratio = 0.0; // nu, drained [-]
+    double shear_modulus = 0.0;                         // G [Pa]
+    double poisson_ratio = 0.0;                         // nu, drained [-]
+    double damping_ratio = 0.0;                         // of vibrations, 0: none [-]
+    double damping_frequency = usual_damping_frequency; // middle of the band that is damped [Hz]
 
     bool operator==(const LinearElastic&) const = default;
 };
@@ -47,5 +52,12 @@ inline bool yields(const LinearElastic&)
 {
     return false;
 }
+
+LawMemory memory_of(const LinearElastic& law);
+std::optional<VibrationDamping> vibration_damping_of(const LinearElastic& law);
+
+/// Without damping.
+LinearElastic settling_form(const LinearElastic& law, double);
+LinearElastic undamped(const LinearElastic& law);
 
 } // namespace quicksand

@@ -16,7 +16,14 @@ using Eigen::Vector3d;
 
 LinearElastic elastic_part(const MohrCoulomb& law)
 {
-    return {law.shear_modulus, law.poisson_ratio};
+    return {law.shear_modulus, law.poisson_ratio, law.damping_ratio, law.damping_frequency};
+}
+
+/// Stress parts of the particles of a block.
+StressParts parts_of(const SymmetricTensors& stress, std::size_t p)
+{
+    return {0.5 * (stress.xx[p] + stress.yy[p]), 0.5 * (stress.xx[p] - stress.yy[p]), stress.xy[p],
+            stress.zz[p]};
 }
 
 /// Replace the trial stress of a particle, outside the surface, by the stress to which it returns.
@@ -44,9 +51,10 @@ void return_particle(const MohrCoulombSurface& surface, std::size_t p, Symmetric
 
 } // namespace
 
-ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t, std::size_t, const Particles&)
+ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t first, std::size_t last,
+                               const Particles& particles)
 {
-    return {constrained_modulus(law), constrained_modulus(law)};
+    return particle_moduli(elastic_part(law), first, last, particles);
 }
 
 void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::size_t last,
@@ -55,6 +63,9 @@ void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::si
     constexpr std::size_t block = 64; // particles checked at a time [-]
     update_stress(elastic_part(law), dt, first, last, particles);
     const MohrCoulombSurface surface(law);
+    std::optional<MaxwellStep> damping;
+    if (law.damping_ratio > 0.0)
+        damping = maxwell_step(make_maxwell_elements(law.damping_ratio, law.damping_frequency), dt);
     SymmetricTensors& stress = particles.stress;
     std::array<double, block> excess;
     for (; first < last; first += std::min(block, last - first)) {
@@ -71,7 +82,12 @@ void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::si
         }
         if (largest_excess <= 0.0) continue;
         for (std::size_t k = 0; k < count; ++k) {
-            if (excess[k] > 0.0) return_particle(surface, first + k, stress);
+            if (excess[k] <= 0.0) continue;
+            const StressParts trial = parts_of(stress, first + k);
+            return_particle(surface, first + k, stress);
+            if (damping)
+                share_plastic_change(*damping, parts_of(stress, first + k) - trial, first + k,
+                                     particles.memory);
         }
     }
 }

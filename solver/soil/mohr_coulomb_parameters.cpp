@@ -26,6 +26,28 @@ MohrCoulomb reduced(const MohrCoulomb& law, double factor)
     return weaker;
 }
 
+LawMemory memory_of(const MohrCoulomb& law)
+{
+    return memory_of_damping(law.damping_ratio);
+}
+
+std::optional<VibrationDamping> vibration_damping_of(const MohrCoulomb& law)
+{
+    return vibration_damping(law.damping_ratio, law.damping_frequency);
+}
+
+MohrCoulomb settling_form(const MohrCoulomb& law, double)
+{
+    return undamped(law);
+}
+
+MohrCoulomb undamped(const MohrCoulomb& law)
+{
+    MohrCoulomb still = law;
+    still.damping_ratio = 0.0;
+    return still;
+}
+
 double lame_modulus(const MohrCoulomb& law)
 {
     return lame_modulus(LinearElastic{law.shear_modulus, law.poisson_ratio});
@@ -45,7 +67,7 @@ std::span<const LawKey<MohrCoulomb>> keys_of(const MohrCoulomb&)
 {
     constexpr double radians = std::numbers::pi / 180.0; // per degree
     constexpr Interval angles = {.lower = 0.0, .upper = 90.0, .upper_open = true};
-    static constexpr std::array<LawKey<MohrCoulomb>, 6> keys = {{
+    static constexpr std::array<LawKey<MohrCoulomb>, 8> keys = {{
         {shear_modulus_key, &MohrCoulomb::shear_modulus},
         {poisson_ratio_key, &MohrCoulomb::poisson_ratio},
         {{.name = "cohesion",
@@ -77,6 +99,8 @@ std::span<const LawKey<MohrCoulomb>> keys_of(const MohrCoulomb&)
           .usual = {0.0, 1e6},
           .absent = "the tip of the surface, cohesion / tan(friction_angle)"},
          &MohrCoulomb::tension_strength},
+        {damping_ratio_key, &MohrCoulomb::damping_ratio},
+        {damping_frequency_key, &MohrCoulomb::damping_frequency},
     }};
     return keys;
 }

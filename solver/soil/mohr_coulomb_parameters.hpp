@@ -1,9 +1,12 @@
 // Strength and stiffness of a Mohr-Coulomb soil.
 #pragma once
 
+#include "solver/soil/law_interface.hpp"
 #include "solver/soil/law_key.hpp"
+#include "solver/soil/maxwell_elements.hpp"
 
 #include <limits>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -17,6 +20,8 @@ struct MohrCoulomb {
     double dilation_angle = 0.0; // psi, at most phi [rad]
     /// t; the surface itself ends in tension at c / tan phi, beyond which t has no meaning [Pa].
     double tension_strength = std::numeric_limits<double>::infinity();
+    double damping_ratio = 0.0;                         // of vibrations below failure, 0: none [-]
+    double damping_frequency = usual_damping_frequency; // middle of the band that is damped [Hz]
 
     bool operator==(const MohrCoulomb&) const = default;
 };
@@ -49,6 +54,13 @@ inline bool has_strength(const MohrCoulomb&)
 {
     return true;
 }
+
+LawMemory memory_of(const MohrCoulomb& law);
+std::optional<VibrationDamping> vibration_damping_of(const MohrCoulomb& law);
+
+/// Without damping.
+MohrCoulomb settling_form(const MohrCoulomb& law, double);
+MohrCoulomb undamped(const MohrCoulomb& law);
 
 double lame_modulus(const MohrCoulomb& law);        // lambda [Pa]
 double constrained_modulus(const MohrCoulomb& law); // lambda + 2 G, elastic [Pa]

@@ -339,6 +339,24 @@ TEST(Assembly, WarnsOfSoilThatNoCurveBears)
         << message;
 }
 
+TEST(Assembly, WarnsOfDampingThatTheShakingIsNotIn)
+{
+    const std::string text =
+        replaced(column_scene, "poisson_ratio = 0.3", "poisson_ratio = 0.3\ndamping_ratio = 0.02");
+    const std::string message = SceneFolder().assembly_message(text, column_section());
+    EXPECT_NE(
+        message.find("warning[damping]: materials.sand.damping_ratio holds from 0.474 to 19 Hz, and the "
+                     "shaking has up to 180 Hz"),
+        std::string::npos)
+        << message;
+    EXPECT_NE(message.find("hint: damping_frequency is the middle of the band: take that of the shaking"),
+              std::string::npos)
+        << message;
+    const std::string suited =
+        replaced(text, "damping_ratio = 0.02", "damping_ratio = 0.02\ndamping_frequency = 180");
+    EXPECT_EQ(SceneFolder().assembly_message(suited, column_section()), "");
+}
+
 TEST(Assembly, RefusesMorePointsThanTheMachineCanHold)
 {
     const std::string text = replaced(column_scene, "\"7.5 mm\"", "1.5e-5");

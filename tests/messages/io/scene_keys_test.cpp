@@ -25,7 +25,7 @@ R"_(
 scene.toml:24:1: error[unknown-key]: unknown key 'porosty' in [materials.sand]
    24 | porosty = 0.405
       | ^~~~~~~
-expected: one of model, volumetric_strain, water, density, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, shear_modulus, poisson_ratio
+expected: one of model, volumetric_strain, water, density, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, shear_modulus, poisson_ratio, damping_ratio, damping_frequency
 hint: did you mean porosity?
 )_"},
 SceneMistake{"KeyOfAnotherTable",

@@ -65,6 +65,19 @@ TEST(SceneStages, AStageChangesWhatItsTablesSay)
     EXPECT_EQ(stages[2].scene.scheme, TimeScheme::semi_implicit);
 }
 
+TEST(SceneStages, DampingIsThatOfStagesThatShake)
+{
+    const auto stages = read_stages(
+        fixtures::replaced(column_scene, "poisson_ratio = 0.3", "poisson_ratio = 0.3\ndamping_ratio = 0.02") +
+        settle + shake + consolidate);
+    const auto is_damped = [](const SceneReading& reading) {
+        return vibration_damping_of(reading.scene.materials[0].material.law).has_value();
+    };
+    EXPECT_FALSE(is_damped(stages[0]));
+    EXPECT_TRUE(is_damped(stages[1]));
+    EXPECT_FALSE(is_damped(stages[2]));
+}
+
 TEST(SceneStages, SoilIsAnotherOneByTheKeysOfItsSkeletonAlone)
 {
     const auto stages = read_stages(column_scene + settle + shake +
