@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <iostream>
 #include <string_view>
+#include <vector>
 
 namespace quicksand {
 
@@ -108,6 +109,17 @@ bool parse(CLI::App& program, const Commands& commands, int argument_count, char
     return false;
 }
 
+/// `help` and `help COMMAND` in the form of an option, as CLI11 knows it.
+std::vector<char*> with_help_as_option(int count, char** arguments)
+{
+    static char option[] = "--help";
+    std::vector<char*> words(arguments, arguments + count);
+    if (count < 2 || std::string_view(words[1]) != "help") return words;
+    words.erase(words.begin() + 1);
+    words.push_back(option);
+    return words;
+}
+
 } // namespace
 
 CLI::App* add_parser(CLI::App& program, const char* name, const char* about)
@@ -125,8 +137,9 @@ ExitCode execute_command_line(int argument_count, char** arguments)
         std::cout << answer_text(complete(program, {arguments + 2, arguments + argument_count}));
         return ExitCode::good;
     }
-    if (argument_count > 1 && arguments[1][0] != '-') require_command(arguments[1], commands);
-    if (parse(program, commands, argument_count, arguments)) return ExitCode::good;
+    std::vector<char*> words = with_help_as_option(argument_count, arguments);
+    if (words.size() > 1 && words[1][0] != '-') require_command(words[1], commands);
+    if (parse(program, commands, static_cast<int>(words.size()), words.data())) return ExitCode::good;
     if (const Command* command = chosen(commands)) return command->execute();
     std::cout << program.help();
     return ExitCode::good;

@@ -52,11 +52,12 @@ std::vector<SceneReading> read_stages(const SceneChoice& choice, Journal& journa
 
 SceneHashes hashes_of(const SceneChoice& choice, const SceneReading& reading)
 {
-    // later stages may ask for histories, which no key of this one tells
+    // later stages may ask for histories, which no key of this one tells; soil that settles keeps none
     const std::vector<SceneMaterial>& materials = reading.scene.materials;
-    const bool has_histories = std::any_of(materials.begin(), materials.end(), [](const SceneMaterial& each) {
-        return keeps_history(each.material.law);
-    });
+    const bool remembers = !reading.scene.stage || !settles(reading.scene.stage->kind);
+    const bool has_histories =
+        remembers && std::any_of(materials.begin(), materials.end(),
+                                 [](const SceneMaterial& each) { return keeps_history(each.material.law); });
     return {scene_hash(reading.scene.text, choice.overrides),
             text_hash(state_text(reading.keys) + (has_histories ? "histories" : ""))};
 }

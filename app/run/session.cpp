@@ -310,7 +310,8 @@ Resumption resume_run(const ResultsFolder& folder, const SceneSetup& setup,
     std::vector<std::string> changes = state_changes(before, setup.keys);
     const bool is_same = read_run_record(folder.manifest()).state_hash == setup.hashes.state;
     if (is_told && changes.empty() && !is_same) // all that the hash has besides the keys
-        changes.emplace_back("stages that follow: whether they ask for the history of the sand");
+        changes.emplace_back("no key: stages that follow ask for the history of the sand, or no longer, or "
+                             "another version of the program began the run");
     if (is_told && !changes.empty()) refuse(folder, changes);
     Resumption resumption{read_checkpoint(folder.checkpoint(), setup.hashes.state), {}};
     require_same_inputs(folder.manifest(), inputs);

@@ -72,6 +72,14 @@ std::string warn_of_lost_pressure(const Particles& drawn, const Particles& reach
         short_number(1e-3 * lost, 3));
 }
 
+/// Whether the particle remembers that it has liquefied.
+bool has_liquefied(const SkeletonLaw& law, const Particles& particles, std::size_t p)
+{
+    const std::size_t column = column_of(memory_of(law), "liquefied_shear");
+    return column < std::min(memory_of(law).size(), particles.memory.size()) &&
+           particles.memory[column][p] > 0.0;
+}
+
 /// Sand that is to settle after it has liquefied, and does not know that it has.
 std::string warn_of_lost_history(const Problem& problem, const StageStart& start, const State& reached)
 {
@@ -83,7 +91,8 @@ std::string warn_of_lost_history(const Problem& problem, const StageStart& start
         const auto region = static_cast<std::size_t>(particles.region[p]);
         const bool is_new = region < start.changed_soils.size() && start.changed_soils[region];
         lost = !is_new && keeps_history(law) &&
-               (start.settles || particles.memory.size() < memory_of(law).size());
+               (start.settles ? has_liquefied(law, particles, p)
+                              : particles.memory.size() < memory_of(law).size());
     }
     if (!lost) return "";
     return start.settles

@@ -72,7 +72,7 @@ public:
             if (outcome.end == SessionEnd::stopped && stage().kind == StageKind::stability) return outcome;
             rows_.push_back(row_of(outcome.folder));
             fs::create_directories(directory_);
-            write_stage_table(directory_, rows_);
+            write_stage_table(directory_, rows_and_what_follows());
             if (outcome.end != SessionEnd::finished) break;
             if (stage().kind != StageKind::stability) before_ = outcome.folder.directory;
         }
@@ -80,6 +80,18 @@ public:
     }
 
 private:
+    /// Of a run that is taken up again: also the stages that it has still to come to, as they are.
+    std::vector<StageRow> rows_and_what_follows() const
+    {
+        std::vector<StageRow> rows = rows_;
+        if (!choice_.resume && !choice_.go_on) return rows;
+        for (StageRow& former : read_stage_table(directory_))
+            if (std::none_of(rows_.begin(), rows_.end(),
+                             [&](const StageRow& row) { return row.name == former.name; }))
+                rows.push_back(std::move(former));
+        return rows;
+    }
+
     /// The request came when the stage before had no step left, or while none was under way.
     SessionOutcome stop_before(SessionOutcome outcome, Journal& journal) const
     {

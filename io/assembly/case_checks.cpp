@@ -54,15 +54,26 @@ Problem make_problem(const Scene& scene, const Section& section)
     return problem;
 }
 
+/// Whether a curve lets the soil beside it slide downward: it is free, repeats the other side, or is upright
+/// and smooth.
+bool lets_fall(const Boundary& boundary)
+{
+    const bool is_upright =
+        std::all_of(boundary.segments.begin(), boundary.segments.end(), [](const Segment& segment) {
+            constexpr double slant = 1e-9; // [-]
+            const Vector2 along = segment.end - segment.start;
+            return std::abs(along.x()) <= slant * along.norm();
+        });
+    return std::holds_alternative<FreeFace>(boundary.soil) ||
+           std::holds_alternative<TiedSide>(boundary.soil) ||
+           std::holds_alternative<FreeFieldSide>(boundary.soil) ||
+           (std::holds_alternative<RollerWall>(boundary.soil) && is_upright);
+}
+
 /// Warn of soil that falls, for no curve bears it.
 void doubt_support(const Scene& scene, const Problem& problem, Diagnostics& findings)
 {
-    const bool falls =
-        std::all_of(problem.boundaries.begin(), problem.boundaries.end(), [](const Boundary& boundary) {
-            return std::holds_alternative<FreeFace>(boundary.soil) ||
-                   std::holds_alternative<TiedSide>(boundary.soil) ||
-                   std::holds_alternative<FreeFieldSide>(boundary.soil);
-        });
+    const bool falls = std::all_of(problem.boundaries.begin(), problem.boundaries.end(), lets_fall);
     if (falls && problem.gravity > 0.0)
         findings.add(warning_at(scene.geometry_place, "boundaries", "support",
                                 "no curve bears the soil: it falls under its weight",

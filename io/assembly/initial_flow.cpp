@@ -327,13 +327,11 @@ std::optional<InitialFlow> FlowSection::follow(const std::vector<std::int32_t>& 
 {
     const double size = triangle_size(fewest_in_time);
     GroundFlowProblem flow = mesh_flow(size, of_region);
-    Scalars saturation;
-    for (const Vector2& node : flow.mesh.nodes) {
-        const double before = start.flow != nullptr
-                                  ? start.flow->field.interpolate(start.flow->saturation, node)
-                                  : (node.y() < start.level ? 1.0 : 0.0);
-        saturation.push_back(std::clamp(before, 0.0, 1.0));
-    }
+    Scalars saturation = still_saturations(flow.mesh, flow.conductivity, start.level);
+    if (start.flow != nullptr)
+        for (std::size_t i = 0; i < saturation.size(); ++i)
+            saturation[i] = std::clamp(
+                start.flow->field.interpolate(start.flow->saturation, flow.mesh.nodes[i]), 0.0, 1.0);
     std::vector<OpenEdge> edges = open_edges(flow.mesh);
     const auto at_time = [&](double time) -> const GroundFlowProblem& {
         place_water(time, flow.mesh, edges);

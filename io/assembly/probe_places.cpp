@@ -106,12 +106,23 @@ SurfacePoint surface_point(const Problem& problem, const Particles& particles, d
 {
     SurfacePoint surface;
     raise_surface(problem, particles, x, surface);
+    constexpr double rounding = 1e-9; // of the width [-]
     if (!problem.tied_sides) return surface;
-    const double period = problem.tied_sides->x_right - problem.tied_sides->x_left;
-    for (const double shift : {-period, period}) {
+    const TiedSides& sides = *problem.tied_sides;
+    const double period = sides.x_right - sides.x_left;
+    if (x < sides.x_left - rounding * period || x > sides.x_right + rounding * period) return surface;
+    double left = x, right = x; // of the soil, which may have drifted by many widths [m]
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const auto [middle, reach] = width_of(problem, particles, p);
+        left = std::min(left, middle - reach);
+        right = std::max(right, middle + reach);
+    }
+    const double first = std::ceil((left - x) / period), last = std::floor((right - x) / period);
+    for (double k = first; k <= last; ++k) {
+        if (k == 0.0) continue;
         SurfacePoint image;
-        image.shift = shift;
-        raise_surface(problem, particles, x + shift, image);
+        image.shift = k * period;
+        raise_surface(problem, particles, x + image.shift, image);
         if (image.found && (!surface.found || image.height > surface.height)) surface = image;
     }
     return surface;

@@ -84,22 +84,24 @@ const SceneRegion* find_region(const Scene& scene, const std::string& name)
     return found == scene.regions.end() ? nullptr : &*found;
 }
 
-bool is_solid(const Scene& scene, const std::string& material)
+const Material* material_of(const Scene& scene, const SceneRegion* region)
 {
-    return std::any_of(scene.materials.begin(), scene.materials.end(), [&](const SceneMaterial& each) {
-        return each.material.name == material && !each.material.has_pores;
-    });
+    if (region == nullptr) return nullptr;
+    const auto found =
+        std::find_if(scene.materials.begin(), scene.materials.end(),
+                     [&](const SceneMaterial& each) { return each.material.name == region->material; });
+    return found == scene.materials.end() ? nullptr : &found->material;
 }
 
-/// Whether a region touches another one of the same soil.
-bool goes_on(std::size_t region, const std::string& material, const Scene& scene, const Section& section,
+/// Whether a region touches another one of as strong and stiff a soil.
+bool goes_on(std::size_t region, const Material& material, const Scene& scene, const Section& section,
              const std::vector<RegionContact>& contacts)
 {
     return std::any_of(contacts.begin(), contacts.end(), [&](const RegionContact& contact) {
         if (contact.left != region && contact.right != region) return false;
         const std::size_t other = contact.left == region ? contact.right : contact.left;
-        const SceneRegion* beside = find_region(scene, section.regions[other].name);
-        return beside != nullptr && beside->material == material;
+        const Material* beside = material_of(scene, find_region(scene, section.regions[other].name));
+        return beside != nullptr && beside->has_pores && beside->law == material.law;
     });
 }
 
@@ -113,9 +115,10 @@ void check_layers(const Scene& scene, const Section& section, double cell_size, 
     for (std::size_t k = 0; k < section.regions.size(); ++k) {
         const SceneRegion* written = find_region(scene, section.regions[k].name);
         const double cells = slanted_thickness(section.regions[k]) / cell_size;
-        if (written == nullptr || !(cells > 0.0 && cells < least_cells - rounding)) continue;
-        const bool is_layer = has_slanted_face(k, section, contacts) && !is_solid(scene, written->material) &&
-                              !goes_on(k, written->material, scene, section, contacts);
+        const Material* material = material_of(scene, written);
+        if (material == nullptr || !(cells > 0.0 && cells < least_cells - rounding)) continue;
+        const bool is_layer = has_slanted_face(k, section, contacts) && material->has_pores &&
+                              !goes_on(k, *material, scene, section, contacts);
         if (!is_layer) continue;
         findings.add(warning_at(
             written->place, join_path({"regions", written->name}), "thin-layer",

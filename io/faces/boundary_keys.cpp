@@ -84,9 +84,9 @@ std::vector<SceneKey> history_keys()
          .doc = "Time over which what acts on the curve rises linearly, a head from the water at rest, "
                 "or from where the stage before left it, as a load does that the stage changes."},
         {.pattern = "boundaries.*.frequency", .dimension = Dimension::frequency, .default_note = "no wave",
-         .allowed = positive, .doc = "What acts on the curve varies as sin(2 pi f t) times its value."},
+         .allowed = positive, .doc = "What acts on the curve varies as sin(2 pi f t) times its value, a head or pore pressure about the water at rest."},
         {.pattern = "boundaries.*.history", .type = path, .default_note = "constant",
-         .doc = "Two columns, time in s and the factor on what acts on the curve; linear in between. Headers with other units are refused."},
+         .doc = "Two columns, time in s and the factor on what acts on the curve, of a head or pore pressure on its difference from the water at rest; linear in between. Headers with other units are refused."},
     };
 }
 

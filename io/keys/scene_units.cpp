@@ -34,7 +34,7 @@ const std::vector<Unit>& units_of(Dimension dimension)
     static const std::vector<Unit> acceleration = {
         {"m/s2"}, {"m/s^2"}, {"cm/s2", 1.0, 1e2}, {"g", standard_gravity}};
     static const std::vector<Unit> velocity = {
-        {"m/s"}, {"cm/s", 1.0, 1e2}, {"mm/s", 1.0, 1e3}, {"m/day", 1.0, 86400.0}};
+        {"m/s"}, {"cm/s", 1.0, 1e2}, {"mm/s", 1.0, 1e3}, {"m/day", 1.0, 86400.0}, {"m/d", 1.0, 86400.0}};
     static const std::vector<Unit> density = {{"kg/m3"}, {"kg/m^3"}, {"t/m3", 1e3}, {"g/cm3", 1e3}};
     static const std::vector<Unit> pressure = {{"Pa"}, {"kPa", 1e3}, {"MPa", 1e6}, {"GPa", 1e9}};
     static const std::vector<Unit> angle = {{"deg"}, {"rad", 180.0, std::numbers::pi}};

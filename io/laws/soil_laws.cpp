@@ -154,14 +154,14 @@ double without_rounding(double value)
     return std::isfinite(value) ? std::stod(fmt::format("{:.12g}", value)) : value;
 }
 
-/// "shear_modulus = 10 MPa, poisson_ratio = 0.3", without what has no value.
+/// "shear_modulus = 10 MPa, poisson_ratio = 0.3", without what has no value or no effect in element tests.
 std::string numbers_of(const SkeletonLaw& law)
 {
     const std::vector<LawKeyText> keys = keys_of(law);
     std::vector<std::string> numbers;
     for (std::size_t k = 0; k < keys.size(); ++k) {
         const double value = without_rounding(value_of(law, k));
-        if (std::isfinite(value))
+        if (std::isfinite(value) && !keys[k].hangs_on_time)
             numbers.push_back(
                 fmt::format("{} = {}", keys[k].name, quantity_text(value, dimension_of(keys[k].unit))));
     }

@@ -92,6 +92,21 @@ bool is_duration(const DocumentNode& node)
     return written && to_si(*written, Dimension::time).value_or(0.0) > 0.0;
 }
 
+/// Whether a stage moves a curve, at which columns of cells are not all equal.
+bool moves_curves(const DocumentNode& document)
+{
+    const auto moves = [](const DocumentNode& stage) {
+        const DocumentNode* boundaries = stage.find("boundaries");
+        return boundaries != nullptr && boundaries->kind == Kind::table &&
+               std::any_of(boundaries->children.begin(), boundaries->children.end(),
+                           [](const DocumentNode& boundary) {
+                               return boundary.kind == Kind::table && text_of(boundary, "soil") == "moving";
+                           });
+    };
+    const std::vector<DocumentNode>& stages = document.find(stages_key)->children;
+    return std::any_of(stages.begin(), stages.end(), moves);
+}
+
 /// What a kind of stage has no use for, and what it cannot do without.
 void suit_kind(const DocumentNode& stage, bool is_first, DocumentNode& document)
 {
@@ -170,7 +185,8 @@ DocumentNode document_of_stage(const DocumentNode& document, const std::string& 
 {
     DocumentNode result = document;
     empty_unplaced_regions(result);
-    if (places_soil(document) && !gives(result, "analysis", "columns")) // particles come and go
+    // all stages have the same particles: one column stands for all in every one of them or in none
+    if ((places_soil(document) || moves_curves(document)) && !gives(result, "analysis", "columns"))
         table_in(result, "analysis", document.find(stages_key)->place)
             .set("columns", text_value("all", document.find(stages_key)->place));
     const DocumentNode stage = *document.find(stages_key)->find(name);

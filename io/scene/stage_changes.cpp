@@ -65,9 +65,9 @@ void check_stage(const SceneReading& before, const SceneReading& now, Diagnostic
         const bool is_water = begins_with_one_of(path, still_water);
         findings.add(error_at(
             stage.place, "stage", "the stage \"" + stage.name + "\" cannot change " + path,
-            is_water
-                ? "a stage of kind = \"settle\" or \"seepage\", whose soil comes to rest with other water"
-                : "the same value in all stages",
+            is_water ? "a drained stage of kind = \"settle\" or \"seepage\", whose soil comes to rest with "
+                       "other water"
+                     : "the same value in all stages",
             is_water ? "outer water that rises or falls in time is the head of a boundary, with ramp_time or "
                        "a history"
                      : "give " + path + " for the whole scene"));

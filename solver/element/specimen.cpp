@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 Specimen make_specimen(const SkeletonLaw& law, double vertical_stress)
 {
     Specimen specimen;
-    specimen.law = law;
+    specimen.law = undamped(law); // strains follow each other without time
     specimen.initial_vertical_stress = vertical_stress;
     Particles& point = specimen.point;
     point.identifier = {0};
@@ -26,7 +26,7 @@ Specimen make_specimen(const SkeletonLaw& law, double vertical_stress)
     point.half_edge_2 = point.reference_edge_2 = {{0.0}, {0.5}};
     point.stress = {{0.0}, {0.0}, {0.0}, {0.0}};
     point.volume = point.mass_solid = {1.0};
-    add_memory(point, memory_of(law).size());
+    add_memory(point, memory_of(specimen.law).size());
     return specimen;
 }
 

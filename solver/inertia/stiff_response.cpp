@@ -309,12 +309,34 @@ void StiffResponse::set_porosities(Scalars porosities)
         const double n = porosities_[u.node];
         u.gain = 1.0 - n + n * share(u.node, u.axis).carried;
     }
+    note_exchanges();
     own_x_.resize(porosities_.size());
     own_y_.resize(porosities_.size());
     for (std::size_t i = 0; i < porosities_.size(); ++i) {
         const double n = porosities_[i];
         own_x_[i] = n * n * share(i, 0).mobility;
         own_y_[i] = n * n * share(i, 1).mobility;
+    }
+}
+
+void StiffResponse::note_exchanges()
+{
+    const auto number = [](std::size_t k) { return static_cast<std::uint32_t>(k); };
+    of_grains_.clear();
+    for (const Unknown& u : list_)
+        of_grains_.push_back({number(u.node), number(u.axis), number(u.equation), u.scale * u.gain});
+    of_rows_.clear();
+    for (const Part& part : parts_) {
+        const double between = mixed(part.node).mobility;
+        const std::size_t m = multipliers_[part.row];
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+            const auto d = static_cast<int>(axis);
+            const double moved =
+                porosities_[part.node] * (share(part.node, axis).mobility * part.coefficients[d + 2] +
+                                          between * part.coefficients[3 - d]);
+            if (moved != 0.0)
+                of_rows_.push_back({number(part.node), number(axis), number(m), scale_[m] * moved});
+        }
     }
 }
 
@@ -333,52 +355,30 @@ FluxParts StiffResponse::flux_parts(std::size_t node) const
 void StiffResponse::answer_pressure(const Scalars& force_x, const Scalars& force_y, Scalars& flux_x,
                                     Scalars& flux_y)
 {
+    const Scalars* const forces[] = {&force_x, &force_y};
+    Scalars* const fluxes[] = {&flux_x, &flux_y};
     std::fill(vector_.begin(), vector_.end(), 0.0);
-    for (const Unknown& u : list_) {
-        const Scalars& force = u.axis == 0 ? force_x : force_y;
-        vector_[u.equation] = u.scale * u.gain * force[u.node];
-    }
+    for (const Exchange& e : of_grains_) vector_[e.equation] = e.factor * (*forces[e.axis])[e.node];
     for (const MixedShare& of : mixed_) {
         const Unknown &x = *unknown(of.node, 0), &y = *unknown(of.node, 1);
         const double gain = porosities_[of.node] * of.share.carried;
         vector_[x.equation] += x.scale * gain * force_y[of.node];
         vector_[y.equation] += y.scale * gain * force_x[of.node];
     }
-    const auto for_each_moved = [&](auto&& visit) { // parts whose multipliers move the water of their node
-        for (const Part& part : parts_) {
-            const double between = mixed(part.node).mobility;
-            for (std::size_t axis = 0; axis < 2; ++axis) {
-                const auto d = static_cast<int>(axis);
-                const double moved =
-                    porosities_[part.node] * (share(part.node, axis).mobility * part.coefficients[d + 2] +
-                                              between * part.coefficients[3 - d]);
-                if (moved != 0.0) visit(part, axis, scale_[multipliers_[part.row]] * moved);
-            }
-        }
-    };
-    for_each_moved([&](const Part& part, std::size_t axis, double moved) {
-        const Scalars& force = axis == 0 ? force_x : force_y;
-        vector_[multipliers_[part.row]] -= moved * force[part.node];
-    });
+    for (const Exchange& e : of_rows_) vector_[e.equation] -= e.factor * (*forces[e.axis])[e.node];
     std::visit([&](const auto& factor) { solve_with(factor, vector_); }, factor_);
     for (std::size_t i = 0; i < own_x_.size(); ++i) {
         flux_x[i] = own_x_[i] * force_x[i];
         flux_y[i] = own_y_[i] * force_y[i];
     }
-    for (const Unknown& u : list_) {
-        Scalars& flux = u.axis == 0 ? flux_x : flux_y;
-        flux[u.node] += u.gain * u.scale * vector_[u.equation];
-    }
+    for (const Exchange& e : of_grains_) (*fluxes[e.axis])[e.node] += e.factor * vector_[e.equation];
     for (const MixedShare& of : mixed_) {
         const Unknown &x = *unknown(of.node, 0), &y = *unknown(of.node, 1);
         const double n = porosities_[of.node], gain = n * of.share.carried, own = n * n * of.share.mobility;
         flux_x[of.node] += gain * y.scale * vector_[y.equation] + own * force_y[of.node];
         flux_y[of.node] += gain * x.scale * vector_[x.equation] + own * force_x[of.node];
     }
-    for_each_moved([&](const Part& part, std::size_t axis, double moved) {
-        Scalars& flux = axis == 0 ? flux_x : flux_y;
-        flux[part.node] -= moved * vector_[multipliers_[part.row]];
-    });
+    for (const Exchange& e : of_rows_) (*fluxes[e.axis])[e.node] -= e.factor * vector_[e.equation];
 }
 
 } // namespace quicksand

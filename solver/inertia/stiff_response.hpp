@@ -124,6 +124,12 @@ private:
         NodeVelocities coefficients;
     };
 
+    /// What a force on a node gives to an equation, and an answer of it to the flux of the node.
+    struct Exchange {
+        std::uint32_t node = 0, axis = 0, equation = 0;
+        double factor = 0.0;
+    };
+
     /// What the order of the equations follows from.
     struct Pattern {
         std::vector<std::uint8_t> moves; // two of each node
@@ -157,6 +163,7 @@ private:
     }
 
     void note_parts(const VelocityRows& rows);
+    void note_exchanges();
     Pattern present_pattern(std::size_t rows) const;
     void number_equations(const NodeConditions& conditions, const NodeRows& grid);
     template <class Visit>
@@ -185,6 +192,8 @@ private:
     std::vector<double> scale_;                          // of the equations; 0: a row that acts on nothing
     Scalars porosities_;                                 // of the nodes [-]
     Scalars own_x_, own_y_;                              // n^2 q: flux of the water alone per force [m/kg]
+    std::vector<Exchange> of_grains_;                    // factors with the scale of their equations
+    std::vector<Exchange> of_rows_;                      // of multipliers that move the water, likewise
     /// Single precision, or double where rows nearly repeat each other and in long steps.
     std::variant<BandedFactor<float>, BandedFactor<double>> factor_;
     Scalars vector_; // impulses by equation, then the solution, both scaled

@@ -5,6 +5,7 @@
 #include "solver/particles/cell_lists.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -144,12 +145,20 @@ NodalFields empty_fields(const BackgroundGrid& grid, const Particles& particles)
     return fields;
 }
 
-/// A particle's place and its values of all fields, one after the other.
+/// What a node's particles are besides their values: their mean place, and the part of them that is wet.
+struct NodeSoil {
+    Vector2 place = Vector2::Zero(); // [m]
+    double wet = 0.0;                // of their volume [-]
+};
+constexpr std::size_t numbers_of_soil = 3;
+
+/// What the particle is for a NodeSoil and its values of all fields, one after the other.
 void take_values(const NodalFields& fields, const Problem& problem, const Particles& particles, std::size_t p,
                  std::vector<double>& values)
 {
     values[0] = particles.position.x[p], values[1] = particles.position.y[p];
-    std::size_t k = 2;
+    values[2] = is_wet(problem.materials[static_cast<std::size_t>(particles.material[p])]) ? 1.0 : 0.0;
+    std::size_t k = numbers_of_soil;
     for (const NodalField& field : fields.fields) {
         const Quantity& quantity = *field.quantity;
         const ParticleValue value = quantity.averaged != nullptr ? quantity.averaged : quantity.value;
@@ -209,14 +218,14 @@ public:
         }
     }
 
-    void find_means(std::vector<Vector2>& places, NodalFields& fields) const
+    void find_means(std::vector<NodeSoil>& soils, NodalFields& fields) const
     {
         for (std::size_t node = 0; node < first_.size(); ++node) {
             if (first_[node] == none || sums_[first_[node]] <= 0.0) continue;
             const double* sum = sums_.data() + first_[node];
             fields.volume[node] = sum[0];
-            places[node] = Vector2(sum[1], sum[2]) / sum[0];
-            sum += 3;
+            soils[node] = {Vector2(sum[1], sum[2]) / sum[0], sum[3] / sum[0]};
+            sum += 1 + numbers_of_soil;
             for (NodalField& field : fields.fields)
                 for (Scalars& component : field.components) component[node] = *sum++ / fields.volume[node];
         }
@@ -242,50 +251,76 @@ void leave_out(const NodeMask& wanted, NodalFields& fields)
     }
 }
 
+bool is_water_pressure(const Quantity& quantity)
+{
+    return quantity.of == QuantityOf::wet_soil && quantity.unit == "Pa";
+}
+
 /// Whether the slope of a quantity tells it a part of a cell farther on: motion and the pressure of the
 /// water. Stresses and states of the soil scatter.
 bool is_smooth(const Quantity& quantity)
 {
-    const bool is_water_pressure = quantity.of == QuantityOf::wet_soil && quantity.unit == "Pa";
-    return quantity.form == QuantityForm::vector || is_water_pressure;
+    return quantity.form == QuantityForm::vector || is_water_pressure(quantity);
 }
 
-/// A mean, brought from the mean place of what it is the mean of to the node: by the slope of the means
-/// around, each at its own mean place.
-double value_at_node(const BackgroundGrid& grid, std::size_t node, const std::vector<Vector2>& places,
-                     const Scalars& volume, const Scalars& means)
+/// A mean, brought from the mean place of what it is the mean of to the node: by the slope of the plane
+/// through it and the means around that count(other), each at its own mean place. The plane may pass the
+/// node's own mean: what bends along a face has no slope across it.
+template <class Count>
+double value_at_node(const BackgroundGrid& grid, std::size_t node, const std::vector<NodeSoil>& soils,
+                     const Scalars& volume, const Scalars& means, Count&& count)
 {
     // times the largest difference of the means: linear fields have 2 where soil ends .3 cells above a line
     constexpr double farthest = 2.0;
-    SlopeFit fit;
-    double most = 0.0;
+    struct Neighbour {
+        double weight, change; // beside the node's own mean
+        Vector2 apart;         // from the node's own mean place [m]
+    };
+    std::array<Neighbour, 9> all{{{1.0, 0.0, Vector2::Zero()}}};
+    std::size_t found = 1;
+    double sum = 1.0, mean = 0.0, most = 0.0;
+    Vector2 centre = Vector2::Zero();
     for_each_around(grid, node, [&](std::size_t other) {
-        if (!(volume[other] > 0.0)) return;
-        const double root = std::sqrt(volume[other] / volume[node]), apart = means[other] - means[node];
-        fit.add(root * (places[other] - places[node]), root * apart);
-        most = std::max(most, farthest * std::abs(apart));
+        if (!(volume[other] > 0.0) || !count(other)) return;
+        const Neighbour& added = all[found++] = {volume[other] / volume[node], means[other] - means[node],
+                                                 soils[other].place - soils[node].place};
+        sum += added.weight;
+        mean += added.weight * added.change;
+        centre += added.weight * added.apart;
+        most = std::max(most, farthest * std::abs(added.change));
     });
-    const double change = fit.slope(grid.cell_size).dot(grid.node_position(node) - places[node]);
+    SlopeFit fit;
+    for (std::size_t k = 0; k < found; ++k) {
+        const double root = std::sqrt(all[k].weight);
+        fit.add(root * (all[k].apart - centre / sum), root * (all[k].change - mean / sum));
+    }
+    const double change = fit.slope(grid.cell_size).dot(grid.node_position(node) - soils[node].place);
     return means[node] + std::clamp(change, -most, most);
 }
 
 /// Bring the means of nodes at the rim of the soil, whose particles lie on one side, to the nodes themselves:
-/// they are exact for linear fields.
-void move_to_nodes(const BackgroundGrid& grid, const NodeMask& wanted, const std::vector<Vector2>& places,
+/// they are exact for linear fields. Water has no pressure in soil that is not wet: pressures have no slope
+/// there.
+void move_to_nodes(const BackgroundGrid& grid, const NodeMask& wanted, const std::vector<NodeSoil>& soils,
                    NodalFields& fields)
 {
-    constexpr double rounding = 1e-3; // [cells]
+    constexpr double rounding = 1e-3;      // [cells]
+    constexpr double all_wet = 1.0 - 1e-9; // [-]
     std::vector<std::size_t> nodes;
     for (std::size_t node = 0; node < wanted.size(); ++node)
         if (wanted[node] != 0 && fields.volume[node] > 0.0 &&
-            (places[node] - grid.node_position(node)).norm() > rounding * grid.cell_size)
+            (soils[node].place - grid.node_position(node)).norm() > rounding * grid.cell_size)
             nodes.push_back(node);
     for (NodalField& field : fields.fields) {
         if (!is_smooth(*field.quantity)) continue;
+        const bool of_water = is_water_pressure(*field.quantity);
+        const auto counts = [&](std::size_t node) { return !of_water || soils[node].wet > all_wet; };
         for (Scalars& component : field.components) {
             Scalars values;
             for (const std::size_t node : nodes)
-                values.push_back(value_at_node(grid, node, places, fields.volume, component));
+                values.push_back(counts(node)
+                                     ? value_at_node(grid, node, soils, fields.volume, component, counts)
+                                     : component[node]);
             for (std::size_t k = 0; k < nodes.size(); ++k) component[nodes[k]] = values[k];
         }
     }
@@ -295,7 +330,7 @@ NodalFields average(const Problem& problem, const Particles& particles, const No
 {
     const BackgroundGrid& grid = problem.grid;
     NodalFields fields = empty_fields(grid, particles);
-    std::size_t components = 2; // of the place
+    std::size_t components = numbers_of_soil;
     for (const NodalField& field : fields.fields) components += field.components.size();
 
     const NodeMask summed = with_neighbours(grid, wanted);
@@ -310,9 +345,9 @@ NodalFields average(const Problem& problem, const Particles& particles, const No
         take_values(fields, problem, particles, p, values);
         sums.add(stencil, particles.volume[p], values);
     }
-    std::vector<Vector2> places(grid.node_count(), Vector2::Zero());
-    sums.find_means(places, fields);
-    move_to_nodes(grid, wanted, places, fields);
+    std::vector<NodeSoil> soils(grid.node_count());
+    sums.find_means(soils, fields);
+    move_to_nodes(grid, wanted, soils, fields);
     leave_out(wanted, fields);
     return fields;
 }

@@ -39,18 +39,31 @@ double shear_strain(const BackgroundGrid& grid, const NodalFields& fields, const
 /// A particle of the same soil near another one.
 struct NearParticle {
     std::size_t index = 0;
-    double weight = 0.0; // its volume times (1 - |x|/h)(1 - |y|/h), h a cell; the sum of all is 1 [-]
-    Vector2 apart;       // from the mean place of all [m]
+    double weight =
+        0.0;       // its volume times (1 - |x|/a)(1 - |y|/b), a and b the reach; the sum of all is 1 [-]
+    Vector2 apart; // from the mean place of all [m]
 };
+
+/// How far along the axes particles near another one may lie: a cell, and beyond the next row of particles as
+/// large as a cell [m].
+Vector2 reach_of(const Problem& problem, const Particles& particles, std::size_t p)
+{
+    constexpr double of_its_size = 1.5;
+    const double h = problem.grid.cell_size;
+    const Vector2 size =
+        2.0 * (particles.half_edge_1[p].cwiseAbs() + particles.half_edge_2[p].cwiseAbs()).cwiseMin(0.5 * h);
+    return (of_its_size * size).cwiseMax(h);
+}
 
 std::vector<NearParticle> particles_near(const Problem& problem, const Particles& particles, std::size_t p)
 {
     std::vector<NearParticle> found;
     double sum = 0.0;
     Vector2 centre = Vector2::Zero();
+    const Vector2 reach = reach_of(problem, particles, p);
     for (std::size_t q = 0; q < particles.size(); ++q) {
         const Vector2 apart = particles.position[q] - particles.position[p];
-        const Vector2 part = Vector2::Ones() - apart.cwiseAbs() / problem.grid.cell_size;
+        const Vector2 part = Vector2::Ones() - apart.cwiseAbs().cwiseQuotient(reach);
         if (part.minCoeff() <= 0.0 || particles.material[q] != particles.material[p]) continue;
         const double weight = particles.volume[q] * part.x() * part.y();
         found.push_back({q, weight, apart});

@@ -18,6 +18,21 @@ Scalars pores_of_nodes(const TriangleMesh& mesh, const Scalars& drainable_porosi
     return pores;
 }
 
+Scalars still_saturations(const TriangleMesh& mesh, const Scalars& conductivity, double level)
+{
+    // sum c (p_j - s_i drop) = 0 over the edges to lower nodes
+    Scalars rising(mesh.nodes.size(), 0.0), falling(mesh.nodes.size(), 0.0);
+    for (const FlowEdge& edge : flow_edges(mesh, conductivity)) {
+        rising[edge.i] += edge.conductance * std::max(0.0, level - mesh.nodes[edge.j].y());
+        falling[edge.i] += edge.conductance * edge.drop;
+    }
+    Scalars saturation(mesh.nodes.size(), 1.0);
+    for (std::size_t i = 0; i < saturation.size(); ++i)
+        if (mesh.nodes[i].y() > level)
+            saturation[i] = falling[i] > 0.0 ? std::min(1.0, rising[i] / falling[i]) : 0.0;
+    return saturation;
+}
+
 FlowHistory follow_flow(const std::function<const GroundFlowProblem&(double)>& at_time, const Scalars& pores,
                         const Scalars& saturation, double duration, int steps)
 {

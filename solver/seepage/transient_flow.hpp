@@ -27,6 +27,11 @@ struct FlowHistory {
 /// n_d integrated over the function of every node; one drainable porosity for every triangle [m2].
 Scalars pores_of_nodes(const TriangleMesh& mesh, const Scalars& drainable_porosity);
 
+/// Saturations with still water at a level: those at which nothing flows, for water rises from nodes with
+/// pressure into the row above until its saturation outweighs it. A line between two rows of nodes is where
+/// the upper row is filled in part.
+Scalars still_saturations(const TriangleMesh& mesh, const Scalars& conductivity, double level);
+
 /// Follow the flow over a duration, from saturations at the start; at_time(t) gives the flow problem with the
 /// heads that act at t, on the same mesh.
 FlowHistory follow_flow(const std::function<const GroundFlowProblem&(double)>& at_time, const Scalars& pores,

@@ -22,10 +22,11 @@ inline constexpr LawKeyText damping_ratio_key = {
     .unit = "-",
     .meaning =
         "Damping ratio of vibrations, in shear and compression alike, within 5 % of itself over a band of "
-        "frequencies of 1 : 40; in stages that shake.",
+        "frequencies of 1 : 40; in stages that shake; element tests know no time.",
     .allowed = {.lower = 0.0, .upper = 0.3},
     .usual = {0.0, 0.1},
-    .standard = 0.0};
+    .standard = 0.0,
+    .hangs_on_time = true};
 inline constexpr LawKeyText damping_frequency_key = {
     .name = "damping_frequency",
     .unit = "Hz",
@@ -33,6 +34,7 @@ inline constexpr LawKeyText damping_frequency_key = {
                "hold there.",
     .allowed = {.lower = 0.0, .lower_open = true},
     .usual = {0.5, 200.0},
-    .standard = usual_damping_frequency};
+    .standard = usual_damping_frequency,
+    .hangs_on_time = true};
 
 } // namespace quicksand

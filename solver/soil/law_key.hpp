@@ -17,6 +17,7 @@ struct LawKeyText {
     Interval usual = {};                 // a warning outside
     std::optional<double> standard = {}; // value where the user gives none
     std::string_view absent = {};        // what it means that there is none; without both the key is required
+    bool hangs_on_time = false;          // without effect in element tests, which know none
 };
 
 /// And the member that it fills.

@@ -23,7 +23,8 @@ struct SettlingSand {
     UbcSand sand;
     double surface_stress = 0.0; // weight of a cell of the soil, per area [Pa]
 
-    bool operator==(const SettlingSand&) const = default;
+    /// The same sand; the weight of a cell hangs on the density of its grains besides.
+    bool operator==(const SettlingSand& other) const { return sand == other.sand; }
 };
 
 /// With tan(phi_f) and the cohesion divided by the factor.

@@ -1,10 +1,9 @@
 #include "solver/water/pore_pressure.hpp"
 
-#include "solver/base/slope_fit.hpp"
+#include "solver/water/pressure_slope.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <variant>
 
 namespace quicksand {
@@ -69,58 +68,6 @@ CellSums sum_cell(const Problem& problem, const CellLists& lists, std::size_t fi
     return sums;
 }
 
-/// The soil of a cell beside another one, with the place where it is seen from there.
-struct Neighbour {
-    std::size_t slot = 0;
-    double shift = 0.0; // of its centre along x [m]
-};
-
-/// The image of an empty cell on the other side of a laminar box; none: no soil there either.
-std::optional<Neighbour> find_image(const Problem& problem, const CellLists& lists, const CellMeans& means,
-                                    std::int32_t cell)
-{
-    const auto slot_of = [&](std::int32_t c) {
-        return static_cast<std::size_t>(lists.slot_of_cell[static_cast<std::size_t>(c)]);
-    };
-    const double width = problem.tied_sides->x_right - problem.tied_sides->x_left;
-    const auto cells = static_cast<std::int32_t>(std::lround(width / problem.grid.cell_size));
-    const std::int32_t columns = problem.grid.all_cells_x(), column = cell % columns;
-    if (column + cells < columns && means.volume[slot_of(cell + cells)] > 0.0)
-        return Neighbour{slot_of(cell + cells), -width};
-    if (column - cells >= 0 && means.volume[slot_of(cell - cells)] > 0.0)
-        return Neighbour{slot_of(cell - cells), width};
-    return std::nullopt;
-}
-
-/// Of the pressure of the cells, pressure_of(slot) [Pa].
-template <class PressureOf>
-Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const CellMeans& means,
-                       std::size_t slot, PressureOf&& pressure_of)
-{
-    const std::int32_t cell = lists.cell_of_slot[slot], columns = problem.grid.all_cells_x();
-    const Vector2 centre = means.centre[slot];
-    const double pressure = pressure_of(slot);
-    SlopeFit fit;
-    for (std::int32_t b = -1; b <= 1; ++b) {
-        for (std::int32_t a = -1; a <= 1; ++a) {
-            // centres never lie in the outermost cells of the rim, so that the neighbours exist
-            const std::int32_t beside = cell + b * columns + a;
-            const auto other = static_cast<std::size_t>(lists.slot_of_cell[static_cast<std::size_t>(beside)]);
-            if (other == slot) continue;
-            if (means.volume[other] > 0.0) {
-                fit.add(means.centre[other] - centre, pressure_of(other) - pressure);
-                continue;
-            }
-            const auto image =
-                problem.tied_sides ? find_image(problem, lists, means, beside) : std::optional<Neighbour>();
-            if (image)
-                fit.add(means.centre[image->slot] + Vector2(image->shift, 0.0) - centre,
-                        pressure_of(image->slot) - pressure);
-        }
-    }
-    return fit.slope(problem.grid.cell_size);
-}
-
 /// Whether a cell beside a solid has so much soil of others besides its own that its pressure must be flat:
 /// the force of a slope on the means (new_part_of_slopes) grows with the square of its length. With 0.4 of a
 /// cell more it is stable, with 0.5 it is not.
@@ -143,6 +90,35 @@ void increments_of(const Problem& problem, double dt, const CellLists& lists, co
         }
         increment[slot] = -dt * problem.water->bulk_modulus * outflow / pores;
     });
+}
+
+/// ln k of the materials, whose slopes end at faces between them; empty where all are alike or no water
+/// flows.
+Scalars logarithms_of_conductivity(const Problem& problem)
+{
+    Scalars logarithms;
+    if (water_flow(problem) != WaterFlow::coupled) return logarithms;
+    for (const Material& material : problem.materials) {
+        const double k =
+            material.has_pores ? material.hydraulic_conductivity / material.conductivity_gravity : 0.0;
+        logarithms.push_back(k > 0.0 ? std::log(k) : 0.0);
+    }
+    const bool alike = std::all_of(logarithms.begin(), logarithms.end(),
+                                   [&](double each) { return each == logarithms.front(); });
+    if (alike) logarithms.clear();
+    return logarithms;
+}
+
+double mean_conductivity(const CellMeans& means, const CellLists& lists, std::size_t first, std::size_t last,
+                         const Particles& particles)
+{
+    double volume = 0.0, sum = 0.0;
+    for (std::size_t k = first; k < last; ++k) {
+        const auto p = static_cast<std::size_t>(lists.order[k]);
+        volume += particles.volume[p];
+        sum += particles.volume[p] * means.of_material[static_cast<std::size_t>(particles.material[p])];
+    }
+    return sum / volume;
 }
 
 /// Least excess pressure of water at height y without cavities [Pa].
@@ -254,7 +230,10 @@ void carry_moisture(const Problem& problem, Particles& particles)
 CellMeans make_cell_means(const Problem& problem)
 {
     const Scalars zeros(problem.grid.cell_count(), 0.0);
-    return {zeros, zeros, zeros, {zeros, zeros}, problem.water->cavitation_pressure ? zeros : Scalars()};
+    CellMeans means{zeros, zeros, zeros, {zeros, zeros}, {}, {}, logarithms_of_conductivity(problem)};
+    if (problem.water->cavitation_pressure) means.tension_deficit = zeros;
+    if (!means.of_material.empty()) means.conductivity = zeros;
+    return means;
 }
 
 void explicit_increments(const Problem& problem, double dt, const CellLists& lists, const Tile& tile,
@@ -336,6 +315,8 @@ void apply_increments(const Problem& problem, double dt, const CellLists& lists,
         const CellSums sums = sum_cell(problem, lists, first, last, particles, place);
         means.volume[slot] = sums.volume;
         means.centre.set(slot, sums.moment / sums.volume);
+        if (!means.of_material.empty())
+            means.conductivity[slot] = mean_conductivity(means, lists, first, last, particles);
         const double slope = means.centre.y[slot] < problem.water->level ? weight_density : 0.0;
         means.pore_pressure[slot] = (sums.pressure + dt * slope * sums.rise) / sums.volume + increment[slot];
         if (problem.water->cavitation_pressure) {

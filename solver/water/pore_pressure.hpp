@@ -19,6 +19,7 @@
 #include "solver/particles/cell_lists.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
+#include "solver/water/cell_means.hpp"
 
 namespace quicksand {
 
@@ -36,15 +37,6 @@ inline constexpr double new_part_of_slopes = 0.4;
 /// the tip of a wedge of 30 degrees random motion grows with 0.2 and, of water that hardly flows, with 0; it
 /// decays with -0.2 [-].
 inline constexpr double new_part_of_long_slopes = -0.5;
-
-/// Means over the particles of a cell, by slot of the cell lists; zero volume where there are none.
-struct CellMeans {
-    Scalars volume;          // of soil [m3/m]
-    Scalars pore_pressure;   // above the level with rho_w g (y - level) besides: smooth there [Pa]
-    Scalars unfelt_change;   // of the pressure in a semi-implicit step, which forces have not felt yet [Pa]
-    Vectors centre;          // of the soil in the cell [m]
-    Scalars tension_deficit; // of the cell's water, none without a cavitation limit [Pa]
-};
 
 /// What a semi-implicit step has solved for, by slot of the cell lists: the mean p of a cell acted on the
 /// nodes with p + increment.

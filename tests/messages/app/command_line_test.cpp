@@ -31,6 +31,14 @@ TEST(CommandLine, EveryCommandHasHelp)
     }
 }
 
+TEST(CommandLine, HelpIsAWordToo)
+{
+    EXPECT_EQ(run_program("help").output, run_program("--help").output);
+    const Outcome of_command = run_program("help run");
+    EXPECT_EQ(of_command.code, 0);
+    EXPECT_EQ(of_command.output, run_program("run --help").output);
+}
+
 TEST(CommandLine, TheVersionIsTheNewestOfTheChangelog)
 {
     const std::string changelog = read_file(in_checkout("CHANGELOG.md"));

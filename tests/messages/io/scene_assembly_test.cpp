@@ -339,6 +339,20 @@ TEST(Assembly, WarnsOfSoilThatNoCurveBears)
         << message;
 }
 
+// Upright rollers bear no weight.
+TEST(Assembly, WarnsOfSoilThatOnlyUprightRollersTouch)
+{
+    std::string text = replaced(column_scene, "soil = \"fixed\"", "soil = \"free\"");
+    text = replaced(text, "soil = \"tied\"\ntied_to = \"right\"", "soil = \"roller\"");
+    text = replaced(text, "soil = \"tied\"\ntied_to = \"left\"", "soil = \"roller\"");
+    EXPECT_NE(SceneFolder().assembly_message(text, column_section()).find("warning[support]"),
+              std::string::npos);
+    const std::string borne =
+        replaced(text, "soil = \"free\"\n\n[boundaries.left]", "soil = \"roller\"\n\n[boundaries.left]");
+    EXPECT_EQ(SceneFolder().assembly_message(borne, column_section()).find("warning[support]"),
+              std::string::npos);
+}
+
 TEST(Assembly, WarnsOfDampingThatTheShakingIsNotIn)
 {
     const std::string text =

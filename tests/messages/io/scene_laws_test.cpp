@@ -62,7 +62,7 @@ R"_(
 scene.toml:21:1: error[unknown-key]: unknown key 'youngs_modulus' in [materials.sand]
    21 | youngs_modulus = "150 MPa"
       | ^~~~~~~~~~~~~~
-expected: one of model, volumetric_strain, water, density, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, shear_modulus, poisson_ratio
+expected: one of model, volumetric_strain, water, density, grain_density, porosity, hydraulic_conductivity, conductivity_gravity, saturation_above_water, permeability_law, shear_modulus, poisson_ratio, damping_ratio, damping_frequency
 hint: shear_modulus = E / (2 (1 + poisson_ratio))
 )_"},
 SceneMistake{"FrictionInRadians",

@@ -108,7 +108,7 @@ TEST(SceneStageMessages, StillWaterChangesWhereSoilSettles)
               R"_(scene.toml:57:1: error[stage]: the stage "shaking" cannot change water.level
    57 | [[stages]]
       | ^~~~~~~~~~
-expected: a stage of kind = "settle" or "seepage", whose soil comes to rest with other water
+expected: a drained stage of kind = "settle" or "seepage", whose soil comes to rest with other water
 hint: outer water that rises or falls in time is the head of a boundary, with ramp_time or a history
 )_");
 }

@@ -163,7 +163,7 @@ R"_(
 scene.toml:25:26: error[unit]: materials.sand.hydraulic_conductivity has the unit 'm2'
    25 | hydraulic_conductivity = "1e-12 m2"
       |                          ^~~~~~~~~~
-expected: one of m/s, cm/s, mm/s, m/day
+expected: one of m/s, cm/s, mm/s, m/day, m/d
 )_"},
 SceneMistake{"OutOfRange",
     "poisson_ratio = 0.3",

@@ -108,6 +108,8 @@ TEST(ThinLayer, IsNoDikeOnLevelGround)
     Scene scene;
     scene.regions = {{.name = "dike", .material = "clay", .place = {}},
                      {.name = "seam", .material = "clay", .place = {}}};
+    scene.materials.resize(1);
+    scene.materials[0].material.name = "clay";
     Diagnostics none, some;
     check_layers(scene, dike, 1.0, none); // 2 cells high
     EXPECT_EQ(none.render(""), "");
@@ -126,6 +128,8 @@ TEST(ThinLayer, IsToldByItsShapeAlone)
     twice.regions[1].polygons.push_back(above);
     Diagnostics findings;
     Scene scene;
+    scene.materials.resize(1);
+    scene.materials[0].material.name = "clay";
     scene.regions = {{.name = "seam", .material = "clay", .place = {}}};
     check_layers(scene, twice, 0.25, findings);
     EXPECT_NE(findings.render("").find("1.2 cells thick"), std::string::npos) << findings.render("");

@@ -51,6 +51,10 @@ TEST(ProbePlaces, SurfaceGoesOnBeyondTiedSides)
     const SurfacePoint surface = surface_point(problem, particles, width);
     EXPECT_NEAR(surface.height, highest, 1e-12);
     EXPECT_EQ(surface.shift, -width);
+    for (double& x : particles.position.x) x += 3.5 * width; // drifted on
+    const SurfacePoint drifted = surface_point(problem, particles, 0.6 * width);
+    EXPECT_NEAR(drifted.height, highest, 1e-12);
+    EXPECT_EQ(drifted.shift, 3.0 * width);
 }
 
 TEST(ProbePlaces, ASurfaceIsFoundWhereDomainsMeetButForRounding)

@@ -70,6 +70,53 @@ TEST(NodalFields, AreExactForLinearFieldsAtTheRimOfTheSoilToo)
     }
 }
 
+// Pressures of a column that consolidates bend with the depth: beside the wall they were five per cent off.
+TEST(NodalFields, AreThoseOfTheMiddleAtASideWhereNothingChangesAcross)
+{
+    Block block;
+    Particles& particles = block.state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        particles.velocity_solid.set(p, {std::pow(particles.position.y[p], 3), 0.0});
+    const NodalFields fields = nodal_fields(block.problem, particles);
+    const BackgroundGrid& grid = block.problem.grid;
+    const Scalars& found = fields.find("velocity_solid")->components[0];
+    const auto at = [&](int column, int row) {
+        return found[grid.node_index(BackgroundGrid::ghost_cells + column,
+                                     BackgroundGrid::ghost_cells + row)];
+    };
+    for (int row = 0; row <= 3; ++row)
+        for (const int side : {0, 4}) EXPECT_NEAR(at(side, row), at(2, row), 1e-12) << row;
+}
+
+// Dry soil has no pressure in its pores: a slope from the wet soil below told of suction at its surface.
+TEST(NodalFields, PressuresOfWaterHaveNoSlopeInDrySoil)
+{
+    Block block;
+    block.problem.water = fixtures::water_to(3.0);
+    Material dry = fixtures::stiff_sand();
+    dry.saturated = false;
+    block.problem.materials.push_back(dry);
+    block.state = fixtures::fill(block.problem, 2, [](const Vector2&) { return true; });
+    Particles& particles = block.state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const bool is_dry = particles.position.y[p] > 3.0;
+        particles.material[p] = is_dry ? 1 : 0;
+        particles.pore_pressure[p] = is_dry ? 0.0 : 30e3;
+    }
+    const NodalFields fields = nodal_fields(block.problem, particles);
+    const BackgroundGrid& grid = block.problem.grid;
+    const Scalars& found = fields.find("excess_pore_pressure")->components[0];
+    for (std::size_t node = 0; node < grid.node_count(); ++node) {
+        const double y = grid.node_position(node).y();
+        if (!(fields.volume[node] > 0.0)) continue;
+        if (y > 3.0 + 1e-9) {
+            EXPECT_NEAR(found[node], 0.0, 1e-9) << y;
+        } else if (y < 3.0 - 1e-9) {
+            EXPECT_NEAR(found[node], 30e3, 1e-6) << y;
+        }
+    }
+}
+
 // Stresses scatter, and a slope would tell tension where there is none.
 TEST(NodalFields, AreMeansOfStressesAtTheRimOfTheSoil)
 {

@@ -105,6 +105,31 @@ TEST(PointSample, TheSurfaceMovesAsThePlaneThroughTheParticlesBelowIt)
     }
 }
 
+// Rows as high as a cell lie a cell apart.
+TEST(PointSample, TheSurfaceMovesSoOverOneRowOfParticlesInACellToo)
+{
+    Problem problem;
+    problem.grid = {{0.0, 0.0}, 0.5, 4, 3};
+    problem.materials = {fixtures::stiff_sand()};
+    State state;
+    resize_particles(problem, 24, state.particles);
+    Particles& particles = state.particles;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Vector2 place(0.125 + 0.25 * static_cast<double>(p % 8),
+                            0.25 + 0.5 * static_cast<double>(p / 8));
+        particles.identifier[p] = static_cast<std::int32_t>(p);
+        particles.position.set(p, place);
+        particles.half_edge_1.set(p, {0.125, 0.0});
+        particles.half_edge_2.set(p, {0.0, 0.25});
+        particles.volume[p] = 0.125;
+        particles.velocity_solid.set(p, {place.y() + 2.0 * place.x(), 3.0 * place.y()});
+    }
+    const Vector2 surface(1.0, 1.5);
+    const Vector2 found = sample_surface(problem, particles, 20, surface).vector("velocity_solid");
+    EXPECT_NEAR(found.x(), 3.5, 1e-12);
+    EXPECT_NEAR(found.y(), 4.5, 1e-12);
+}
+
 // Stresses of neighbouring particles of liquefied sand are as far apart as they are large.
 TEST(PointSample, AParticlesStressesAreThoseOfASmoothFieldAroundIt)
 {

@@ -140,5 +140,23 @@ TEST(TransientFlow, SlopeKeepsItsWaterAtFirst)
     }
 }
 
+// The row of nodes above the line began empty, wherever the line was below it: rising water filled half a row
+// too much, and came late.
+TEST(TransientFlow, StillWaterStandsBetweenRowsOfNodes)
+{
+    const Rectangle box{{1.0, 4.0}, 4, 20};
+    const GroundFlowProblem flow = mesh_of(box);
+    const double half_row = 0.5 * 4.0 / 20;
+    for (const double level : {1.0, 1.05, 1.1, 1.15, 1.2}) {
+        const Scalars saturation = still_saturations(flow.mesh, flow.conductivity, level);
+        for (int column = 0; column <= 4; ++column)
+            EXPECT_NEAR(height_of_water(saturation, box, column), level + half_row, 1e-12) << level;
+        const FlowHistory still = follow(flow, saturation, 1e4, 10);
+        ASSERT_TRUE(still.converged);
+        for (std::size_t i = 0; i < saturation.size(); ++i)
+            EXPECT_NEAR(still.end.saturation[i], saturation[i], 1e-9);
+    }
+}
+
 } // namespace
 } // namespace quicksand
