@@ -101,7 +101,8 @@ bool goes_on(std::size_t region, const Material& material, const Scene& scene, c
         if (contact.left != region && contact.right != region) return false;
         const std::size_t other = contact.left == region ? contact.right : contact.left;
         const Material* beside = material_of(scene, find_region(scene, section.regions[other].name));
-        return beside != nullptr && beside->has_pores && beside->law == material.law;
+        return beside != nullptr && beside->has_pores &&
+               without_weight(beside->law) == without_weight(material.law);
     });
 }
 

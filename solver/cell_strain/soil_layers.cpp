@@ -210,8 +210,9 @@ std::int32_t soil_of(const Problem& problem, std::size_t m)
 {
     const std::vector<Material>& all = problem.materials;
     const Material& own = all[all[m].part_of.value_or(m)];
+    const SkeletonLaw law = without_weight(own.law);
     const auto first = std::find_if(all.begin(), all.end(), [&](const Material& other) {
-        return !other.part_of && other.has_pores && other.law == own.law &&
+        return !other.part_of && other.has_pores && without_weight(other.law) == law &&
                other.volumetric_strain == own.volumetric_strain &&
                other.permeability_law == own.permeability_law &&
                other.hydraulic_conductivity == own.hydraulic_conductivity &&

@@ -105,6 +105,11 @@ SkeletonLaw settling_form(const SkeletonLaw& law, double cell_weight)
     return std::visit([&](const auto& any) -> SkeletonLaw { return settling_form(any, cell_weight); }, law);
 }
 
+SkeletonLaw without_weight(const SkeletonLaw& law)
+{
+    return std::visit([](const auto& any) -> SkeletonLaw { return without_weight(any); }, law);
+}
+
 std::optional<VibrationDamping> vibration_damping_of(const SkeletonLaw& law)
 {
     return std::visit([](const auto& any) { return vibration_damping_of(any); }, law);

@@ -42,6 +42,7 @@ void complete_memory(const SkeletonLaw& law, std::size_t first, std::size_t last
 std::size_t count_at_failure(const SkeletonLaw& law, std::size_t first, std::size_t last,
                              const Particles& particles);
 SkeletonLaw settling_form(const SkeletonLaw& law, double cell_weight);
+SkeletonLaw without_weight(const SkeletonLaw& law);
 std::optional<VibrationDamping> vibration_damping_of(const SkeletonLaw& law);
 SkeletonLaw undamped(const SkeletonLaw& law);
 bool yields(const SkeletonLaw& law);

@@ -136,6 +136,13 @@ Law settling_form(const Law& law, double)
     return law;
 }
 
+/// The law without what hangs on the weight of its grains: soils that are equal so differ by weight alone.
+template <class Law>
+Law without_weight(const Law& law)
+{
+    return law;
+}
+
 /// Damping of vibrations that users ask for, and the frequencies between which it holds.
 struct VibrationDamping {
     double ratio = 0.0;                 // [-]

@@ -24,6 +24,18 @@ double shear_modulus_at(const UbcSand& sand, double s)
 
 } // namespace
 
+UbcSand without_weight(const UbcSand& law)
+{
+    UbcSand sand = law;
+    sand.largest_specific_volume = sand.smallest_specific_volume = 0.0;
+    return sand;
+}
+
+SettlingSand without_weight(const SettlingSand& law)
+{
+    return {without_weight(law.sand), 0.0};
+}
+
 SettlingSand settling_form(const UbcSand& law, double cell_weight)
 {
     return {law, cell_weight};

@@ -23,9 +23,12 @@ struct SettlingSand {
     UbcSand sand;
     double surface_stress = 0.0; // weight of a cell of the soil, per area [Pa]
 
-    /// The same sand; the weight of a cell hangs on the density of its grains besides.
-    bool operator==(const SettlingSand& other) const { return sand == other.sand; }
+    bool operator==(const SettlingSand&) const = default;
 };
+
+/// Without the specific volumes, and without the weight of a cell.
+UbcSand without_weight(const UbcSand& law);
+SettlingSand without_weight(const SettlingSand& law);
 
 /// With tan(phi_f) and the cohesion divided by the factor.
 SettlingSand reduced(const SettlingSand& law, double factor);

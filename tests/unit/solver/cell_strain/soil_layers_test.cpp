@@ -208,16 +208,21 @@ TEST(SoilLayers, CostNothingInOneSoil)
     EXPECT_TRUE(make_cell_strain(problem, Stage::shaking).shared.of_material.empty());
 }
 
-// The weight of a cell, which the settling form of sand knows, hangs on the density of the grains.
-TEST(SoilLayers, SandsThatDifferByWeightAloneAreOneWhileTheySettleToo)
+// Specific volumes of sand, and the weight of a cell, which its settling form knows, hang on the density of
+// the grains.
+TEST(SoilLayers, SandsThatDifferByWeightAloneAreOne)
 {
     Problem problem = three_by_three_cells();
-    const UbcSand sand = make_ubcsand(nevada_sand_55());
-    problem.materials[0].law = settling_form(sand, 10e3);
-    problem.materials[2].law = settling_form(sand, 11e3);
-    const SharedSoils shared = make_shared_soils(problem, Stage::relaxation);
-    EXPECT_EQ(shared.of_material[2], shared.of_material[0]);
-    EXPECT_NE(shared.of_material[1], shared.of_material[0]);
+    UbcSandParameters heavy = nevada_sand_55();
+    heavy.largest_specific_volume = 7e-4; // [m3/kg]
+    const UbcSand sand = make_ubcsand(nevada_sand_55()), heavier = make_ubcsand(heavy);
+    for (const bool settles : {false, true}) {
+        problem.materials[0].law = settles ? SkeletonLaw(settling_form(sand, 10e3)) : SkeletonLaw(sand);
+        problem.materials[2].law = settles ? SkeletonLaw(settling_form(heavier, 11e3)) : SkeletonLaw(heavier);
+        const SharedSoils shared = make_shared_soils(problem, Stage::relaxation);
+        EXPECT_EQ(shared.of_material[2], shared.of_material[0]);
+        EXPECT_NE(shared.of_material[1], shared.of_material[0]);
+    }
 }
 
 } // namespace
