@@ -58,17 +58,8 @@ void update_stress(const LinearElastic& law, double dt, std::size_t first, std::
         add_elastic(law, dt, first, last, particles);
         return;
     }
-    const MaxwellStep step =
-        maxwell_step(make_maxwell_elements(law.damping_ratio, law.damping_frequency), dt);
-    const double lambda = lame_modulus(law), G = law.shear_modulus;
-    const Gradients& L = particles.velocity_gradient_solid;
-    for (std::size_t p = first; p < last; ++p) {
-        const double growth = dt * (L.xx[p] + L.yy[p]);
-        add_damped(step,
-                   {(lambda + G) * growth, G * dt * (L.xx[p] - L.yy[p]), G * dt * (L.xy[p] + L.yx[p]),
-                    lambda * growth},
-                   p, particles);
-    }
+    add_damped(maxwell_step(make_maxwell_elements(law.damping_ratio, law.damping_frequency), dt),
+               lame_modulus(law), law.shear_modulus, dt, first, last, particles);
 }
 
 LawMemory memory_of(const LinearElastic& law)

@@ -1,5 +1,7 @@
 #include "solver/soil/maxwell_elements.hpp"
 
+#include "solver/base/lanes.hpp"
+
 #include <Eigen/Dense>
 #include <cmath>
 #include <numbers>
@@ -100,27 +102,48 @@ LawMemory memory_of_damping(double damping_ratio)
     return memory;
 }
 
-void add_damped(const MaxwellStep& step, const StressParts& change, std::size_t p, Particles& particles)
+namespace {
+
+/// What one element, of the stress q, adds to that of the particles [first, last) in a step:
+/// (kept - 1) q + share C L dt, and what its spring alone adds with relaxed C L dt.
+VECTOR_KERNEL
+void add_element(double kept, double share, double relaxed, double lambda, double G, double dt,
+                 std::size_t first, std::size_t last, double* mean, double* half_difference, double* shear,
+                 double* out_of_plane, const Gradients& L, SymmetricTensors& stress)
 {
-    StressParts sum{step.relaxed * change.mean, step.relaxed * change.half_difference,
-                    step.relaxed * change.shear, step.relaxed * change.out_of_plane};
-    const auto advance = [&](std::size_t k, double of_change, double& stress, double& total) {
-        const double before = stress;
-        stress = step.kept[k] * before + step.share[k] * of_change;
-        total += stress - before;
-    };
-    for (std::size_t k = 0; k < maxwell_elements; ++k) {
-        const ElementStress element(k, p, particles.memory);
-        advance(k, change.mean, element.mean, sum.mean);
-        advance(k, change.half_difference, element.half_difference, sum.half_difference);
-        advance(k, change.shear, element.shear, sum.shear);
-        advance(k, change.out_of_plane, element.out_of_plane, sum.out_of_plane);
+    const double *L_xx = L.xx.data(), *L_xy = L.xy.data(), *L_yx = L.yx.data(), *L_yy = L.yy.data();
+    double *xx = stress.xx.data(), *yy = stress.yy.data(), *zz = stress.zz.data(), *xy = stress.xy.data();
+#pragma GCC ivdep // the arrays do not overlap
+    for (std::size_t p = first; p < last; ++p) {
+        const double growth = dt * (L_xx[p] + L_yy[p]);
+        const double in_plane = (lambda + G) * growth, across = lambda * growth;
+        const double half = G * dt * (L_xx[p] - L_yy[p]), slip = G * dt * (L_xy[p] + L_yx[p]);
+        const double d_mean = (kept - 1.0) * mean[p] + share * in_plane;
+        const double d_half = (kept - 1.0) * half_difference[p] + share * half;
+        const double d_shear = (kept - 1.0) * shear[p] + share * slip;
+        const double d_across = (kept - 1.0) * out_of_plane[p] + share * across;
+        mean[p] += d_mean;
+        half_difference[p] += d_half;
+        shear[p] += d_shear;
+        out_of_plane[p] += d_across;
+        xx[p] += d_mean + d_half + relaxed * (in_plane + half);
+        yy[p] += d_mean - d_half + relaxed * (in_plane - half);
+        xy[p] += d_shear + relaxed * slip;
+        zz[p] += d_across + relaxed * across;
     }
-    SymmetricTensors& stress = particles.stress;
-    stress.xx[p] += sum.mean + sum.half_difference;
-    stress.yy[p] += sum.mean - sum.half_difference;
-    stress.xy[p] += sum.shear;
-    stress.zz[p] += sum.out_of_plane;
+}
+
+} // namespace
+
+void add_damped(const MaxwellStep& step, double lambda, double G, double dt, std::size_t first,
+                std::size_t last, Particles& particles)
+{
+    for (std::size_t k = 0; k < maxwell_elements; ++k) {
+        Scalars* q = &particles.memory[numbers * k];
+        add_element(step.kept[k], step.share[k], k == 0 ? step.relaxed : 0.0, lambda, G, dt, first, last,
+                    q[0].data(), q[1].data(), q[2].data(), q[3].data(), particles.velocity_gradient_solid,
+                    particles.stress);
+    }
 }
 
 void share_plastic_change(const MaxwellStep& step, const StressParts& change, std::size_t p,

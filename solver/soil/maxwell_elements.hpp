@@ -64,8 +64,10 @@ struct StressParts {
     }
 };
 
-/// Add the stress of the elastic change C de of the particle p, and what elements lose of theirs.
-void add_damped(const MaxwellStep& step, const StressParts& change, std::size_t p, Particles& particles);
+/// Add the stress of the strain L dt to the particles [first, last), with Lame's moduli lambda and G [Pa],
+/// and what elements lose of theirs.
+void add_damped(const MaxwellStep& step, double lambda, double G, double dt, std::size_t first,
+                std::size_t last, Particles& particles);
 
 /// Plastic strain takes the stress `change` off the particle; the elements lose their shares of it.
 void share_plastic_change(const MaxwellStep& step, const StressParts& change, std::size_t p,

@@ -67,6 +67,22 @@ TEST_F(Report, OpensInABrowser)
         << seen.output.substr(0, 2000);
 }
 
+// The shape of small strain is that of the drawing.
+TEST_F(Report, TellsOfSettlementThatTheShapeDoesNotHave)
+{
+    const std::string stages = (folder / "scene/stages.toml").string(), staged = (folder / "staged").string();
+    std::ofstream(stages) << "scene_version = 1\nbase = \"scene.toml\"\n[analysis]\nstrain = \"small\"\n"
+                             "[[stages]]\nname = \"rest\"\nkind = \"settle\"\n"
+                             "[[stages]]\nname = \"again\"\nkind = \"settle\"\n"
+                             "[[stages]]\nname = \"shaking\"\nkind = \"shake\"\nduration = \"1 ms\"\n";
+    ASSERT_EQ(run_program("run " + stages + " -o " + staged).code, 0);
+    ASSERT_EQ(run_program("report " + staged).code, 0);
+    const std::string told = "In small strain soil that settles in later stages keeps the shape as drawn";
+    EXPECT_NE(read_file(staged + "/shaking/report.html").find(told), std::string::npos);
+    ASSERT_EQ(run_program("report " + results).code, 0);
+    EXPECT_EQ(read_file(results + "/report.html").find(told), std::string::npos);
+}
+
 TEST_F(Report, TellsWhatItIsAskedInVain)
 {
     const auto refuse = [&](const std::string& words, const std::string& text) {

@@ -85,6 +85,17 @@ TEST(CheckMessages, TellWhichStepsTakeTheLeastTime)
         << fast;
 }
 
+TEST(CheckMessages, TellOfDampingAndItsFrequencies)
+{
+    const WorkFolder folder;
+    const Outcome outcome = run_program("check " + example("sheet_pile") +
+                                        " --set materials.steel.damping_ratio=0.02 --until 1e-3 -o " +
+                                        folder.string() + "/check");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_NE(outcome.output.find(" Hz are resolved, damped by 2 % from 0.474 to 19 Hz"), std::string::npos)
+        << outcome.output;
+}
+
 TEST(CheckMessages, TellWhatABoundaryLeavesUnbalanced)
 {
     const WorkFolder folder;

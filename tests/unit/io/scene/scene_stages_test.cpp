@@ -78,6 +78,16 @@ TEST(SceneStages, DampingIsThatOfStagesThatShake)
     EXPECT_FALSE(is_damped(stages[2]));
 }
 
+// One column of cells cannot go on as all of them.
+TEST(SceneStages, AllColumnsAreComputedWhereAnyStageMovesACurve)
+{
+    const std::string moving = "[stages.boundaries.surface]\nsoil = \"moving\"\nvelocity = [0.01, 0.0]\n";
+    for (const SceneReading& stage : read_stages(column_scene + settle + shake + moving))
+        EXPECT_EQ(stage.scene.columns, ColumnsComputed::all) << stage.scene.stage->name;
+    for (const SceneReading& stage : read_stages(column_scene + settle + shake))
+        EXPECT_EQ(stage.scene.columns, ColumnsComputed::one) << stage.scene.stage->name;
+}
+
 TEST(SceneStages, SoilIsAnotherOneByTheKeysOfItsSkeletonAlone)
 {
     const auto stages = read_stages(column_scene + settle + shake +
