@@ -5,9 +5,9 @@
 //
 // C is the elastic stiffness, e the strain, q_k the stress of element k, t_k its time. The weights w_k are
 // such that the damping ratio is the one asked for at three frequencies 1/(2 pi t_k), spread over a band of
-// 1 : 40; between them it lies within 5 % of it. r is such that at the middle of the band the skeleton is
-// as stiff as C says. At high frequencies it is stiffer, (r + sum w_k) C, for long loads it is softer, r C.
-// The same elements resist changes of volume and of shape.
+// 1 : 40; between them it lies within 5 % of it, within 15 % of one of 0.2. r is such that at the middle of
+// the band the skeleton is as stiff as C says. At high frequencies it is stiffer, (r + sum w_k) C, for long
+// loads it is softer, r C. The same elements resist changes of volume and of shape.
 #pragma once
 
 #include "solver/particles/particles.hpp"
