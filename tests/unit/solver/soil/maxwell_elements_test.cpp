@@ -1,5 +1,6 @@
 // Damping by Maxwell elements at a point: the loss of harmonic strains over the band of frequencies, the
 // stiffness at its middle and its ends, long steps, turned strains, and steady plastic flow.
+#include "solver/motion/particle_motion.hpp"
 #include "solver/soil/linear_elastic.hpp"
 #include "solver/soil/maxwell_elements.hpp"
 #include "solver/soil/mohr_coulomb.hpp"
@@ -134,6 +135,29 @@ TEST(MaxwellElements, SteadyPlasticFlowLeavesThemWithoutStress)
     EXPECT_NEAR(radius, 5e3 * std::cos(0.5) - centre * std::sin(0.5), 1.0);
     EXPECT_GT(largest, 100.0);
     EXPECT_LT(std::abs(point.memory[2][0]), 1e-3 * largest);
+}
+
+// In large strain the stress of an element turns with its particle, as the whole stress does.
+TEST(MaxwellElements, TurnWithTheirParticle)
+{
+    Problem problem;
+    problem.materials.resize(1);
+    problem.materials[0].law = damped_soil(0.05);
+    Particles point = point_with_memory(problem.materials[0].law);
+    point.material = {0};
+    point.stress = {{-30e3}, {-70e3}, {-40e3}, {12e3}};
+    const auto part_of_stress = [&]() -> Eigen::Matrix2d { return 0.1 * stress_of(point); };
+    const Eigen::Matrix2d before = part_of_stress();
+    point.memory[1][0] = 0.5 * (before(0, 0) - before(1, 1));
+    point.memory[2][0] = before(0, 1);
+    constexpr int steps = 200;
+    constexpr double angle = 1.1, dt = 1e-9; // no time to relax [rad], [s]
+    point.velocity_gradient_solid = {{0.0}, {-angle / steps / dt}, {angle / steps / dt}, {0.0}};
+    for (int k = 0; k < steps; ++k) update_effective_stress(problem, dt, point);
+    const Eigen::Matrix2d after = part_of_stress();
+    EXPECT_GT((after - before).norm(), 1e3);
+    EXPECT_NEAR(point.memory[1][0], 0.5 * (after(0, 0) - after(1, 1)), 0.1);
+    EXPECT_NEAR(point.memory[2][0], after(0, 1), 0.1);
 }
 
 TEST(MaxwellElements, SoilWithoutDampingRemembersNothing)
