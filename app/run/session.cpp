@@ -310,8 +310,7 @@ Resumption resume_run(const ResultsFolder& folder, const SceneSetup& setup,
     std::vector<std::string> changes = state_changes(before, setup.keys);
     const bool is_same = read_run_record(folder.manifest()).state_hash == setup.hashes.state;
     if (is_told && changes.empty() && !is_same) // all that the hash has besides the keys
-        changes.emplace_back("no key: stages that follow ask for the history of the sand, or no longer, or "
-                             "another version of the program began the run");
+        changes.emplace_back("no key: histories that later stages ask for, or the program's version");
     if (is_told && !changes.empty()) refuse(folder, changes);
     Resumption resumption{read_checkpoint(folder.checkpoint(), setup.hashes.state), {}};
     require_same_inputs(folder.manifest(), inputs);
@@ -353,30 +352,31 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
                           : choice.overwrite ? FolderUse::overwrite
                                              : FolderUse::fresh;
     const auto directory = choice.directory.empty() ? default_results(scene.file) : choice.directory;
-    SessionOutcome outcome;
+    std::optional<StagedRun> run;
+    const auto begin = [&](std::optional<State> kept) {
+        run.emplace(setup.assembled.problem, std::move(setup.assembled.state), run_controls(scene),
+                    std::move(kept));
+    };
+    if (!choice.resume) begin(std::nullopt);
+    if (!choice.resume && origin) run->go_on_from(std::move(origin->reached), origin->start);
+    SessionOutcome outcome; // a start that is refused has left no folder
     outcome.folder = prepare_results_folder(directory, scene, use);
-    std::optional<State> kept;
-    std::vector<std::string> changes;
+    Resumption resumption;
     const std::vector<InputFile> inputs = input_files(scene, setup.keys);
     if (choice.resume) {
-        Resumption resumption = resume_run(outcome.folder, setup, inputs);
-        kept = std::move(resumption.kept);
-        changes = std::move(resumption.changes);
+        resumption = resume_run(outcome.folder, setup, inputs);
+        begin(std::move(resumption.kept));
     }
-    StagedRun run(setup.assembled.problem, std::move(setup.assembled.state), run_controls(scene),
-                  std::move(kept));
-    if (origin && !choice.resume) run.go_on_from(std::move(origin->reached), origin->start);
-    const State& state = run.state();
-
+    const State& state = run->state();
     RunManifest manifest =
         begin_manifest(scene, choice.scene.overrides, thread_count(), state.particles.size());
     manifest.inputs = inputs;
     manifest.state_hash = setup.hashes.state;
     manifest.water_lines = setup.assembled.water_lines;
     manifest.scheme = setup.assembled.problem.scheme;
-    const bool resumes_shaking = choice.resume && run.is_shaking();
+    const bool resumes_shaking = choice.resume && run->is_shaking();
     if (resumes_shaking) manifest.resumed_at = state.time;
-    if (is_complete(outcome.folder, run, scene.end_time)) {
+    if (is_complete(outcome.folder, *run, scene.end_time)) {
         journal.go_on_with(outcome.folder.log());
         journal.say(
             fmt::format("Nothing to do: the results reach t = {} s already.", short_number(state.time, 6)));
@@ -384,7 +384,7 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
     }
     ManifestKeeper keeper(outcome.folder.manifest(), std::move(manifest));
     Session session{scene,
-                    run,
+                    *run,
                     setup.hashes,
                     outcome.folder,
                     choice.resume,
@@ -392,7 +392,7 @@ SessionOutcome run_session(const RunChoice& choice, SceneSetup setup, Journal& j
                     journal,
                     keeper,
                     summarise_initial_flow(setup.assembled),
-                    std::move(changes)};
+                    std::move(resumption.changes)};
     outcome.end = run_guarded(session);
     return outcome;
 }

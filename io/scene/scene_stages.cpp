@@ -92,19 +92,25 @@ bool is_duration(const DocumentNode& node)
     return written && to_si(*written, Dimension::time).value_or(0.0) > 0.0;
 }
 
-/// Whether a stage moves a curve, at which columns of cells are not all equal.
-bool moves_curves(const DocumentNode& document)
+/// Whether a stage moves a curve or gives a tied side another condition: columns of cells are then not all
+/// equal.
+bool parts_columns(const DocumentNode& document)
 {
-    const auto moves = [](const DocumentNode& stage) {
-        const DocumentNode* boundaries = stage.find("boundaries");
-        return boundaries != nullptr && boundaries->kind == Kind::table &&
-               std::any_of(boundaries->children.begin(), boundaries->children.end(),
-                           [](const DocumentNode& boundary) {
-                               return boundary.kind == Kind::table && text_of(boundary, "soil") == "moving";
-                           });
+    const DocumentNode* all = document.find("boundaries");
+    const auto parts = [&](const DocumentNode& boundary) {
+        if (boundary.kind != Kind::table) return false;
+        const DocumentNode* before = all != nullptr ? all->find(boundary.name) : nullptr;
+        const std::string soil = text_of(boundary, "soil");
+        const bool was_tied =
+            before != nullptr && before->kind == Kind::table && text_of(*before, "soil") == "tied";
+        return soil == "moving" || (was_tied && !soil.empty() && soil != "tied");
     };
     const std::vector<DocumentNode>& stages = document.find(stages_key)->children;
-    return std::any_of(stages.begin(), stages.end(), moves);
+    return std::any_of(stages.begin(), stages.end(), [&](const DocumentNode& stage) {
+        const DocumentNode* boundaries = stage.find("boundaries");
+        return boundaries != nullptr && boundaries->kind == Kind::table &&
+               std::any_of(boundaries->children.begin(), boundaries->children.end(), parts);
+    });
 }
 
 /// What a kind of stage has no use for, and what it cannot do without.
@@ -186,7 +192,7 @@ DocumentNode document_of_stage(const DocumentNode& document, const std::string& 
     DocumentNode result = document;
     empty_unplaced_regions(result);
     // all stages have the same particles: one column stands for all in every one of them or in none
-    if ((places_soil(document) || moves_curves(document)) && !gives(result, "analysis", "columns"))
+    if ((places_soil(document) || parts_columns(document)) && !gives(result, "analysis", "columns"))
         table_in(result, "analysis", document.find(stages_key)->place)
             .set("columns", text_value("all", document.find(stages_key)->place));
     const DocumentNode stage = *document.find(stages_key)->find(name);

@@ -285,7 +285,7 @@ TEST_F(Stages, ARunWithoutTheHistoryThatALaterStageAsksForIsNotResumed)
     const Outcome resumed = run(scene() + " -o " + results("a") + " --resume");
     EXPECT_EQ(resumed.code, 2) << resumed.output;
     EXPECT_NE(resumed.output.find("cannot be resumed, for its state hangs on what has changed since the run "
-                                  "began:\n  no key: stages that follow ask for the history of the sand"),
+                                  "began:\n  no key: histories that later stages ask for, or the program"),
               std::string::npos)
         << resumed.output;
 
@@ -312,6 +312,20 @@ TEST_F(Stages, SandForgetsItsShakingWhereSoilSettles)
     const std::size_t told = outcome.output.find("warning: sand forgets its shaking where soil settles");
     ASSERT_NE(told, std::string::npos) << outcome.output;
     EXPECT_GT(told, outcome.output.find("Stage 3 of 4")) << outcome.output;
+}
+
+// It left a folder that --overwrite did not take for its own.
+TEST_F(Stages, AStageThatCannotBeginLeavesNoFolder)
+{
+    std::ofstream(folder / "column/untied.toml")
+        << rest_and_load
+        << "[stages.boundaries.left]\nsoil = \"roller\"\n[stages.boundaries.right]\nsoil = \"roller\"\n"
+           "[analysis]\ncolumns = \"one\"\n";
+    const std::string words = (folder / "column/untied.toml").string() + " -o " + results("untied");
+    const Outcome outcome = run(words);
+    EXPECT_NE(outcome.output.find("which differ within a region"), std::string::npos) << outcome.output;
+    EXPECT_FALSE(std::filesystem::exists(results("untied") + "/load"));
+    EXPECT_EQ(run(words + " --overwrite --set analysis.columns=all").code, 0);
 }
 
 TEST_F(Stages, SandThatHasNotLiquefiedHasNothingToForget)

@@ -79,11 +79,14 @@ TEST(SceneStages, DampingIsThatOfStagesThatShake)
 }
 
 // One column of cells cannot go on as all of them.
-TEST(SceneStages, AllColumnsAreComputedWhereAnyStageMovesACurve)
+TEST(SceneStages, AllColumnsAreComputedWhereAnyStageMovesACurveOrUntiesASide)
 {
     const std::string moving = "[stages.boundaries.surface]\nsoil = \"moving\"\nvelocity = [0.01, 0.0]\n";
-    for (const SceneReading& stage : read_stages(column_scene + settle + shake + moving))
-        EXPECT_EQ(stage.scene.columns, ColumnsComputed::all) << stage.scene.stage->name;
+    const std::string untied =
+        "[stages.boundaries.left]\nsoil = \"roller\"\n[stages.boundaries.right]\nsoil = \"roller\"\n";
+    for (const std::string& change : {moving, untied})
+        for (const SceneReading& stage : read_stages(column_scene + settle + shake + change))
+            EXPECT_EQ(stage.scene.columns, ColumnsComputed::all) << stage.scene.stage->name << change;
     for (const SceneReading& stage : read_stages(column_scene + settle + shake))
         EXPECT_EQ(stage.scene.columns, ColumnsComputed::one) << stage.scene.stage->name;
 }
