@@ -24,7 +24,7 @@ double shear_modulus(const LinearElastic& law)
 
 ParticleModuli particle_moduli(const LinearElastic& law, std::size_t, std::size_t, const Particles&)
 {
-    const double M = constrained_modulus(law) * unrelaxed_stiffness(law.damping_ratio, law.damping_frequency);
+    const double M = constrained_modulus(law) * unrelaxed_stiffness(law);
     return {M, M};
 }
 
@@ -51,37 +51,19 @@ void add_elastic(const LinearElastic& law, double dt, std::size_t first, std::si
 
 } // namespace
 
+void add_elastic_stress(const LinearElastic& law, const std::optional<MaxwellStep>& damping, double dt,
+                        std::size_t first, std::size_t last, Particles& particles)
+{
+    if (damping)
+        add_damped(*damping, lame_modulus(law), law.shear_modulus, dt, first, last, particles);
+    else
+        add_elastic(law, dt, first, last, particles);
+}
+
 void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles)
 {
-    if (law.damping_ratio == 0.0) {
-        add_elastic(law, dt, first, last, particles);
-        return;
-    }
-    add_damped(maxwell_step(make_maxwell_elements(law.damping_ratio, law.damping_frequency), dt),
-               lame_modulus(law), law.shear_modulus, dt, first, last, particles);
-}
-
-LawMemory memory_of(const LinearElastic& law)
-{
-    return memory_of_damping(law.damping_ratio);
-}
-
-std::optional<VibrationDamping> vibration_damping_of(const LinearElastic& law)
-{
-    return vibration_damping(law.damping_ratio, law.damping_frequency);
-}
-
-LinearElastic settling_form(const LinearElastic& law, double)
-{
-    return undamped(law);
-}
-
-LinearElastic undamped(const LinearElastic& law)
-{
-    LinearElastic still = law;
-    still.damping_ratio = 0.0;
-    return still;
+    add_elastic_stress(law, maxwell_step_of(law, dt), dt, first, last, particles);
 }
 
 std::span<const LawKey<LinearElastic>> keys_of(const LinearElastic&)

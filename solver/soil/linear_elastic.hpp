@@ -37,7 +37,12 @@ double shear_modulus(const LinearElastic& law);
 ParticleModuli particle_moduli(const LinearElastic& law, std::size_t first, std::size_t last,
                                const Particles& particles);
 
-/// Add the stress of the strain L dt to the particles [first, last), rotated stress given.
+/// Add the elastic stress of the strain L dt to the particles [first, last), damped where there is a step of
+/// Maxwell elements.
+void add_elastic_stress(const LinearElastic& law, const std::optional<MaxwellStep>& damping, double dt,
+                        std::size_t first, std::size_t last, Particles& particles);
+
+/// The same with the law's own damping, rotated stress given.
 void update_stress(const LinearElastic& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles);
 
@@ -52,12 +57,5 @@ inline bool yields(const LinearElastic&)
 {
     return false;
 }
-
-LawMemory memory_of(const LinearElastic& law);
-std::optional<VibrationDamping> vibration_damping_of(const LinearElastic& law);
-
-/// Without damping.
-LinearElastic settling_form(const LinearElastic& law, double);
-LinearElastic undamped(const LinearElastic& law);
 
 } // namespace quicksand

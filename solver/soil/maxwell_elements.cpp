@@ -58,11 +58,6 @@ MaxwellElements make_maxwell_elements(double damping_ratio, double frequency)
     return elements;
 }
 
-double unrelaxed_stiffness(double damping_ratio, double frequency)
-{
-    return damping_ratio > 0.0 ? make_maxwell_elements(damping_ratio, frequency).unrelaxed() : 1.0;
-}
-
 MaxwellStep maxwell_step(const MaxwellElements& elements, double dt)
 {
     MaxwellStep step;
@@ -80,15 +75,13 @@ double MaxwellStep::stiffness() const
     return std::accumulate(share.begin(), share.end(), relaxed);
 }
 
-std::optional<VibrationDamping> vibration_damping(double damping_ratio, double frequency)
+VibrationDamping vibration_damping(double damping_ratio, double frequency)
 {
-    if (damping_ratio == 0.0) return std::nullopt;
-    return VibrationDamping{damping_ratio, frequency / std::sqrt(band), frequency * std::sqrt(band)};
+    return {damping_ratio, frequency / std::sqrt(band), frequency * std::sqrt(band)};
 }
 
-LawMemory memory_of_damping(double damping_ratio)
+LawMemory memory_of_maxwell_elements()
 {
-    if (damping_ratio == 0.0) return {};
     static constexpr auto memory = [] {
         constexpr std::array<MemoryNumber, numbers> of_element = {
             {{"damping_mean", "Pa", "Mean stress in the plane of a Maxwell element."},

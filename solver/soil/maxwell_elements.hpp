@@ -36,12 +36,6 @@ struct MaxwellElements {
 /// Of a damping ratio and the frequency at the middle of the band [Hz].
 MaxwellElements make_maxwell_elements(double damping_ratio, double frequency);
 
-// The same for a law with these two parameters; a damping ratio of 0 is none.
-/// Stiffness without time to relax over the elastic one [-].
-double unrelaxed_stiffness(double damping_ratio, double frequency);
-std::optional<VibrationDamping> vibration_damping(double damping_ratio, double frequency);
-LawMemory memory_of_damping(double damping_ratio);
-
 /// What the elements do in a step of dt in which strain grows evenly: q_k becomes kept_k q_k + share_k C de.
 struct MaxwellStep {
     std::array<double, maxwell_elements> kept{};  // exp(-dt / t_k) [-]
@@ -52,6 +46,63 @@ struct MaxwellStep {
     double stiffness() const;
 };
 MaxwellStep maxwell_step(const MaxwellElements& elements, double dt);
+
+/// What is remembered of each element: a StressParts.
+LawMemory memory_of_maxwell_elements();
+/// Of a damping ratio, the band around a frequency [Hz].
+VibrationDamping vibration_damping(double damping_ratio, double frequency);
+
+/// A law with elements; a damping ratio of 0 is none of them.
+template <class Law>
+concept LawWithMaxwellElements = requires(const Law& law)
+{
+    law.damping_ratio;     // [-]
+    law.damping_frequency; // [Hz]
+};
+
+template <LawWithMaxwellElements Law>
+LawMemory memory_of(const Law& law)
+{
+    return law.damping_ratio > 0.0 ? memory_of_maxwell_elements() : LawMemory{};
+}
+
+template <LawWithMaxwellElements Law>
+std::optional<VibrationDamping> vibration_damping_of(const Law& law)
+{
+    if (law.damping_ratio == 0.0) return std::nullopt;
+    return vibration_damping(law.damping_ratio, law.damping_frequency);
+}
+
+template <LawWithMaxwellElements Law>
+Law undamped(const Law& law)
+{
+    Law still = law;
+    still.damping_ratio = 0.0;
+    return still;
+}
+
+template <LawWithMaxwellElements Law>
+Law settling_form(const Law& law, double)
+{
+    return undamped(law);
+}
+
+/// Stiffness without time to relax over the elastic one [-].
+template <LawWithMaxwellElements Law>
+double unrelaxed_stiffness(const Law& law)
+{
+    return law.damping_ratio > 0.0
+               ? make_maxwell_elements(law.damping_ratio, law.damping_frequency).unrelaxed()
+               : 1.0;
+}
+
+/// None without damping.
+template <LawWithMaxwellElements Law>
+std::optional<MaxwellStep> maxwell_step_of(const Law& law, double dt)
+{
+    if (law.damping_ratio == 0.0) return std::nullopt;
+    return maxwell_step(make_maxwell_elements(law.damping_ratio, law.damping_frequency), dt);
+}
 
 /// A stress without its place: mean in the plane, ((s_xx - s_yy)/2, s_xy), and out of the plane [Pa].
 struct StressParts {

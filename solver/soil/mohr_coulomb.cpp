@@ -16,10 +16,10 @@ using Eigen::Vector3d;
 
 LinearElastic elastic_part(const MohrCoulomb& law)
 {
-    return {law.shear_modulus, law.poisson_ratio, law.damping_ratio, law.damping_frequency};
+    return {law.shear_modulus, law.poisson_ratio};
 }
 
-/// Stress parts of the particles of a block.
+/// The stress of a particle in parts.
 StressParts parts_of(const SymmetricTensors& stress, std::size_t p)
 {
     return {0.5 * (stress.xx[p] + stress.yy[p]), 0.5 * (stress.xx[p] - stress.yy[p]), stress.xy[p],
@@ -51,21 +51,19 @@ void return_particle(const MohrCoulombSurface& surface, std::size_t p, Symmetric
 
 } // namespace
 
-ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t first, std::size_t last,
-                               const Particles& particles)
+ParticleModuli particle_moduli(const MohrCoulomb& law, std::size_t, std::size_t, const Particles&)
 {
-    return particle_moduli(elastic_part(law), first, last, particles);
+    const double M = constrained_modulus(law) * unrelaxed_stiffness(law);
+    return {M, M};
 }
 
 void update_stress(const MohrCoulomb& law, double dt, std::size_t first, std::size_t last,
                    Particles& particles)
 {
     constexpr std::size_t block = 64; // particles checked at a time [-]
-    update_stress(elastic_part(law), dt, first, last, particles);
+    const std::optional<MaxwellStep> damping = maxwell_step_of(law, dt);
+    add_elastic_stress(elastic_part(law), damping, dt, first, last, particles);
     const MohrCoulombSurface surface(law);
-    std::optional<MaxwellStep> damping;
-    if (law.damping_ratio > 0.0)
-        damping = maxwell_step(make_maxwell_elements(law.damping_ratio, law.damping_frequency), dt);
     SymmetricTensors& stress = particles.stress;
     std::array<double, block> excess;
     for (; first < last; first += std::min(block, last - first)) {

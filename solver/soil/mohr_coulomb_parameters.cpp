@@ -26,28 +26,6 @@ MohrCoulomb reduced(const MohrCoulomb& law, double factor)
     return weaker;
 }
 
-LawMemory memory_of(const MohrCoulomb& law)
-{
-    return memory_of_damping(law.damping_ratio);
-}
-
-std::optional<VibrationDamping> vibration_damping_of(const MohrCoulomb& law)
-{
-    return vibration_damping(law.damping_ratio, law.damping_frequency);
-}
-
-MohrCoulomb settling_form(const MohrCoulomb& law, double)
-{
-    return undamped(law);
-}
-
-MohrCoulomb undamped(const MohrCoulomb& law)
-{
-    MohrCoulomb still = law;
-    still.damping_ratio = 0.0;
-    return still;
-}
-
 double lame_modulus(const MohrCoulomb& law)
 {
     return lame_modulus(LinearElastic{law.shear_modulus, law.poisson_ratio});

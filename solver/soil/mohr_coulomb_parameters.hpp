@@ -1,12 +1,10 @@
 // Strength and stiffness of a Mohr-Coulomb soil.
 #pragma once
 
-#include "solver/soil/law_interface.hpp"
 #include "solver/soil/law_key.hpp"
 #include "solver/soil/maxwell_elements.hpp"
 
 #include <limits>
-#include <optional>
 #include <span>
 #include <string_view>
 
@@ -54,13 +52,6 @@ inline bool has_strength(const MohrCoulomb&)
 {
     return true;
 }
-
-LawMemory memory_of(const MohrCoulomb& law);
-std::optional<VibrationDamping> vibration_damping_of(const MohrCoulomb& law);
-
-/// Without damping.
-MohrCoulomb settling_form(const MohrCoulomb& law, double);
-MohrCoulomb undamped(const MohrCoulomb& law);
 
 double lame_modulus(const MohrCoulomb& law);        // lambda [Pa]
 double constrained_modulus(const MohrCoulomb& law); // lambda + 2 G, elastic [Pa]
