@@ -5,7 +5,6 @@
 #include "solver/particles/cell_lists.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -264,36 +263,21 @@ bool is_smooth(const Quantity& quantity)
 }
 
 /// A mean, brought from the mean place of what it is the mean of to the node: by the slope of the plane
-/// through it and the means around that count(other), each at its own mean place. The plane may pass the
-/// node's own mean: what bends along a face has no slope across it.
+/// through it and the means around that count(other), each at its own mean place.
 template <class Count>
 double value_at_node(const BackgroundGrid& grid, std::size_t node, const std::vector<NodeSoil>& soils,
                      const Scalars& volume, const Scalars& means, Count&& count)
 {
     // times the largest difference of the means: linear fields have 2 where soil ends .3 cells above a line
     constexpr double farthest = 2.0;
-    struct Neighbour {
-        double weight, change; // beside the node's own mean
-        Vector2 apart;         // from the node's own mean place [m]
-    };
-    std::array<Neighbour, 9> all{{{1.0, 0.0, Vector2::Zero()}}};
-    std::size_t found = 1;
-    double sum = 1.0, mean = 0.0, most = 0.0;
-    Vector2 centre = Vector2::Zero();
+    PlaneFit fit;
+    double most = 0.0;
     for_each_around(grid, node, [&](std::size_t other) {
         if (!(volume[other] > 0.0) || !count(other)) return;
-        const Neighbour& added = all[found++] = {volume[other] / volume[node], means[other] - means[node],
-                                                 soils[other].place - soils[node].place};
-        sum += added.weight;
-        mean += added.weight * added.change;
-        centre += added.weight * added.apart;
-        most = std::max(most, farthest * std::abs(added.change));
+        const double difference = means[other] - means[node];
+        fit.add(volume[other] / volume[node], soils[other].place - soils[node].place, difference);
+        most = std::max(most, farthest * std::abs(difference));
     });
-    SlopeFit fit;
-    for (std::size_t k = 0; k < found; ++k) {
-        const double root = std::sqrt(all[k].weight);
-        fit.add(root * (all[k].apart - centre / sum), root * (all[k].change - mean / sum));
-    }
     const double change = fit.slope(grid.cell_size).dot(grid.node_position(node) - soils[node].place);
     return means[node] + std::clamp(change, -most, most);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <variant>
 
 namespace quicksand {
@@ -109,16 +110,18 @@ Scalars logarithms_of_conductivity(const Problem& problem)
     return logarithms;
 }
 
-double mean_conductivity(const CellMeans& means, const CellLists& lists, std::size_t first, std::size_t last,
-                         const Particles& particles)
+void note_conductivities(const CellLists& lists, std::size_t slot, std::size_t first, std::size_t last,
+                         const Particles& particles, CellMeans& means)
 {
-    double volume = 0.0, sum = 0.0;
+    double least = std::numeric_limits<double>::infinity(), most = -least;
     for (std::size_t k = first; k < last; ++k) {
         const auto p = static_cast<std::size_t>(lists.order[k]);
-        volume += particles.volume[p];
-        sum += particles.volume[p] * means.of_material[static_cast<std::size_t>(particles.material[p])];
+        const double of_soil = means.of_material[static_cast<std::size_t>(particles.material[p])];
+        least = std::min(least, of_soil);
+        most = std::max(most, of_soil);
     }
-    return sum / volume;
+    means.least_conductive[slot] = least;
+    means.most_conductive[slot] = most;
 }
 
 /// Least excess pressure of water at height y without cavities [Pa].
@@ -230,9 +233,9 @@ void carry_moisture(const Problem& problem, Particles& particles)
 CellMeans make_cell_means(const Problem& problem)
 {
     const Scalars zeros(problem.grid.cell_count(), 0.0);
-    CellMeans means{zeros, zeros, zeros, {zeros, zeros}, {}, {}, logarithms_of_conductivity(problem)};
+    CellMeans means{zeros, zeros, zeros, {zeros, zeros}, {}, {}, {}, logarithms_of_conductivity(problem)};
     if (problem.water->cavitation_pressure) means.tension_deficit = zeros;
-    if (!means.of_material.empty()) means.conductivity = zeros;
+    if (!means.of_material.empty()) means.least_conductive = means.most_conductive = zeros;
     return means;
 }
 
@@ -315,8 +318,7 @@ void apply_increments(const Problem& problem, double dt, const CellLists& lists,
         const CellSums sums = sum_cell(problem, lists, first, last, particles, place);
         means.volume[slot] = sums.volume;
         means.centre.set(slot, sums.moment / sums.volume);
-        if (!means.of_material.empty())
-            means.conductivity[slot] = mean_conductivity(means, lists, first, last, particles);
+        if (!means.of_material.empty()) note_conductivities(lists, slot, first, last, particles, means);
         const double slope = means.centre.y[slot] < problem.water->level ? weight_density : 0.0;
         means.pore_pressure[slot] = (sums.pressure + dt * slope * sums.rise) / sums.volume + increment[slot];
         if (problem.water->cavitation_pressure) {

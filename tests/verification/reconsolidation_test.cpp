@@ -21,10 +21,9 @@ constexpr double ground = 10.0; // height [m]
 
 struct Place {
     int per_cell;
-    double cell;              // [m]
-    double shift;             // of the grid downwards [m]
-    double most;              // of the rows' mean vertical stresses from the weight above, rms [-]
-    double most_of_particles; // the same of theirs: at most .15 in ten courses [-]
+    double cell;  // [m]
+    double shift; // of the grid downwards [m]
+    double most;  // of the rows' mean vertical stresses from the weight above, rms [-]
 };
 
 std::ostream& operator<<(std::ostream& out, const Place& place)
@@ -66,54 +65,79 @@ Problem level_ground(const Place& place)
     return problem;
 }
 
-class ReconsolidationAt : public testing::TestWithParam<Place> {};
+/// Of what lies deeper than half a metre: nearer to the surface its shape counts.
+struct Reconsolidation {
+    double liquefied = 0.0;    // part of the particles that have liquefied once [-]
+    double of_rows = 0.0;      // mean vertical stresses of rows from the weight above them, rms [-]
+    double of_particles = 0.0; // the same of particles [-]
+    double settlement = 0.0;   // of the topmost row [m]
+};
 
-TEST_P(ReconsolidationAt, BringsEveryRowBackToTheWeightAboveIt)
+struct RowMean {
+    double sum = 0.0, particles = 0.0;
+    void add(double value) { sum += value, particles += 1.0; }
+    double mean() const { return sum / particles; }
+};
+
+Reconsolidation measure(const Problem& problem, const Particles& particles)
 {
-    const Problem problem = level_ground(GetParam());
+    const Scalars &heights = particles.reference_position.y,
+                  &liquefied =
+                      particles.memory[column_of(memory_of(problem.materials[0].law), "liquefied_shear")];
+    const double highest = *std::max_element(heights.begin(), heights.end());
+    std::map<double, RowMean> rows; // by the height before the shaking
+    RowMean once, squares, settled;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        once.add(liquefied[p] > 0.0 ? 1.0 : 0.0);
+        if (heights[p] > highest - 1e-9) settled.add(heights[p] - particles.position.y[p]);
+        const double weight = particles.initial_vertical_effective_stress[p];
+        if (weight < 4e3) continue; // Pa
+        const double ratio = -particles.stress.yy[p] / weight;
+        squares.add(std::pow(ratio - 1.0, 2));
+        rows[heights[p]].add(ratio);
+    }
+    RowMean squares_of_rows;
+    for (const auto& [height, row] : rows) squares_of_rows.add(std::pow(row.mean() - 1.0, 2));
+    return {once.mean(), std::sqrt(squares_of_rows.mean()), std::sqrt(squares.mean()), settled.mean()};
+}
+
+Reconsolidation reconsolidate(const Place& place)
+{
+    const Problem problem = level_ground(place);
     Problem lattice = problem; // from the base on, wherever the grid lies
     lattice.grid.origin = {0.0, 0.0};
-    const double width = 3.0 * GetParam().cell;
+    const double width = 3.0 * place.cell;
     State state =
-        fill(lattice, GetParam().per_cell, [&](const Vector2& x) { return x.x() < width && x.y() < ground; });
+        fill(lattice, place.per_cell, [&](const Vector2& x) { return x.x() < width && x.y() < ground; });
     set_level_ground_stress(problem, ground, 0.5, state);
     begin_shaking(problem, state);
     run(problem, 3600.0, {}, state);
-    const Particles& particles = state.particles;
-    const std::size_t liquefied = column_of(memory_of(problem.materials[0].law), "liquefied_shear");
-    struct Row {
-        double ratio = 0.0, particles = 0.0;
-    };
-    std::map<double, Row> rows; // by the height before the shaking
-    double squares = 0.0, of_particles = 0.0, count = 0.0, settled = 0.0;
-    std::size_t once = 0;
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        once += particles.memory[liquefied][p] > 0.0 ? 1 : 0;
-        settled = std::max(settled, particles.reference_position.y[p] - particles.position.y[p]);
-        const double weight = particles.initial_vertical_effective_stress[p];
-        if (weight < 4e3) continue; // half a metre, where the shape of the surface counts
-        of_particles += std::pow(-particles.stress.yy[p] / weight - 1.0, 2);
-        count += 1.0;
-        Row& row = rows[particles.reference_position.y[p]];
-        row.ratio += -particles.stress.yy[p] / weight;
-        row.particles += 1.0;
-    }
-    for (const auto& [height, row] : rows) squares += std::pow(row.ratio / row.particles - 1.0, 2);
-    const double error = std::sqrt(squares / static_cast<double>(rows.size()));
-    RecordProperty("error", std::to_string(error));
-    RecordProperty("settlement", std::to_string(settled));
-    EXPECT_GT(static_cast<double>(once), 0.8 * static_cast<double>(particles.size()));
-    EXPECT_LT(error, GetParam().most);
-    EXPECT_LT(std::sqrt(of_particles / count), GetParam().most_of_particles);
-    EXPECT_NEAR(settled, 0.078, 0.015);
+    return measure(problem, state.particles);
 }
 
 // Columns of cells become unlike as rounding grows in liquefied sand; the means of rows do not. On cells of
 // 0.25 m the lowest row may be stiff while the others of its cells settle as liquefied: it then bears more.
-INSTANTIATE_TEST_SUITE_P(Places, ReconsolidationAt,
-                         testing::Values(Place{2, 0.5, 0.0, 0.015, 0.2}, Place{3, 0.5, 0.0, 0.015, 0.2},
-                                         Place{4, 0.5, 0.0, 0.015, 0.2}, Place{3, 0.5, 0.13, 0.015, 0.2},
-                                         Place{3, 0.25, 0.0, 0.1, 0.2}));
+// With eight motions that differ by 1e-10 g the surface settled by 0.062 to 0.097 m at one place and by 0.079
+// to 0.085 m in the mean of the five, and particles scattered by 0.04 to 0.30, in the mean by 0.09 to 0.13.
+TEST(Reconsolidation, BringsEveryRowBackToTheWeightAboveIt)
+{
+    const Place places[] = {{2, 0.5, 0.0, 0.015},
+                            {3, 0.5, 0.0, 0.015},
+                            {4, 0.5, 0.0, 0.015},
+                            {3, 0.5, 0.13, 0.015},
+                            {3, 0.25, 0.0, 0.1}};
+    RowMean scatter, settlement;
+    for (const Place& place : places) {
+        const Reconsolidation found = reconsolidate(place);
+        EXPECT_GT(found.liquefied, 0.8) << place;
+        EXPECT_LT(found.of_rows, place.most) << place;
+        EXPECT_NEAR(found.settlement, 0.081, 0.02) << place;
+        scatter.add(found.of_particles);
+        settlement.add(found.settlement);
+    }
+    EXPECT_LT(scatter.mean(), 0.2);
+    EXPECT_NEAR(settlement.mean(), 0.081, 0.006);
+}
 
 } // namespace
 } // namespace quicksand

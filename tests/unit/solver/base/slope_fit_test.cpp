@@ -45,5 +45,34 @@ TEST(SlopeFit, IsNoneAcrossARowThatIsNotQuiteStraight)
     }
 }
 
+constexpr double weights[] = {1.0, 0.3, 2.0}; // of neighbours
+
+TEST(PlaneFit, IsThatOfALinearQuantity)
+{
+    const Vector2 slope(3.0, -2.0);
+    const Vector2 apart[] = {{-h, 0.1 * h}, {0.6 * h, 0.6 * h}, {h, 0.0}};
+    PlaneFit plane;
+    for (int k = 0; k < 3; ++k) plane.add(weights[k], apart[k], slope.dot(apart[k]));
+    EXPECT_LT((plane.slope(h) - slope).norm(), 1e-14);
+    EXPECT_EQ(PlaneFit{}.slope(h), Vector2(0.0, 0.0));
+}
+
+// Beside a wall: cells above, below and on one side, and a quantity that bends along the wall alone.
+TEST(PlaneFit, HasNoSlopeAcrossAnEndAtWhichNothingChanges)
+{
+    PlaneFit plane;
+    for (const Vector2& apart :
+         {Vector2(0.0, h), Vector2(0.0, -h), Vector2(h, h), Vector2(h, 0.0), Vector2(h, -h)})
+        plane.add(1.0, apart, 7.0 * apart.y() * apart.y() + 2.0 * apart.y());
+    EXPECT_LT((plane.slope(h) - Vector2(0.0, 2.0)).norm(), 1e-14);
+}
+
+TEST(PlaneFit, GoesAlongARowOfCellsThatEnds)
+{
+    PlaneFit plane;
+    plane.add(weights[1], {h, 0.0}, 3.0 * h);
+    EXPECT_LT((plane.slope(h) - Vector2(3.0, 0.0)).norm(), 1e-14);
+}
+
 } // namespace
 } // namespace quicksand
