@@ -33,8 +33,9 @@ std::string describe_waves(const Material& material, const WaveSpeeds& waves, co
         fmt::format("skeleton P {:.0f}, shear {:.0f} m/s; waves up to {:.0f} Hz are resolved", waves.skeleton,
                     waves.shear, waves.shear / (cells_per_wavelength * problem.grid.cell_size));
     if (const auto damping = vibration_damping_of(material.law))
-        text += fmt::format(", damped by {:.2g} % from {:.3g} to {:.3g} Hz", 100.0 * damping->ratio,
-                            damping->lowest, damping->highest);
+        text += fmt::format(
+            ", damped by {:.2g} % from {:.3g} to {:.3g} Hz, {:.2g} % softer under loads that last",
+            100.0 * damping->ratio, damping->lowest, damping->highest, 100.0 * (1.0 - damping->relaxed));
     return text + "\n";
 }
 
@@ -199,7 +200,9 @@ std::string describe_time_step(const AssembledCase& assembled, const TimeStep& s
     if (problem.water && problem.water->flow != WaterFlow::drained)
         text += fmt::format("  the water's bulk modulus, with its air, is {} Pa\n",
                             short_number(problem.water->bulk_modulus));
-    const std::vector<WaveSpeeds> waves = fastest_waves(problem, assembled.state.particles);
+    Problem undamped_form = problem; // whose waves are those at the middle of the bands of damping
+    for (Material& material : undamped_form.materials) material.law = undamped(material.law);
+    const std::vector<WaveSpeeds> waves = fastest_waves(undamped_form, assembled.state.particles);
     for (std::size_t m = 0; m < waves.size(); ++m) {
         text += describe_waves(problem.materials[m], waves[m], problem);
     }

@@ -102,7 +102,7 @@ bool goes_on(std::size_t region, const Material& material, const Scene& scene, c
         const std::size_t other = contact.left == region ? contact.right : contact.left;
         const Material* beside = material_of(scene, find_region(scene, section.regions[other].name));
         return beside != nullptr && beside->has_pores &&
-               without_weight(beside->law) == without_weight(material.law);
+               undamped(without_weight(beside->law)) == undamped(without_weight(material.law));
     });
 }
 

@@ -11,11 +11,13 @@ namespace quicksand {
 
 namespace {
 
-/// M of unloading of a particle at its present state [Pa].
+/// M of unloading of a particle at its present state, at the frequencies at which the damping of its law
+/// leaves the stiffness as it is [Pa].
 double unloading_modulus(const Material& material, const Particles& particles, std::size_t p)
 {
-    return std::visit([&](const auto& law) { return particle_moduli(law, p, p + 1, particles).mean; },
-                      material.law);
+    return std::visit(
+        [&](const auto& law) { return particle_moduli(undamped(law), p, p + 1, particles).mean; },
+        material.law);
 }
 
 /// Sort by node and add up what lies on the same node, in the order in which it came.

@@ -205,14 +205,15 @@ SharedWater shared_water(const Problem& problem, Stage stage)
 
 } // namespace
 
-/// The first material that is the same soil but for its name, its weight and how it drains from above.
+/// The first material that is the same soil but for its name, its weight, its damping of vibrations and how
+/// it drains from above.
 std::int32_t soil_of(const Problem& problem, std::size_t m)
 {
     const std::vector<Material>& all = problem.materials;
     const Material& own = all[all[m].part_of.value_or(m)];
-    const SkeletonLaw law = without_weight(own.law);
+    const SkeletonLaw law = undamped(without_weight(own.law));
     const auto first = std::find_if(all.begin(), all.end(), [&](const Material& other) {
-        return !other.part_of && other.has_pores && without_weight(other.law) == law &&
+        return !other.part_of && other.has_pores && undamped(without_weight(other.law)) == law &&
                other.volumetric_strain == own.volumetric_strain &&
                other.permeability_law == own.permeability_law &&
                other.hydraulic_conductivity == own.hydraulic_conductivity &&

@@ -147,6 +147,7 @@ Law without_weight(const Law& law)
 struct VibrationDamping {
     double ratio = 0.0;                 // [-]
     double lowest = 0.0, highest = 0.0; // [Hz]
+    double relaxed = 1.0;               // stiffness under lasting loads over that of the law [-]
 };
 template <class Law>
 std::optional<VibrationDamping> vibration_damping_of(const Law&)

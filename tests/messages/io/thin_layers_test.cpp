@@ -93,6 +93,14 @@ TEST(ThinLayer, IsNoneOfASoilThatGoesOnBesideNorASolid)
         EXPECT_EQ(message_of(seam, layered(8.0, 0.1)).find("thin-layer"), std::string::npos) << seam;
 }
 
+TEST(ThinLayer, IsNoneOfASoilThatDiffersByItsDampingAlone)
+{
+    const std::string clay = "shear_modulus = \"1 MPa\"\n";
+    const std::string scene = fixtures::replaced(layered_scene(regions("clay")), clay,
+                                                 "shear_modulus = \"8 MPa\"\ndamping_ratio = 0.03\n");
+    EXPECT_EQ(SceneFolder().assembly_message(scene, layered(8.0, 0.1)).find("thin-layer"), std::string::npos);
+}
+
 TEST(ThinLayer, MayBeLevel)
 {
     EXPECT_EQ(message_of("clay", layered(8.0, 0.0)).find("thin-layer"), std::string::npos);
