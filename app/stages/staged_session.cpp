@@ -63,6 +63,7 @@ public:
     SessionOutcome run(Journal& journal)
     {
         require_room();
+        require_beginning();
         require_sound(stages_);
         const StopSignal signal; // also between the stages, and while one is set up
         SessionOutcome outcome;
@@ -80,15 +81,21 @@ public:
     }
 
 private:
-    /// Of a run that is taken up again: also the stages that it has still to come to, as they are.
+    /// Of a run that is taken up again: also the stages of the scene that it has still to come to, as they
+    /// are.
     std::vector<StageRow> rows_and_what_follows() const
     {
         std::vector<StageRow> rows = rows_;
         if (!choice_.resume && !choice_.go_on) return rows;
-        for (StageRow& former : read_stage_table(directory_))
-            if (std::none_of(rows_.begin(), rows_.end(),
-                             [&](const StageRow& row) { return row.name == former.name; }))
+        for (StageRow& former : read_stage_table(directory_)) {
+            const auto is_former = [&](const StageRow& row) { return row.name == former.name; };
+            const auto is_its_stage = [&](const SceneReading& stage) {
+                return stage.scene.stage->name == former.name;
+            };
+            if (std::none_of(rows_.begin(), rows_.end(), is_former) &&
+                std::any_of(stages_.begin(), stages_.end(), is_its_stage))
                 rows.push_back(std::move(former));
+        }
         return rows;
     }
 
@@ -108,6 +115,25 @@ private:
         for (std::size_t k = next_; k < stages_.size(); ++k)
             if (stages_[k].scene.stage->kind != StageKind::stability)
                 require_no_former_run(directory_ / stages_[k].scene.stage->name, stages_[k].scene);
+    }
+
+    /// A run that began with the end of another one goes on from there, not with stages that it never had.
+    void require_beginning() const
+    {
+        if (!(choice_.resume || choice_.go_on) || !choice_.from.empty()) return;
+        std::string missing;
+        for (const SceneReading& reading : stages_) {
+            const SceneStage& each = *reading.scene.stage;
+            if (each.kind == StageKind::stability) continue;
+            const bool is_there = fs::exists(ResultsFolder{directory_ / each.name}.manifest());
+            if (!is_there && missing.empty()) missing = each.name;
+            if (is_there && !missing.empty())
+                throw InputError(
+                    fmt::format("{} has results of the stage {} and none of {} before it: the run "
+                                "began with the end of another one"
+                                "\nhint: go on with the same --from RESULTS:STAGE",
+                                directory_.string(), each.name, missing));
+        }
     }
 
     const SceneStage& stage() const { return *stages_[next_].scene.stage; }

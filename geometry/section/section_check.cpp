@@ -53,7 +53,7 @@ std::string describe(const OutlineFault& fault, const Section& section)
     case OutlineFault::Kind::gap:
         return fmt::format(
             "between regions \"{}\" and \"{}\" is a gap of {:.4g} m2 {}; let them share their common "
-            "curve, or draw a void as a hole of one surface.",
+            "curve, or draw a void as a hole of one surface or as a region with soil = \"absent\".",
             name, other, fault.area, box);
     }
     return {};

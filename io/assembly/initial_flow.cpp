@@ -57,6 +57,7 @@ private:
     double level() const { return problem_.water->level; }
     double head_beyond(const Boundary& boundary, const Vector2& point, double time) const;
     void check_boundary(const Boundary& boundary);
+    bool check_water_beyond(const Boundary& boundary, const SceneBoundary& written, double time);
     void check_sides(const FlowField& field);
     double triangle_size(double least_number) const;
     GroundFlowProblem mesh_flow(double size, const std::vector<std::int32_t>& of_region) const;
@@ -100,24 +101,37 @@ void FlowSection::check_boundary(const Boundary& boundary)
                      "a cut-off is a thin region of a small hydraulic_conductivity"));
         return;
     }
-    if (is_closed(boundary)) return;
+    if (is_closed(boundary) || written == nullptr) return;
+    const auto* given = std::get_if<PrescribedWater>(&boundary.water);
+    std::vector<double> times{0.0};
+    if (given != nullptr && scene_.stage && scene_.stage->flow_duration)
+        times = turning_times(given->history, *scene_.stage->flow_duration);
+    for (const double time : times)
+        if (!check_water_beyond(boundary, *written, time)) return;
+}
+
+/// Whether the water beyond stands at the level or above at a time, and at the curve or above.
+bool FlowSection::check_water_beyond(const Boundary& boundary, const SceneBoundary& written, double time)
+{
     for (const Segment& segment : boundary.segments) {
         for (const Vector2& point : {segment.start, segment.end}) {
-            const double pressure = head_beyond(boundary, point, 0.0);
+            const double pressure = head_beyond(boundary, point, time);
             const double lowest =
                 std::max(0.0, level() - point.y()) - head_rounding * problem_.grid.cell_size;
-            if (pressure >= lowest || written == nullptr) continue;
+            if (pressure >= lowest) continue;
             findings_.add(error_at(
-                written->water_place, "initial-flow",
+                written.water_place, "initial-flow",
                 fmt::format(
-                    "the water at the curve \"{}\" stands {:.4g} m high at [{:.5g}, {:.5g}], below {}",
+                    "the water at the curve \"{}\" stands {:.4g} m high at [{:.5g}, {:.5g}]{}, below {}",
                     boundary.name, point.y() + pressure, point.x(), point.y(),
+                    time > 0.0 ? fmt::format(" after {:.5g} s", time) : "",
                     lowest > 0.0 ? fmt::format("the water level {:.5g} m", level()) : "the curve itself"),
                 "water at the water level or above, and no suction",
                 "let level be that of the lowest water"));
-            return;
+            return false;
         }
     }
+    return true;
 }
 
 bool FlowSection::check()

@@ -83,21 +83,32 @@ std::vector<Vector2> points_of(const SceneProbe& probe)
 
 namespace {
 
-/// Raise the surface to what there is at x; its shift stays.
-void raise_surface(const Problem& problem, const Particles& particles, double x, SurfacePoint& surface)
+/// Raise the surface to what there is at x, where domains count that end by so much of their half width
+/// beside it, if they lie by so much of it higher; its shift stays.
+void raise_surface(const Problem& problem, const Particles& particles, double x, double beside, double by,
+                   SurfacePoint& surface)
 {
     constexpr double rounding = 1e-9; // where two domains meet, x lies beside both or neither without it [-]
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const auto [middle, reach] = width_of(problem, particles, p);
-        const double apart = x - middle, rim = (1.0 - rounding) * reach;
-        if (std::abs(apart) > (1.0 + rounding) * reach) continue;
+        const double apart = x - middle, rim = (1.0 - rounding) * reach, least_rise = by * reach;
+        if (std::abs(apart) > (1.0 + beside) * reach) continue;
         const double inside = std::abs(apart) > rim ? middle + std::copysign(rim, apart) : x;
         for_each_crossing(domain_polygon(problem.cut_domains, particles, p), inside, [&](double y) {
-            const bool tie = surface.found && y == surface.height &&
+            const bool tie = surface.found && y == surface.height && by == 0.0 &&
                              particles.identifier[p] < particles.identifier[surface.particle];
-            if (!surface.found || y > surface.height || tie) surface = {true, p, y, surface.shift};
+            if (!surface.found || y > surface.height + least_rise || tie)
+                surface = {true, p, y, surface.shift};
         });
     }
+}
+
+/// The same; a hairline between two domains is no gap through which the soil below them is seen.
+void raise_surface(const Problem& problem, const Particles& particles, double x, SurfacePoint& surface)
+{
+    constexpr double rounding = 1e-9, hairline = 0.01, step = 0.2; // of half widths [-]
+    raise_surface(problem, particles, x, rounding, 0.0, surface);
+    if (surface.found) raise_surface(problem, particles, x, hairline, step, surface);
 }
 
 } // namespace

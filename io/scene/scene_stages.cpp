@@ -6,6 +6,9 @@
 #include "io/tables/stage_keys.hpp"
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 namespace quicksand {
@@ -92,25 +95,34 @@ bool is_duration(const DocumentNode& node)
     return written && to_si(*written, Dimension::time).value_or(0.0) > 0.0;
 }
 
-/// Whether a stage moves a curve or gives a tied side another condition: columns of cells are then not all
-/// equal.
+/// Whether a stage moves a curve, or not all have the same sides tied: columns of cells are then not all
+/// equal, or not in all stages.
 bool parts_columns(const DocumentNode& document)
 {
-    const DocumentNode* all = document.find("boundaries");
-    const auto parts = [&](const DocumentNode& boundary) {
-        if (boundary.kind != Kind::table) return false;
-        const DocumentNode* before = all != nullptr ? all->find(boundary.name) : nullptr;
-        const std::string soil = text_of(boundary, "soil");
-        const bool was_tied =
-            before != nullptr && before->kind == Kind::table && text_of(*before, "soil") == "tied";
-        return soil == "moving" || (was_tied && !soil.empty() && soil != "tied");
+    std::map<std::string, std::string> conditions; // of curves, for their soil
+    const auto take = [&](const DocumentNode& part) {
+        const DocumentNode* boundaries = part.find("boundaries");
+        if (boundaries == nullptr || boundaries->kind != Kind::table) return;
+        for (const DocumentNode& boundary : boundaries->children) {
+            const std::string soil = boundary.kind == Kind::table ? text_of(boundary, "soil") : "";
+            if (!soil.empty()) conditions[boundary.name] = soil;
+        }
     };
-    const std::vector<DocumentNode>& stages = document.find(stages_key)->children;
-    return std::any_of(stages.begin(), stages.end(), [&](const DocumentNode& stage) {
-        const DocumentNode* boundaries = stage.find("boundaries");
-        return boundaries != nullptr && boundaries->kind == Kind::table &&
-               std::any_of(boundaries->children.begin(), boundaries->children.end(), parts);
-    });
+    const auto names_of = [&](std::string_view soil) {
+        std::set<std::string> names;
+        for (const auto& [name, condition] : conditions)
+            if (condition == soil) names.insert(name);
+        return names;
+    };
+    take(document);
+    std::optional<std::set<std::string>> tied; // in the stages before
+    for (const DocumentNode& stage : document.find(stages_key)->children) {
+        take(stage);
+        const std::set<std::string> here = names_of("tied");
+        if (!names_of("moving").empty() || tied.value_or(here) != here) return true;
+        tied = here;
+    }
+    return false;
 }
 
 /// What a kind of stage has no use for, and what it cannot do without.

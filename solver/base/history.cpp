@@ -54,7 +54,7 @@ double sine_integral(double angular, double ramp_time, double time)
 
 double history_value(const History& history, double time)
 {
-    const double t = std::max(time, 0.0);
+    const double t = history.begun + std::max(time, 0.0);
     const double rise = t < history.ramp_time ? t / history.ramp_time : 1.0;
     return std::visit(Overload{[&](const ConstantHistory&) { return rise; },
                                [&](const SineHistory& sine) {
@@ -68,22 +68,27 @@ double history_integral(const History& history, double time)
 {
     const double t = std::max(time, 0.0);
     const double rising = std::min(t, history.ramp_time);
-    return std::visit(
-        Overload{[&](const ConstantHistory&) {
-                     const double risen =
-                         history.ramp_time > 0.0 ? 0.5 * rising * rising / history.ramp_time : 0.0;
-                     return risen + (t - rising);
-                 },
-                 [&](const SineHistory& sine) {
-                     return sine_integral(2.0 * std::numbers::pi * sine.frequency, history.ramp_time, t);
-                 },
-                 [&](const SampledHistory& table) { return sampled_integral(table, t); }},
-        history.shape);
+    return std::visit(Overload{[&](const ConstantHistory&) {
+                                   const double risen = history.ramp_time > 0.0
+                                                            ? 0.5 * rising * rising / history.ramp_time
+                                                            : 0.0;
+                                   return risen + (t - rising);
+                               },
+                               [&](const SineHistory& sine) {
+                                   const auto since_its_start = [&](double end) {
+                                       return sine_integral(2.0 * std::numbers::pi * sine.frequency,
+                                                            history.ramp_time, end);
+                                   };
+                                   return since_its_start(history.begun + t) - since_its_start(history.begun);
+                               },
+                               [&](const SampledHistory& table) { return sampled_integral(table, t); }},
+                      history.shape);
 }
 
 History history_from(const History& history, double time)
 {
-    if (std::holds_alternative<SineHistory>(history.shape)) return history;
+    if (std::holds_alternative<SineHistory>(history.shape))
+        return {history.shape, history.ramp_time, history.begun + time};
     SampledHistory left{{0.0}, {history_value(history, time)}};
     if (const auto* table = std::get_if<SampledHistory>(&history.shape)) {
         for (std::size_t k = 0; k < table->times.size(); ++k) {
@@ -97,6 +102,26 @@ History history_from(const History& history, double time)
     left.times.push_back(history.ramp_time - time);
     left.values.push_back(1.0);
     return {left, 0.0};
+}
+
+std::vector<double> turning_times(const History& history, double end)
+{
+    std::vector<double> times{0.0};
+    const auto add = [&](double time) {
+        if (time > 0.0 && time < end) times.push_back(time);
+    };
+    if (const auto* table = std::get_if<SampledHistory>(&history.shape))
+        for (const double time : table->times) add(time);
+    add(history.ramp_time - history.begun);
+    if (const auto* sine = std::get_if<SineHistory>(&history.shape)) {
+        // crests and troughs of one period after the ramp, which lowers those before; sin is 1 a quarter
+        // later
+        const double quarter = 0.25 / sine->frequency,
+                     first = std::ceil(std::max(history.begun, history.ramp_time) / quarter);
+        for (double k = first; k < first + 4.0; ++k) add(k * quarter - history.begun);
+    }
+    times.push_back(end);
+    return times;
 }
 
 double peak_value(const History& history)

@@ -30,6 +30,7 @@ struct SampledHistory {
 struct History {
     std::variant<ConstantHistory, SineHistory, SampledHistory> shape = ConstantHistory{};
     double ramp_time = 0.0; // 0: at once; not for a table, which holds its own rise [s]
+    double begun = 0.0;     // of a sine: the time that had passed at t = 0 [s]
 
     bool operator==(const History&) const = default;
 };
@@ -40,9 +41,11 @@ double history_value(const History& history, double time);
 /// The integral of the factor from 0 to a time; 0 before [s].
 double history_integral(const History& history, double time);
 
-/// The history as one sees it that begins to count at a time: factor(t) = factor of `history` at time + t. A
-/// sine begins anew.
+/// The history as one sees it that begins to count at a time: factor(t) = factor of `history` at time + t.
 History history_from(const History& history, double time);
+
+/// Times up to an end at which the factor may be at its largest or smallest, the end among them [s].
+std::vector<double> turning_times(const History& history, double end);
 
 /// Largest absolute factor of the history [-].
 double peak_value(const History& history);

@@ -29,7 +29,7 @@ Scalars still_saturations(const TriangleMesh& mesh, const Scalars& conductivity,
     Scalars saturation(mesh.nodes.size(), 1.0);
     for (std::size_t i = 0; i < saturation.size(); ++i)
         if (mesh.nodes[i].y() > level)
-            saturation[i] = falling[i] > 0.0 ? std::min(1.0, rising[i] / falling[i]) : 0.0;
+            saturation[i] = falling[i] > 0.0 ? std::clamp(rising[i] / falling[i], 0.0, 1.0) : 0.0;
     return saturation;
 }
 

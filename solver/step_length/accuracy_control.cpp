@@ -38,8 +38,8 @@ double resolving_step(const SampledHistory& table, double time)
 
 double resolving_step(const History& history, double time)
 {
-    const double of_ramp = time < history.ramp_time ? history.ramp_time / steps_per_period
-                                                    : std::numeric_limits<double>::infinity();
+    const double of_ramp = history.begun + time < history.ramp_time ? history.ramp_time / steps_per_period
+                                                                    : std::numeric_limits<double>::infinity();
     return std::visit(Overload{[&](const ConstantHistory&) { return of_ramp; },
                                [&](const SineHistory& sine) {
                                    return std::min(of_ramp, 1.0 / (steps_per_period * sine.frequency));

@@ -51,6 +51,19 @@ hint: let level be that of the lowest water
     EXPECT_EQ(message(dam), "") << "it falls later";
 }
 
+// Pressures do not fall below the level: a slope had the factor of a full river after its drawdown.
+TEST(InitialFlow, RefusesWaterThatFallsBelowTheLevelInTime)
+{
+    DamScene dam;
+    dam.left = "water = \"head\"\nhead = 2\nramp_time = \"1 h\"";
+    dam.rest = "[[stages]]\nname = \"fall\"\nkind = \"seepage\"\nduration = \"1 d\"\n";
+    EXPECT_NE(
+        message(dam).find("the water at the curve \"left\" stands 2 m high at [0, 0] after 3600 s, below "
+                          "the water level 3 m"),
+        std::string::npos)
+        << message(dam);
+}
+
 TEST(InitialFlow, RefusesSuction)
 {
     DamScene dam;

@@ -57,6 +57,19 @@ TEST(ProbePlaces, SurfaceGoesOnBeyondTiedSides)
     EXPECT_EQ(drifted.shift, 3.0 * width);
 }
 
+// Domains lean as soil moves, and leave hairlines.
+TEST(ProbePlaces, ASurfaceIsNotSeenThroughAHairline)
+{
+    const Problem problem = fixtures::small_problem(true);
+    State state = fixtures::small_state(problem);
+    Particles& particles = state.particles;
+    const double x = 1.0, highest = surface_point(problem, particles, x).height;
+    for (std::size_t p = 0; p < particles.size(); ++p)
+        if (particles.position.y[p] > highest - 0.3)
+            for (Scalars* edge : {&particles.half_edge_1.x, &particles.half_edge_2.x}) (*edge)[p] *= 0.999;
+    EXPECT_EQ(surface_point(problem, particles, x).height, highest);
+}
+
 TEST(ProbePlaces, ASurfaceIsFoundWhereDomainsMeetButForRounding)
 {
     const Problem problem = fixtures::small_problem(true);

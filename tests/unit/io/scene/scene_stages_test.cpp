@@ -87,6 +87,19 @@ TEST(SceneStages, AllColumnsAreComputedWhereAnyStageMovesACurveOrUntiesASide)
     for (const std::string& change : {moving, untied})
         for (const SceneReading& stage : read_stages(column_scene + settle + shake + change))
             EXPECT_EQ(stage.scene.columns, ColumnsComputed::all) << stage.scene.stage->name << change;
+    const std::string stopped = fixtures::replaced(column_scene, "soil = \"free\"",
+                                                   "soil = \"moving\"\nvelocity = [0.01, 0.0]"),
+                      tied = "soil = \"tied\"\ntied_to = \"right\"",
+                      other_tied = "soil = \"tied\"\ntied_to = \"left\"",
+                      rollers =
+                          fixtures::replaced(fixtures::replaced(column_scene, tied, "soil = \"roller\""),
+                                             other_tied, "soil = \"roller\"");
+    for (const std::string& scene :
+         {stopped + settle + shake + "[stages.boundaries.surface]\nsoil = \"free\"\n",
+          rollers + settle + shake + "[stages.boundaries.left]\n" + tied + "\n[stages.boundaries.right]\n" +
+              other_tied + "\n"})
+        for (const SceneReading& stage : read_stages(scene))
+            EXPECT_EQ(stage.scene.columns, ColumnsComputed::all) << stage.scene.stage->name << scene;
     for (const SceneReading& stage : read_stages(column_scene + settle + shake))
         EXPECT_EQ(stage.scene.columns, ColumnsComputed::one) << stage.scene.stage->name;
 }
@@ -222,6 +235,14 @@ TEST(SceneStages, ALoadGoesOnWhereTheStageBeforeLeftIt)
         factors_of_surface(read_stages(loaded("ramp_time = \"4 h\"\n") + settle + consolidate + stability +
                                        consolidate + "name = \"on\"\n" + stability + "name = \"end\"\n")),
         (Factors{{0.0, 0.0}, {0.0, 0.5}, {0.5, 0.5}, {0.5, 1.0}, {1.0, 1.0}}));
+}
+
+TEST(SceneStages, AnOscillatingLoadGoesOnInItsPhase)
+{
+    const Factors factors = factors_of_surface(
+        read_stages(loaded("frequency = 5\n") + settle + shake + consolidate + "name = \"on\"\n"));
+    EXPECT_NEAR(factors[1].second, 1.0, 1e-12); // a quarter of a period in 50 ms
+    EXPECT_NEAR(factors[2].first, 1.0, 1e-12);
 }
 
 TEST(SceneStages, AChangedLoadRisesFromWhatActed)
