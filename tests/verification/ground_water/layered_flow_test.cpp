@@ -163,17 +163,19 @@ TEST(LayeredFlow, LosesAnEighthOfACellAtMostAtAnInterfaceElsewhere)
     EXPECT_GT(discharge_of({.shift = 0.3, .particles = 3}), 0.875);
 }
 
-// A cell that a slanted face cuts has one pressure, which the nodes beyond the face follow by halves.
-TEST(LayeredFlow, LosesLessThanACellAlongSlantedLayers)
+// A cell that a slanted face cuts has one pressure, which the nodes beyond the face follow by halves, and no
+// slope where its soils are so unlike. The loss of 0.25 and 0.125 m cells at 30 degrees is 0.87 and 1.02 of a
+// cell; slopes, which made energy at such faces, would leave 0.80 and 0.86.
+TEST(LayeredFlow, LosesACellAlongSlantedLayers)
 {
     for (const double slope : {10.0, 20.0, 30.0, 45.0}) {
         for (const std::string strain : {"small", "large"}) {
             const double q = discharge_of({.cell = 0.25, .slope = slope, .strain = strain});
-            EXPECT_GT(q, 1.0 - 0.8 * 0.25 / thickness) << slope << strain;
+            EXPECT_GT(q, 1.0 - 0.9 * 0.25 / thickness) << slope << strain;
             EXPECT_LT(q, 1.005) << slope << strain;
         }
     }
-    EXPECT_GT(discharge_of({.cell = 0.125, .slope = 30.0}), 1.0 - 0.8 * 0.125 / thickness);
+    EXPECT_GT(discharge_of({.cell = 0.125, .slope = 30.0}), 1.0 - 1.05 * 0.125 / thickness);
 }
 
 TEST(LayeredFlow, IsNearlyExactAcrossSlantedLayers)
