@@ -228,6 +228,7 @@ AssembledCase assemble_case(SceneReading reading, Section section)
     throw_errors(assembled.warnings, assembled.scene);
     Particles& particles = assembled.state.particles;
     particles = make_particles(assembled.problem, assembled.sampling, numbers, of_domain);
+    if (assembled.scene.stage) add_former_displacement(particles);
     if (assembled.problem.interpolation != Interpolation::cpdi2 && particles.size() > 0)
         assembled.problem.cut_domains.slivers =
             find_slivers(assembled.problem.cut_domains, particles,

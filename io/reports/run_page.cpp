@@ -78,25 +78,6 @@ std::string stages_section(const fs::path& results)
                                                                shown.filename().string() + "."));
 }
 
-/// Whether stages before this one, but the first, have settled soil whose shape stays as drawn.
-bool has_unseen_settlement(const fs::path& results)
-{
-    const ResultsFolder folder{results};
-    if (!fs::exists(folder.scene_copy()) || !fs::exists(folder.manifest())) return false;
-    const std::vector<ResolvedKey> keys =
-        read_scene_keys(folder.scene_copy(), read_run_record(folder.manifest()).overrides);
-    const bool is_small = std::any_of(keys.begin(), keys.end(), [](const ResolvedKey& key) {
-        return key.path == "analysis.strain" && key.value == "small";
-    });
-    if (!is_small) return false;
-    const fs::path shown = fs::canonical(results);
-    const std::vector<StageRow> stages = read_stage_table(shown.parent_path());
-    const auto here = std::find_if(stages.begin(), stages.end(),
-                                   [&](const StageRow& stage) { return stage.name == shown.filename(); });
-    return here != stages.end() && std::any_of(stages.begin() + (here != stages.begin()), here,
-                                               [](const StageRow& stage) { return stage.kind == "settle"; });
-}
-
 std::string crest_text(const fs::path& results, const std::optional<double>& required)
 {
     const std::optional<CrestCheck> crest = check_crest(results);
@@ -111,11 +92,9 @@ std::string crest_text(const fs::path& results, const std::optional<double>& req
         rows.push_back({"left above it", number(crest->after() - *required, " m")});
     }
     std::string html = html_table(rows);
-    if (has_unseen_settlement(results))
-        html += paragraph("In small strain soil that settles in later stages keeps the shape as drawn: add "
-                          "what their log.txt "
-                          "tells as \"displacement up to\".",
-                          "bad");
+    if (crest->is_unseen)
+        html += paragraph("In small strain soil that settles in later stages keeps the shape as drawn, also "
+                          "in pictures; the heights here count its total displacement.");
     if (!required) return html + paragraph("No required height was given (--required-height).");
     const bool kept = crest->after() >= *required;
     return html + paragraph(kept ? "The crest keeps the required height."

@@ -1,10 +1,10 @@
 // The file: a dataset for every array of Particles under its name, chunked and with Fletcher-32 checksums,
 // and attributes of the root group: format_version, state_hash, program_version, stage, time, step,
-// memory_columns, last_step, whole_step, step_scale, implicit_cost, step_halvings, times_halved,
-// explicit_end, particles, reactions; for every column of a free field the same in a group free_field_K, and
-// their number free_fields. The last 16 bytes are the FNV-1a hash of all before them, which HDF5 does not
-// look at: the file is checked before HDF5 opens it, since it copes badly with damaged tables. HDF5 keeps no
-// times of its objects, so that equal states make equal files.
+// stages_before, memory_columns, last_step, whole_step, step_scale, implicit_cost, step_halvings,
+// times_halved, explicit_end, particles, reactions; for every column of a free field the same in a group
+// free_field_K, and their number free_fields. The last 16 bytes are the FNV-1a hash of all before them, which
+// HDF5 does not look at: the file is checked before HDF5 opens it, since it copes badly with damaged tables.
+// HDF5 keeps no times of its objects, so that equal states make equal files.
 #include "io/results/checkpoint.hpp"
 
 #include "io/files/atomic_file.hpp"
@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 14;
+constexpr std::int64_t format_version = 15;
 constexpr hsize_t chunk_entries = 8192;
 
 /// An HDF5 call failed; the caller knows the file and makes a FileError of it.
@@ -206,6 +206,7 @@ void write_numbers(const State& state, hid_t place)
     write_number(place, "stage", static_cast<std::int64_t>(state.stage));
     write_number(place, "time", state.time);
     write_number(place, "step", state.step);
+    write_number(place, "stages_before", state.stages_before);
     write_number(place, "last_step", state.last_step);
     write_number(place, "whole_step", state.whole_step);
     write_number(place, "step_scale", state.step_scale);
@@ -271,6 +272,7 @@ State read_state(hid_t file)
     state.stage = static_cast<Stage>(read_number<std::int64_t>(file, "stage"));
     state.time = read_number<double>(file, "time");
     state.step = read_number<std::int64_t>(file, "step");
+    state.stages_before = read_number<std::int64_t>(file, "stages_before");
     state.last_step = read_number<double>(file, "last_step");
     state.whole_step = read_number<double>(file, "whole_step");
     state.step_scale = read_number<double>(file, "step_scale");

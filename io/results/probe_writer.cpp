@@ -50,12 +50,12 @@ std::vector<PointSample> interpolate(const std::vector<PointSample>& from, const
     return between;
 }
 
-/// What is written of a sample. A dry scene has no columns of the water.
-std::vector<const Quantity*> written_quantities(bool saturated)
+/// What is written of a sample. A dry scene has no columns of the water, one without stages none of their
+/// sum.
+std::vector<const Quantity*> written_quantities(const Particles& particles)
 {
     std::vector<const Quantity*> quantities = quantities_of(at_probes);
-    if (!saturated)
-        std::erase_if(quantities, [](const Quantity* each) { return each->of != QuantityOf::any_soil; });
+    std::erase_if(quantities, [&](const Quantity* each) { return !have(particles, *each); });
     return quantities;
 }
 
@@ -124,8 +124,7 @@ std::size_t index_of(const Particles& particles, std::int32_t identifier)
 
 ProbeWriter::ProbeWriter(const Scene& scene, const Problem& problem, const State& state,
                          const RunLabel& label, const std::filesystem::path& results, bool resume)
-    : quantities_(written_quantities(problem.water.has_value())),
-      clock_(scene.output.probe_interval, scene.end_time)
+    : quantities_(written_quantities(state.particles)), clock_(scene.output.probe_interval, scene.end_time)
 {
     // A kill may have come between two files: go on after the shortest one; write() leaves the others alone.
     double last_time = std::numeric_limits<double>::infinity();

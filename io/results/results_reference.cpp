@@ -73,6 +73,7 @@ std::string meaning_of(const Quantity& quantity)
     std::string text(quantity.meaning);
     if (quantity.scatters) text += "; at probes on particles, of a plane through those of its soil around";
     if (quantity.of == QuantityOf::wet_soil) text += "; with water";
+    if (quantity.of == QuantityOf::staged_soil) text += "; with stages";
     if (quantity.of == QuantityOf::moving_water) text += "; with water that flows by itself";
     return text;
 }

@@ -23,7 +23,7 @@ std::vector<SceneKey> figure_keys()
         {.pattern = "figures.*.probes", .type = text_list, .required = true, .when = of_probes,
          .doc = "Names of the probes in the figure; of one profile for isochrones."},
         {.pattern = "figures.*.quantity", .type = word, .required = true, .words = quantities, .when = of_probes,
-         .doc = "What is drawn; settlement is the displacement downward."},
+         .doc = "What is drawn; settlement is the displacement downward, total that of all stages."},
         {.pattern = "figures.*.scale", .default_value = 1.0, .allowed = {.lower = 0.0, .lower_open = true},
          .plausible = {1.0, 300.0}, .when = of_probes,
          .doc = "Full scale over that of a centrifuge model: lengths and times are drawn this much larger."},

@@ -87,9 +87,10 @@ void check_name(const NamedTable& table, Diagnostics& findings)
 }
 
 /// "velocity" of velocity_solid: the grains' is the one that probes have.
-std::string moving_part(std::string_view name)
+std::string without_phase(std::string_view name)
 {
-    return std::string(name.substr(0, name.find('_')));
+    constexpr std::string_view phase = "_solid";
+    return std::string(name.substr(0, name.size() - (name.ends_with(phase) ? phase.size() : 0)));
 }
 
 std::vector<FigureQuantity> list_figure_quantities()
@@ -101,10 +102,12 @@ std::vector<FigureQuantity> list_figure_quantities()
         for (std::size_t c = 0; c < component_count(quantity->form); ++c) {
             const std::string name =
                 scalar ? std::string(quantity->name)
-                       : (c == 0 ? "horizontal_" : "vertical_") + moving_part(quantity->name);
+                       : (c == 0 ? "horizontal_" : "vertical_") + without_phase(quantity->name);
             all.push_back({name, quantity, c, 1.0, component_label(*quantity, c)});
         }
         if (quantity->name == "displacement") all.push_back({"settlement", quantity, 1, -1.0, "Settlement"});
+        if (quantity->name == "total_displacement")
+            all.push_back({"total_settlement", quantity, 1, -1.0, "Total settlement"});
     }
     return all;
 }

@@ -219,6 +219,7 @@ void widen(const SoilColumn& column, const State& narrow, State& wide)
     wide.stage = narrow.stage;
     wide.time = narrow.time;
     wide.step = narrow.step;
+    wide.stages_before = narrow.stages_before;
     wide.last_step = narrow.last_step;
     wide.whole_step = narrow.whole_step;
     wide.step_scale = narrow.step_scale;

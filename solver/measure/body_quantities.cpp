@@ -33,7 +33,7 @@ constexpr std::array body_quantity_table = {
         [](const MeasuredBody& body) { return body.monitors.max_ru; }, "Largest excess pore pressure ratio ru"},
     BodyQuantity{"mass_fluid", "kg", "mass of the pore water", wet_body,
         [](const MeasuredBody& body) { return body.monitors.mass_fluid; }},
-    BodyQuantity{"mass_solid", "kg", "mass of the grains", any_body,
+    BodyQuantity{"mass_solid", "kg", "mass of the grains, and of water in moist soil above the water", any_body,
         [](const MeasuredBody& body) { return body.monitors.mass_solid; }},
     BodyQuantity{"volume", "m3", "volume of the soil", any_body,
         [](const MeasuredBody& body) { return body.monitors.volume; }},

@@ -169,8 +169,9 @@ PointSample sample_surface(const Problem& problem, const Particles& particles, s
     const std::vector<NearParticle> near = particles_near(problem, particles, p);
     PointSample sample = values_of(problem, particles, p, near);
     const Vector2 apart = point - particles.position[p];
-    for (const std::string_view motion : {"displacement", "velocity_solid"}) {
+    for (const std::string_view motion : {"displacement", "total_displacement", "velocity_solid"}) {
         const Quantity& quantity = quantity_named(motion);
+        if (!have(particles, quantity)) continue;
         for (std::size_t c = 0; c < component_count(quantity.form); ++c)
             sample[motion][c] += fit_plane(problem, particles, p, quantity, c, near).slope.dot(apart);
     }

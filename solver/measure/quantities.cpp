@@ -36,6 +36,12 @@ constexpr std::array quantity_table = {
         .meaning = "displacement since the shaking began, relative to the base", .form = QuantityForm::vector, .places = everywhere,
         .value = [](const Problem&, const Particles& particles, std::size_t p) { return of_vector(displacement(particles, p)); },
         .length_power = 1},
+    Quantity{.name = "total_displacement", .symbol = "total_u", .unit = "m", .label = "Total displacement",
+        .meaning = "displacement since the first stage settled, or since soil was placed after that, of all stages",
+        .form = QuantityForm::vector, .of = QuantityOf::staged_soil, .places = everywhere,
+        .value = [](const Problem&, const Particles& particles, std::size_t p) {
+            return of_vector(particles.former_displacement[p] + displacement(particles, p)); },
+        .length_power = 1},
     Quantity{.name = "velocity_solid", .symbol = "v", .unit = "m/s", .label = "Velocity of the grains",
         .meaning = "velocity of the grains, relative to the base", .form = QuantityForm::vector, .places = everywhere,
         .value = [](const Problem&, const Particles& particles, std::size_t p) { return of_vector(particles.velocity_solid[p]); }},
@@ -159,6 +165,8 @@ bool have(const Particles& particles, const Quantity& quantity)
         return particles.has_fluid();
     case QuantityOf::moving_water:
         return !particles.velocity_fluid.x.empty();
+    case QuantityOf::staged_soil:
+        return !particles.former_displacement.x.empty();
     }
     ENSURE(false);
     return false;

@@ -25,6 +25,7 @@ enum class QuantityOf : std::uint8_t {
     any_soil,
     wet_soil,     // of a scene with water
     moving_water, // whose water has a velocity of its own
+    staged_soil,  // of a scene with stages
 };
 
 /// The numbers that a quantity takes: its colours in pictures.

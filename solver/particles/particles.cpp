@@ -28,6 +28,7 @@ bool needs(std::optional<WaterFlow> flow, ArrayGroup group)
     case ArrayGroup::water_table:
     case ArrayGroup::pressure_rate:
     case ArrayGroup::twist:
+    case ArrayGroup::stages:
     case ArrayGroup::memory:
         return false;
     }
@@ -69,6 +70,7 @@ ArrayGroup group_of(std::string_view name)
     if (name == "tension_deficit") return ArrayGroup::cavities;
     if (name == "water_table") return ArrayGroup::water_table;
     if (name.starts_with("twist")) return ArrayGroup::twist;
+    if (name.starts_with("former_displacement")) return ArrayGroup::stages;
     return name.starts_with("memory_") ? ArrayGroup::memory : ArrayGroup::always;
 }
 
@@ -103,6 +105,18 @@ void reorder(Particles& particles, const std::vector<std::int32_t>& order)
     });
     Scalars buffer;
     for_each_array(particles, [&](const char*, Scalars& values) { permute(values, order, buffer); });
+}
+
+void add_former_displacement(Particles& particles)
+{
+    particles.former_displacement = {Scalars(particles.size(), 0.0), Scalars(particles.size(), 0.0)};
+}
+
+void keep_displacement(Particles& particles)
+{
+    Vectors& former = particles.former_displacement;
+    for (std::size_t p = 0; p < former.x.size(); ++p)
+        former.set(p, former[p] + particles.position[p] - particles.reference_position[p]);
 }
 
 void reset_reference(Particles& particles)

@@ -43,14 +43,16 @@ struct Particles {
     std::vector<std::int32_t> material;   // index into Problem::materials [-]
     std::vector<std::int32_t> region;     // index into Problem::region_names [-]
 
-    Vectors position;           // x_p, centre of the domain [m]
-    Vectors half_edge_1;        // r_1, half an edge of the parallelogram domain [m]
-    Vectors half_edge_2;        // r_2, the other half edge, r_1 x r_2 > 0 [m]
-    Vectors twist;              // t of a quadrilateral domain, see cpdi2.hpp; none otherwise [m]
-    Vectors reference_position; // x_p when displacements were last set to zero [m]
-    Vectors reference_edge_1;   // r_1 at that time [m]
-    Vectors reference_edge_2;   // r_2 at that time [m]
-    Scalars volume;             // V_p per metre of thickness [m3/m]
+    Vectors position;            // x_p, centre of the domain [m]
+    Vectors half_edge_1;         // r_1, half an edge of the parallelogram domain [m]
+    Vectors half_edge_2;         // r_2, the other half edge, r_1 x r_2 > 0 [m]
+    Vectors twist;               // t of a quadrilateral domain, see cpdi2.hpp; none otherwise [m]
+    Vectors reference_position;  // x_p when displacements were last set to zero [m]
+    Vectors reference_edge_1;    // r_1 at that time [m]
+    Vectors reference_edge_2;    // r_2 at that time [m]
+    Vectors former_displacement; // of the stages before, up to the reference position; in a scene with
+                                 // stages alone [m]
+    Scalars volume;              // V_p per metre of thickness [m3/m]
 
     Vectors velocity_solid;            // v_s [m/s]
     Gradients velocity_gradient_solid; // L_s, with which the domain deforms [1/s]
@@ -100,6 +102,7 @@ void for_each_array(ParticleSet& particles, Visitor&& visit)
     vectors("reference_position_x", "reference_position_y", particles.reference_position);
     vectors("reference_edge_1_x", "reference_edge_1_y", particles.reference_edge_1);
     vectors("reference_edge_2_x", "reference_edge_2_y", particles.reference_edge_2);
+    vectors("former_displacement_x", "former_displacement_y", particles.former_displacement);
     visit("volume", particles.volume);
     vectors("velocity_solid_x", "velocity_solid_y", particles.velocity_solid);
     gradients("velocity_gradient_solid_xx", "velocity_gradient_solid_xy", "velocity_gradient_solid_yx",
@@ -144,6 +147,7 @@ enum class ArrayGroup {
     water_table,   // with a phreatic line above the level
     pressure_rate, // with the semi-implicit scheme
     twist,         // with quadrilaterals
+    stages,        // in a scene with stages
     memory,        // with a law that remembers
 };
 
@@ -174,6 +178,13 @@ void add_memory(Particles& particles, std::size_t columns);
 
 /// Permute the particles: the new particle k is the old particle order[k].
 void reorder(Particles& particles, const std::vector<std::int32_t>& order);
+
+/// Count the displacements, none so far, of the stages to come.
+void add_former_displacement(Particles& particles);
+
+/// Add the present displacement to that of the stages before, if such are counted: the reference is about to
+/// change.
+void keep_displacement(Particles& particles);
 
 /// Declare the present shape the reference of displacement and strain.
 void reset_reference(Particles& particles);

@@ -74,9 +74,10 @@ struct FreeFieldState;
 
 struct State {
     Stage stage = Stage::shaking;
-    double time = 0.0;      // t since the start of shaking [s]
-    std::int64_t step = 0;  // steps taken in this stage [-]
-    double last_step = 0.0; // length of the step before, 0 at the start of a stage [s]
+    double time = 0.0;              // t since the start of shaking [s]
+    std::int64_t step = 0;          // steps taken in this stage [-]
+    std::int64_t stages_before = 0; // of a scene, which brought the soil here [-]
+    double last_step = 0.0;         // length of the step before, 0 at the start of a stage [s]
     /// The same as it was chosen, before it was shortened for output; 0: not chosen by the run [s].
     double whole_step = 0.0;
     /// Part of the closed forms' step that the vibration of the nodes leaves (vibration/step_bound.hpp) [-].

@@ -200,6 +200,7 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
     report.max_displacement = monitor(problem, state, {}).max_displacement;
     report.at_failure = count_at_failure(shaken, state.particles);
     set_at_rest(state.particles);
+    if (state.stages_before > 0) keep_displacement(state.particles); // at first weight comes on soil as drawn
     if (problem.strain == StrainForm::small) return_to_reference(state.particles);
     for (std::size_t k = 0; k < shaken.free_fields.size(); ++k)
         relax(shaken.free_fields[k].column, controls, state.free_fields[k].column);

@@ -57,6 +57,14 @@ void set_water(const Particles& reached, Particles& particles)
             particles.water_volume[p] = particles.porosity[p] * particles.volume[p];
 }
 
+/// What a law that remembers nothing would leave to that of a later stage.
+void forget(std::size_t first, std::size_t last, SoilMemory& memory)
+{
+    for (Scalars& column : memory)
+        std::fill(column.begin() + static_cast<std::ptrdiff_t>(first),
+                  column.begin() + static_cast<std::ptrdiff_t>(last), 0.0);
+}
+
 /// The memory of laws goes on where the soil is the same, and begins at the present stress elsewhere.
 void set_memory(const Problem& problem, const StageStart& start, SoilMemory reached, Particles& particles)
 {
@@ -65,6 +73,8 @@ void set_memory(const Problem& problem, const StageStart& start, SoilMemory reac
     particles.memory = std::move(reached);
     for_each_material_run(problem, particles, 0, particles.size(),
                           [&](const Material& material, std::size_t first, std::size_t last) {
+                              if (memory_of(material.law).empty())
+                                  return forget(first, last, particles.memory);
                               while (first < last) {
                                   std::size_t end = first;
                                   const bool changed = has_changed(start, particles, first);
@@ -128,8 +138,11 @@ State begin_body(const Problem& problem, const State& initial, State reached, co
     const Particles& drawn = matched.drawn;
     Particles& goes_on = matched.reached;
     State state;
+    state.stages_before = reached.stages_before + 1;
     state.particles = drawn;
     Particles& particles = state.particles;
+    if (!goes_on.former_displacement.x.empty() && particles.former_displacement.x.empty())
+        add_former_displacement(particles); // a scene without stages that goes on from one with them
     std::vector<const Scalars*> former;
     for_each_array(goes_on, [&](const char* name, const Scalars& values) {
         if (!std::string_view(name).starts_with("memory_")) former.push_back(&values);
@@ -159,8 +172,10 @@ State begin_body(const Problem& problem, const State& initial, State reached, co
     set_memory(problem, start, std::move(goes_on.memory), particles);
     if (reached.time == 0.0) return state; // settled, and counted from there
     if (start.zero_pressures) count_pressures_from_here(problem, particles);
-    if (start.zero_displacements && problem.strain == StrainForm::small) return_to_reference(particles);
-    if (start.zero_displacements) reset_reference(particles);
+    if (!start.zero_displacements) return state;
+    keep_displacement(particles);
+    if (problem.strain == StrainForm::small) return_to_reference(particles);
+    reset_reference(particles);
     return state;
 }
 

@@ -74,6 +74,7 @@ TEST_F(Report, TellsOfSettlementThatTheShapeDoesNotHave)
     std::ofstream(stages) << "scene_version = 1\nbase = \"scene.toml\"\n[analysis]\nstrain = \"small\"\n"
                              "[[stages]]\nname = \"rest\"\nkind = \"settle\"\n"
                              "[[stages]]\nname = \"again\"\nkind = \"settle\"\n"
+                             "[stages.boundaries.surface]\npressure = \"10 kPa\"\n"
                              "[[stages]]\nname = \"shaking\"\nkind = \"shake\"\nduration = \"1 ms\"\n";
     ASSERT_EQ(run_program("run " + stages + " -o " + staged).code, 0);
     ASSERT_EQ(run_program("report " + staged).code, 0);

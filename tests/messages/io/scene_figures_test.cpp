@@ -56,7 +56,7 @@ R"_(
 scene.toml:57:9: error[figure]: no results have a field "displacment"
    57 | field = "displacment"
       |         ^~~~~~~~~~~~~
-expected: one of velocity, velocity_x, velocity_y, material, region, displacement, displacement_x, displacement_y, velocity_solid, velocity_solid_x, velocity_solid_y, velocity_fluid, velocity_fluid_x, velocity_fluid_y, pore_pressure, excess_pore_pressure, ru, mean_effective_stress, vertical_effective_stress, deviatoric_stress, stress_xx, stress_yy, stress_zz, stress_xy, shear_strain, volumetric_strain, porosity, eta_max, branch, half_cycles, dilation, largest_shear, liquefied_shear, compaction, alpha_x, alpha_y, alpha_in_x, alpha_in_y, fabric_x, fabric_y, fabric_path, fabric_peak, peak_stress, void_ratio
+expected: one of velocity, velocity_x, velocity_y, material, region, displacement, displacement_x, displacement_y, total_displacement, total_displacement_x, total_displacement_y, velocity_solid, velocity_solid_x, velocity_solid_y, velocity_fluid, velocity_fluid_x, velocity_fluid_y, pore_pressure, excess_pore_pressure, ru, mean_effective_stress, vertical_effective_stress, deviatoric_stress, stress_xx, stress_yy, stress_zz, stress_xy, shear_strain, volumetric_strain, porosity, eta_max, branch, half_cycles, dilation, largest_shear, liquefied_shear, compaction, alpha_x, alpha_y, alpha_in_x, alpha_in_y, fabric_x, fabric_y, fabric_path, fabric_peak, peak_stress, void_ratio
 hint: did you mean "displacement"?
 )_"},
 SceneMistake{"RangeUpsideDown", "",

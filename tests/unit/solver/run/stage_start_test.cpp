@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -95,6 +96,75 @@ TEST(StageStart, CountsDisplacementsFromItsStartWhereAsked)
         EXPECT_EQ(particles.position.x,
                   strain == StrainForm::small ? end.reference_position.x : end.position.x);
     }
+}
+
+/// Largest displacement downward of the stages before [m].
+double former_settlement(const StagedRun& run)
+{
+    const Scalars& y = run.state().particles.former_displacement.y;
+    return -*std::min_element(y.begin(), y.end());
+}
+
+TEST(StageStart, AddsUpTheDisplacementsOfAllStagesButTheFirstSettling)
+{
+    for (const StrainForm strain : {StrainForm::large, StrainForm::small}) {
+        Problem problem = sandy_ground();
+        problem.strain = strain;
+        State drawn = unsettled_ground(problem, 0.8);
+        add_former_displacement(drawn.particles);
+        StagedRun first(problem, drawn, whole_body);
+        first.settle(loosely);
+        EXPECT_EQ(former_settlement(first), 0.0);
+        const Scalars before = first.state().particles.position.y;
+
+        problem.gravity *= 1.5;
+        StagedRun second(problem, drawn, whole_body);
+        second.go_on_from(first.state(), {.settles = true});
+        second.settle(loosely);
+        const double settled = former_settlement(second);
+        EXPECT_GT(settled, 1e-6);
+        const Particles& particles = second.state().particles;
+        EXPECT_EQ(particles.position.y, particles.reference_position.y);
+        if (strain == StrainForm::large) {
+            double moved = 0.0;
+            for (std::size_t p = 0; p < before.size(); ++p)
+                moved = std::max(moved, before[p] - particles.position.y[p]);
+            EXPECT_NEAR(moved, settled, 1e-12);
+        }
+
+        second.shake({});
+        StagedRun third(problem, drawn, whole_body);
+        third.go_on_from(second.state(), {.zero_displacements = true});
+        const Particles &end = second.state().particles, &counted = third.state().particles;
+        for (std::size_t p = 0; p < end.size(); ++p)
+            EXPECT_NEAR(counted.former_displacement.x[p],
+                        end.former_displacement.x[p] + end.position.x[p] - end.reference_position.x[p],
+                        1e-15);
+    }
+}
+
+// Elements of the shaking acted on in a later one, if only another soil remembered anything in between.
+TEST(StageStart, ForgetsWhatALawOfTheStageDoesNotRemember)
+{
+    const Problem sand = sandy_ground();
+    Problem damped = sand;
+    LinearElastic law{30e6, 0.3};
+    law.damping_ratio = 0.05;
+    damped.materials[0].law = law;
+    StagedRun run(damped, unsettled_ground(damped, 0.8), whole_body);
+    run.settle(loosely);
+    run.shake({});
+    Problem undamped_form = damped;
+    undamped_form.materials[0].law = undamped(law);
+    const auto most = [](const StagedRun& stage) {
+        const Particles& particles = stage.state().particles;
+        double largest = 0.0;
+        for (std::size_t p = 0; p < particles.size(); ++p)
+            if (particles.material[p] == 0) largest = std::max(largest, std::abs(particles.memory[2][p]));
+        return largest;
+    };
+    ASSERT_GT(most(run), 0.0);
+    EXPECT_EQ(most(going_on(undamped_form, run.state(), {})), 0.0);
 }
 
 TEST(StageStart, LetsTheMemoryOfChangedSoilBeginAnew)
