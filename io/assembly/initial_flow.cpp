@@ -108,6 +108,15 @@ void FlowSection::check_boundary(const Boundary& boundary)
         times = turning_times(given->history, *scene_.stage->flow_duration);
     for (const double time : times)
         if (!check_water_beyond(boundary, *written, time)) return;
+    const bool is_steady =
+        scene_.stage && scene_.stage->kind == StageKind::seepage && !scene_.stage->flow_duration;
+    if (given != nullptr && is_steady && varies(given->history))
+        findings_.add(warning_at(
+            written->water_place, "boundaries." + boundary.name, "initial-flow",
+            fmt::format("the water at the curve \"{}\" changes in time, but a stage of seepage without a "
+                        "duration has the steady flow of its start",
+                        boundary.name),
+            "a duration of the stage, or water without ramp_time, frequency and history"));
 }
 
 /// Whether the water beyond stands at the level or above at a time, and at the curve or above.

@@ -83,19 +83,19 @@ std::vector<Vector2> points_of(const SceneProbe& probe)
 
 namespace {
 
-/// Raise the surface to what there is at x, where domains count that end by so much of their half width
-/// beside it, if they lie by so much of it higher; its shift stays.
-void raise_surface(const Problem& problem, const Particles& particles, double x, double beside, double by,
+/// Raise the surface to what there is at x; its shift stays. Domains count that end within `gap` of it, if
+/// they lie higher by more than `step`; both are parts of their half width [-].
+void raise_surface(const Problem& problem, const Particles& particles, double x, double gap, double step,
                    SurfacePoint& surface)
 {
     constexpr double rounding = 1e-9; // where two domains meet, x lies beside both or neither without it [-]
     for (std::size_t p = 0; p < particles.size(); ++p) {
         const auto [middle, reach] = width_of(problem, particles, p);
-        const double apart = x - middle, rim = (1.0 - rounding) * reach, least_rise = by * reach;
-        if (std::abs(apart) > (1.0 + beside) * reach) continue;
+        const double apart = x - middle, rim = (1.0 - rounding) * reach, least_rise = step * reach;
+        if (std::abs(apart) > (1.0 + gap) * reach) continue;
         const double inside = std::abs(apart) > rim ? middle + std::copysign(rim, apart) : x;
         for_each_crossing(domain_polygon(problem.cut_domains, particles, p), inside, [&](double y) {
-            const bool tie = surface.found && y == surface.height && by == 0.0 &&
+            const bool tie = surface.found && y == surface.height && step == 0.0 &&
                              particles.identifier[p] < particles.identifier[surface.particle];
             if (!surface.found || y > surface.height + least_rise || tie)
                 surface = {true, p, y, surface.shift};

@@ -124,6 +124,17 @@ std::vector<double> turning_times(const History& history, double end)
     return times;
 }
 
+bool varies(const History& history)
+{
+    const auto* table = std::get_if<SampledHistory>(&history.shape);
+    if (table == nullptr)
+        return std::holds_alternative<SineHistory>(history.shape) || history.ramp_time > 0.0;
+    const double first = sampled_value(*table, 0.0);
+    for (std::size_t k = 0; k < table->times.size(); ++k)
+        if (table->times[k] > 0.0 && table->values[k] != first) return true;
+    return false;
+}
+
 double peak_value(const History& history)
 {
     const auto largest = [](const SampledHistory& table) {

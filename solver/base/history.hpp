@@ -47,6 +47,9 @@ History history_from(const History& history, double time);
 /// Times up to an end at which the factor may be at its largest or smallest, the end among them [s].
 std::vector<double> turning_times(const History& history, double end);
 
+/// Whether the factor changes after t = 0.
+bool varies(const History& history);
+
 /// Largest absolute factor of the history [-].
 double peak_value(const History& history);
 

@@ -64,6 +64,19 @@ TEST(InitialFlow, RefusesWaterThatFallsBelowTheLevelInTime)
         << message(dam);
 }
 
+TEST(InitialFlow, WarnsOfARampInASteadyFlow)
+{
+    DamScene dam;
+    dam.left = "water = \"head\"\nhead = 11\nramp_time = \"1 h\"";
+    dam.rest = "[[stages]]\nname = \"steady\"\nkind = \"seepage\"\n";
+    const std::string told =
+        "warning[initial-flow]: the water at the curve \"left\" changes in time, but a stage "
+        "of seepage without a duration has the steady flow of its start";
+    EXPECT_NE(message(dam).find(told), std::string::npos) << message(dam);
+    dam.rest += "duration = \"1 d\"\n";
+    EXPECT_EQ(message(dam).find(told), std::string::npos) << message(dam);
+}
+
 TEST(InitialFlow, RefusesSuction)
 {
     DamScene dam;

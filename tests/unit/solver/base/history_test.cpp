@@ -62,6 +62,32 @@ TEST(History, KnowsItsPeak)
     EXPECT_EQ(peak_value({SampledHistory{{0.0, 1.0}, {0.5, -2.0}}, 0.0}), 2.0);
 }
 
+TEST(History, VariesUnlessItIsConstantFromTheStart)
+{
+    EXPECT_FALSE(varies({}));
+    EXPECT_TRUE(varies({ConstantHistory{}, 2.0}));
+    EXPECT_TRUE(varies({SineHistory{2.0}, 0.0}));
+    EXPECT_TRUE(varies({SampledHistory{{0.0, 1.0}, {0.5, 1.0}}, 0.0}));
+    EXPECT_FALSE(varies({SampledHistory{{-1.0, 0.0}, {0.5, 1.0}}, 0.0}));
+}
+
+TEST(History, TurnsWhereItIsLargestOrSmallest)
+{
+    for (const History& history : all_shapes()) {
+        double low = 0.0, high = 0.0, lowest = 0.0, highest = 0.0;
+        const auto times = turning_times(history, 3.0);
+        EXPECT_EQ(times.back(), 3.0);
+        for (const double time : times)
+            low = std::min(low, history_value(history, time)),
+            high = std::max(high, history_value(history, time));
+        for (int k = 0; k <= 3000; ++k)
+            lowest = std::min(lowest, history_value(history, 1e-3 * k)),
+            highest = std::max(highest, history_value(history, 1e-3 * k));
+        EXPECT_NEAR(low, lowest, 1e-6);
+        EXPECT_NEAR(high, highest, 1e-6);
+    }
+}
+
 TEST(History, SeenFromLaterGoesOn)
 {
     for (const History& history : all_shapes()) {
