@@ -83,32 +83,37 @@ std::vector<Vector2> points_of(const SceneProbe& probe)
 
 namespace {
 
-/// Raise the surface to what there is at x; its shift stays. Domains count that end within `gap` of it, if
-/// they lie higher by more than `step`; both are parts of their half width [-].
-void raise_surface(const Problem& problem, const Particles& particles, double x, double gap, double step,
-                   SurfacePoint& surface)
+/// Let the surface be that of the particle p if it lies higher at x, or as high with a lower number.
+void raise_to(const Problem& problem, const Particles& particles, std::size_t p, double x,
+              SurfacePoint& surface)
 {
-    constexpr double rounding = 1e-9; // where two domains meet, x lies beside both or neither without it [-]
-    for (std::size_t p = 0; p < particles.size(); ++p) {
-        const auto [middle, reach] = width_of(problem, particles, p);
-        const double apart = x - middle, rim = (1.0 - rounding) * reach, least_rise = step * reach;
-        if (std::abs(apart) > (1.0 + gap) * reach) continue;
-        const double inside = std::abs(apart) > rim ? middle + std::copysign(rim, apart) : x;
-        for_each_crossing(domain_polygon(problem.cut_domains, particles, p), inside, [&](double y) {
-            const bool tie = surface.found && y == surface.height && step == 0.0 &&
-                             particles.identifier[p] < particles.identifier[surface.particle];
-            if (!surface.found || y > surface.height + least_rise || tie)
-                surface = {true, p, y, surface.shift};
-        });
-    }
+    for_each_crossing(domain_polygon(problem.cut_domains, particles, p), x, [&](double y) {
+        const bool tie = surface.found && y == surface.height &&
+                         particles.identifier[p] < particles.identifier[surface.particle];
+        if (!surface.found || y > surface.height || tie) surface = {true, p, y, surface.shift};
+    });
 }
 
-/// The same; a hairline between two domains is no gap through which the soil below them is seen.
+/// Raise the surface to what there is at x; its shift stays. A hairline between two domains is no gap through
+/// which the soil below them is seen: one that ends beside it counts if it lies a step higher.
 void raise_surface(const Problem& problem, const Particles& particles, double x, SurfacePoint& surface)
 {
-    constexpr double rounding = 1e-9, hairline = 0.01, step = 0.2; // of half widths [-]
-    raise_surface(problem, particles, x, rounding, 0.0, surface);
-    if (surface.found) raise_surface(problem, particles, x, hairline, step, surface);
+    constexpr double rounding = 1e-9; // where two domains meet, x lies beside both or neither without it [-]
+    constexpr double hairline = 0.01, step = 0.2; // of the half width of a domain [-]
+    SurfacePoint beside;
+    beside.shift = surface.shift;
+    double reach_beside = 0.0; // [m]
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const auto [middle, reach] = width_of(problem, particles, p);
+        const double apart = x - middle, rim = (1.0 - rounding) * reach;
+        if (std::abs(apart) > (1.0 + hairline) * reach) continue;
+        const double inside = std::abs(apart) > rim ? middle + std::copysign(rim, apart) : x;
+        const bool ends_beside = std::abs(apart) > (1.0 + rounding) * reach;
+        raise_to(problem, particles, p, inside, ends_beside ? beside : surface);
+        if (beside.found && beside.particle == p) reach_beside = reach;
+    }
+    if (surface.found && beside.found && beside.height > surface.height + step * reach_beside)
+        surface = beside;
 }
 
 } // namespace

@@ -57,7 +57,7 @@ void set_water(const Particles& reached, Particles& particles)
             particles.water_volume[p] = particles.porosity[p] * particles.volume[p];
 }
 
-/// What a law that remembers nothing would leave to that of a later stage.
+/// A memory begins with zeros, as add_memory() lets it.
 void forget(std::size_t first, std::size_t last, SoilMemory& memory)
 {
     for (Scalars& column : memory)
@@ -65,7 +65,8 @@ void forget(std::size_t first, std::size_t last, SoilMemory& memory)
                   column.begin() + static_cast<std::ptrdiff_t>(last), 0.0);
 }
 
-/// The memory of laws goes on where the soil is the same, and begins at the present stress elsewhere.
+/// The memory of laws goes on where the soil is the same, and begins at the present stress elsewhere. A law
+/// that remembers nothing leaves nothing to that of a later stage.
 void set_memory(const Problem& problem, const StageStart& start, SoilMemory reached, Particles& particles)
 {
     const std::size_t columns = memory_columns(problem);
@@ -79,10 +80,12 @@ void set_memory(const Problem& problem, const StageStart& start, SoilMemory reac
                                   std::size_t end = first;
                                   const bool changed = has_changed(start, particles, first);
                                   while (end < last && has_changed(start, particles, end) == changed) ++end;
-                                  if (changed)
+                                  if (changed) {
+                                      forget(first, end, particles.memory);
                                       start_memory(material.law, first, end, particles);
-                                  else
+                                  } else {
                                       complete_memory(material.law, first, end, particles);
+                                  }
                                   first = end;
                               }
                           });

@@ -3,7 +3,6 @@
 #include "solver/base/lanes.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -139,13 +138,6 @@ void add_damped(const MaxwellStep& step, double lambda, double G, double dt, std
                     q[0].data(), q[1].data(), q[2].data(), q[3].data(), particles.velocity_gradient_solid,
                     particles.stress);
     }
-}
-
-void clear_elements(std::size_t first, std::size_t last, SoilMemory& memory)
-{
-    for (std::size_t k = 0; k < numbers * maxwell_elements; ++k)
-        std::fill(memory[k].begin() + static_cast<std::ptrdiff_t>(first),
-                  memory[k].begin() + static_cast<std::ptrdiff_t>(last), 0.0);
 }
 
 void share_plastic_change(const MaxwellStep& step, const StressParts& change, std::size_t p,

@@ -120,16 +120,6 @@ struct StressParts {
 void add_damped(const MaxwellStep& step, double lambda, double G, double dt, std::size_t first,
                 std::size_t last, Particles& particles);
 
-/// Elements of the particles [first, last) that have had time to relax.
-void clear_elements(std::size_t first, std::size_t last, SoilMemory& memory);
-
-template <LawWithMaxwellElements Law>
-std::size_t start_memory(const Law& law, std::size_t first, std::size_t last, Particles& particles)
-{
-    if (law.damping_ratio > 0.0) clear_elements(first, last, particles.memory);
-    return 0;
-}
-
 /// Plastic strain takes the stress `change` off the particle; the elements lose their shares of it.
 void share_plastic_change(const MaxwellStep& step, const StressParts& change, std::size_t p,
                           SoilMemory& memory);

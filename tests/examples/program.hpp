@@ -8,12 +8,15 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace quicksand::testing_program {
 
@@ -81,6 +84,27 @@ inline std::string header_of(const std::filesystem::path& file)
         if (!line.starts_with('#')) return line;
     }
     return "";
+}
+
+/// The numbers of a column of a table with comments; NaN where a cell is empty.
+inline std::vector<double> numbers_of(const std::filesystem::path& file, const std::string& column)
+{
+    std::istringstream header(header_of(file));
+    int place = 0;
+    std::string word;
+    while (std::getline(header, word, ',') && word != column) ++place;
+    EXPECT_EQ(word, column) << "is no column of " << file;
+    std::ifstream table(file);
+    std::vector<double> numbers;
+    bool is_below = false; // the header
+    for (std::string line; std::getline(table, line);) {
+        if (line.starts_with('#')) continue;
+        std::istringstream row(line);
+        for (int k = 0; k <= place; ++k) std::getline(row, word, ',');
+        if (is_below) numbers.push_back(word.empty() ? NAN : std::stod(word));
+        is_below = true;
+    }
+    return numbers;
 }
 
 inline void expect_mention(const Outcome& outcome, const std::string& text)

@@ -5,9 +5,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string>
-#include <vector>
 
 namespace quicksand {
 namespace {
@@ -101,18 +99,7 @@ protected:
     /// The first number of a column of a probe.
     double first(const std::string& stage, const std::string& probe, const std::string& column) const
     {
-        std::ifstream file(folder / ("results/" + stage + "/probes/" + probe + ".csv"));
-        std::string line;
-        while (std::getline(file, line) && line.starts_with('#')) {
-        }
-        std::string row;
-        std::getline(file, row);
-        std::istringstream names(line), values(row);
-        std::string name, value;
-        while (std::getline(names, name, ',') && std::getline(values, value, ','))
-            if (name == column) return std::stod(value);
-        ADD_FAILURE() << "no column " << column << " in " << line;
-        return 0.0;
+        return numbers_of(folder / ("results/" + stage + "/probes/" + probe + ".csv"), column).front();
     }
 
     WorkFolder folder;
