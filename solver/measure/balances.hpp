@@ -5,7 +5,8 @@
 // m (v1^2 - v0^2) / 2 = dt f . v for the sum of all forces f. The work of a force is therefore the nodal
 // force times the mean velocity. It belongs to the time of the velocities, half a step before that of the
 // stresses. The difference between the kinetic energy of the nodes and that of the particles is lost in the
-// transfers and at the walls; this numerical dissipation is a term of its own.
+// transfers and at the walls; this numerical dissipation is a term of its own. (Works on nodes:
+// node_works.hpp.)
 //
 // In a long step, whose stiffness and pressure are solved together, forces work with the velocities after it
 // where nothing moves the soil and vibrations are damped.
@@ -19,52 +20,13 @@
 // takes.
 #pragma once
 
-#include "solver/boundaries/nodes.hpp"
 #include "solver/problem/problem.hpp"
 #include "solver/problem/state.hpp"
 
-#include <cstdint>
-#include <vector>
-
 namespace quicksand {
-
-struct NodeConditions;
 
 /// Start the balances at the present state; all terms are counted from here.
 void open_balances(const Problem& problem, State& state);
-
-/// Kinds of the nodes for the balances: 0 tied, counted at its master; 1 free; 2 held by a wall, whose
-/// reaction is the change of momentum less the impulse of the known forces.
-std::vector<std::uint8_t> balance_nodes(const NodeConditions& conditions);
-
-/// Treat a node in this step as one with a reaction: the change of momentum less the impulse of the known
-/// forces is the force of its dashpots, which move with the soil.
-void count_reaction(std::size_t node, std::vector<std::uint8_t>& kinds);
-
-/// The velocities with which the forces of a step work.
-enum class WorkingVelocity {
-    mean, // of those before and after the step
-    last  // those after it
-};
-
-/// With which velocities and how long the forces of a step work, as a part of the time for which they act
-/// [-].
-struct Working {
-    WorkingVelocity velocity = WorkingVelocity::mean;
-    double share = 1.0;
-};
-
-/// Add the works of one step's forces on the nodes; returns that of the skeleton [J/m]. `dt` is the time for
-/// which forces act [s], `acceleration` that of the base [m/s2]; `outer` is the part of the forces that acts
-/// from outside, empty without.
-double enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                   double acceleration, const Working& working, const std::vector<TwoPhaseSums>& sums,
-                   const std::vector<OuterForce>& outer, const std::vector<TwoPhaseMotion>& motion,
-                   BalanceTerms& terms);
-double enter_nodes(const Problem& problem, const std::vector<std::uint8_t>& nodes, double dt,
-                   double acceleration, const Working& working, const std::vector<SinglePhaseSums>& sums,
-                   const std::vector<OuterForce>& outer, const std::vector<SinglePhaseMotion>& motion,
-                   BalanceTerms& terms);
 
 /// sum V sigma' : L [W/m]
 double stress_power(const Particles& particles);

@@ -144,6 +144,10 @@ void advance_single_phase_step(const Problem& problem, double dt, double damping
             const double skeleton = enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration,
                                                 working_of(dt, velocity_dt, work), work.sums, work.outer,
                                                 work.motion, *state.balance_terms);
+            if (work.walls.moves)
+                enter_moving_walls(problem, velocity_dt, acceleration, working_of(dt, velocity_dt, work),
+                                   work.sums, work.motion, work.walls.rows, work.walls.changes,
+                                   *state.balance_terms);
             if (work.inertia && !work.walls.keeps_water) work.work_of_nodes = skeleton;
         }
         spread_tied_motion(work.conditions, work.motion);

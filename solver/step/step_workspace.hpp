@@ -10,6 +10,7 @@
 #include "solver/inertia/inertia_solve.hpp"
 #include "solver/interpolation/node_weights.hpp"
 #include "solver/measure/balances.hpp"
+#include "solver/measure/node_works.hpp"
 #include "solver/motion/particle_to_grid.hpp"
 #include "solver/particles/cell_lists.hpp"
 #include "solver/problem/problem.hpp"

@@ -40,6 +40,9 @@ void enter_works(const Problem& problem, double velocity_dt, const Working& work
     const double acceleration = base_acceleration(problem.base_motion, state.time);
     const double skeleton = enter_nodes(problem, work.balance_nodes, velocity_dt, acceleration, working,
                                         work.sums, work.outer, work.motion, *state.balance_terms);
+    if (work.walls.moves)
+        enter_moving_walls(problem, velocity_dt, acceleration, working, work.sums, work.motion,
+                           work.walls.rows, work.walls.changes, *state.balance_terms);
     if (work.inertia) work.work_of_nodes = skeleton;
 }
 

@@ -10,9 +10,10 @@ namespace {
 
 using Velocities = std::vector<NodeVelocities>; // by the places of the rows' nodes
 
-/// The chain's motion at every node: that of its nearest place in contact, zero where it stands.
+/// The chain's motion at every node: that of its nearest place in contact, zero where it stands. `part` is
+/// the velocity of the contacts or what it has changed by.
 Velocities motion_of(const BackgroundGrid& grid, std::size_t chain, const ChainsOfRows& chains,
-                     const VelocityRows& rows)
+                     const VelocityRows& rows, Vector2 WallContact::*part)
 {
     Velocities motion(rows.nodes().size(), NodeVelocities::Zero());
     if (!chains.moves[chain]) return motion;
@@ -27,7 +28,7 @@ Velocities motion_of(const BackgroundGrid& grid, std::size_t chain, const Chains
                 return (grid.node_position(a->node) - place).squaredNorm() <
                        (grid.node_position(b->node) - place).squaredNorm();
             });
-        const Vector2& velocity = (*nearest)->velocity;
+        const Vector2& velocity = (**nearest).*part;
         motion[k] << velocity.x(), velocity.y(), velocity.x(), velocity.y();
     }
     return motion;
@@ -127,23 +128,40 @@ void hold_nodes(const std::vector<NodeInverse>& inverses, Velocities& motion)
             if (inverses[k](d, d) == 0.0) motion[k][d] = 0.0;
 }
 
-} // namespace
-
-void let_values_agree(const BackgroundGrid& grid, const ChainsOfRows& chains,
-                      const std::vector<NodeInverse>& inverses, VelocityRows& rows)
+std::vector<Velocities> motions_of_chains(const BackgroundGrid& grid, const ChainsOfRows& chains,
+                                          const VelocityRows& rows, Vector2 WallContact::*part)
 {
     std::vector<Velocities> of_chain;
     for (std::size_t chain = 0; chain < chains.moves.size(); ++chain)
-        of_chain.push_back(motion_of(grid, chain, chains, rows));
+        of_chain.push_back(motion_of(grid, chain, chains, rows, part));
+    return of_chain;
+}
+
+/// The motion that each node is given.
+Velocities agreed_motion(const ChainsOfRows& chains, const std::vector<Velocities>& of_chain,
+                         const std::vector<NodeInverse>& inverses, const VelocityRows& rows)
+{
     Velocities motion;
     for (const NodeDemand& demand : demands_on_nodes(chains, of_chain, rows))
         motion.push_back(demand.velocities());
     hold_nodes(inverses, motion);
     rows.extrapolate(motion);
+    return motion;
+}
+
+} // namespace
+
+std::vector<NodeVelocities> let_values_agree(const BackgroundGrid& grid, const ChainsOfRows& chains,
+                                             const std::vector<NodeInverse>& inverses, VelocityRows& rows)
+{
+    std::vector<Velocities> of_chain = motions_of_chains(grid, chains, rows, &WallContact::velocity);
+    const Velocities motion = agreed_motion(chains, of_chain, inverses, rows);
     for (Velocities& free : of_chain) rows.extrapolate(free);
     for (std::size_t r = 0; r < chains.of_row.size(); ++r)
         rows.set_value(r,
                        rows.value(r) + rows.product(r, motion) - rows.product(r, of_chain[chains.of_row[r]]));
+    const std::vector<Velocities> changes = motions_of_chains(grid, chains, rows, &WallContact::change);
+    return agreed_motion(chains, changes, inverses, rows);
 }
 
 } // namespace quicksand

@@ -25,8 +25,9 @@ struct ChainsOfRows {
 };
 
 /// Change the values of the rows so that some motion meets all of them. `inverses` are those of
-/// the rows' nodes.
-void let_values_agree(const BackgroundGrid& grid, const ChainsOfRows& chains,
-                      const std::vector<NodeInverse>& inverses, VelocityRows& rows);
+/// the rows' nodes. Returns by how much this motion differs from that of the step before, at these nodes
+/// [m/s].
+std::vector<NodeVelocities> let_values_agree(const BackgroundGrid& grid, const ChainsOfRows& chains,
+                                             const std::vector<NodeInverse>& inverses, VelocityRows& rows);
 
 } // namespace quicksand

@@ -82,16 +82,36 @@ void merge_contacts(std::vector<Contact>& contacts, double least, IsSame&& is_sa
     contacts = std::move(merged);
 }
 
-void add_edge(const Problem& problem, const NodeConditions& conditions, std::size_t chain,
-              const ChainEdge& edge, const Vector2& displacement, const Vector2& velocity,
-              std::vector<WallContact>& contacts)
+/// Where a wall is and how it moves.
+struct WallPlace {
+    Vector2 displacement = Vector2::Zero(); // [m]
+    Vector2 velocity = Vector2::Zero(),
+            last_velocity = Vector2::Zero(); // over the step and that before [m/s]
+};
+
+WallPlace place_of(const Problem& problem, const SoilCondition& soil, const Segment& drawn, bool shaking,
+                   const StepTimes& times)
 {
-    const Segment present{edge.drawn.start + displacement, edge.drawn.end + displacement};
+    WallPlace wall;
+    if (!moves(soil)) return wall;
+    wall.displacement =
+        displacement_of(soil, drawn, shaking && problem.strain == StrainForm::large ? times.begin : 0.0);
+    if (!shaking) return wall;
+    wall.velocity = velocity_of(soil, drawn, times.begin, times.length);
+    if (times.last > 0.0) wall.last_velocity = velocity_of(soil, drawn, times.begin - times.last, times.last);
+    return wall;
+}
+
+void add_edge(const Problem& problem, const NodeConditions& conditions, std::size_t chain,
+              const ChainEdge& edge, const WallPlace& wall, std::vector<WallContact>& contacts)
+{
+    const Segment present{edge.drawn.start + wall.displacement, edge.drawn.end + wall.displacement};
     const Vector2 normal = outward_normal(edge.drawn);
     const double length = (present.end - present.start).norm();
     integrate_along(problem.grid, present, [&](std::size_t node, double weight, double moment) {
         contacts.push_back({conditions.master[node], chain, weight, edge.beyond ? 0.0 : weight,
-                            edge.first * weight + length * moment, weight * normal, weight * velocity});
+                            edge.first * weight + length * moment, weight * normal, weight * wall.velocity,
+                            weight * (wall.velocity - wall.last_velocity)});
     });
 }
 
@@ -116,21 +136,15 @@ double place_along(const BackgroundGrid& grid, const WallChain& chain, const Wal
 } // namespace
 
 WallContacts find_contacts(const Problem& problem, const SoilEdges& edges, const NodeConditions& conditions,
-                           Stage stage, double time, double dt)
+                           Stage stage, const StepTimes& times)
 {
-    const bool shaking = stage == Stage::shaking;
-    const double time_of_place = shaking && problem.strain == StrainForm::large ? time : 0.0;
     WallContacts contacts;
     for (std::size_t c = 0; c < edges.chains.size(); ++c) {
         for (const ChainEdge& edge : edges.chains[c].edges) {
             const Boundary& boundary = problem.boundaries[edge.boundary];
-            Vector2 displacement = Vector2::Zero(), velocity = Vector2::Zero();
-            if (moves(boundary.soil)) {
-                const Segment& drawn = boundary.segments[edge.segment];
-                displacement = displacement_of(boundary.soil, drawn, time_of_place);
-                if (shaking) velocity = velocity_of(boundary.soil, drawn, time, dt);
-            }
-            add_edge(problem, conditions, c, edge, displacement, velocity, contacts.walls);
+            const WallPlace wall = place_of(problem, boundary.soil, boundary.segments[edge.segment],
+                                            stage == Stage::shaking, times);
+            add_edge(problem, conditions, c, edge, wall, contacts.walls);
         }
     }
     for (const Segment& edge : edges.others) {
@@ -149,11 +163,13 @@ WallContacts find_contacts(const Problem& problem, const SoilEdges& edges, const
             sum.s += part.s + lap * part.length;
             sum.normal += part.normal;
             sum.velocity += part.velocity;
+            sum.change += part.change;
         });
     for (WallContact& contact : contacts.walls) {
         contact.s = place_along(problem.grid, edges.chains[contact.chain], contact);
         contact.normal.normalize();
         contact.velocity /= contact.length;
+        contact.change /= contact.length;
     }
     constexpr double one_direction = 0.999; // cosine [-]
     merge_contacts(

@@ -18,6 +18,7 @@ struct WallContact {
     double s = 0.0;                     // arc length [m]
     Vector2 normal = Vector2::Zero();   // outward [-]
     Vector2 velocity = Vector2::Zero(); // of the wall over the step [m/s]
+    Vector2 change = Vector2::Zero();   // of that velocity since the step before [m/s]
 };
 
 /// The same of an edge that is in no chain.
@@ -33,11 +34,15 @@ struct WallContacts {
     std::vector<EdgeContact> others;
 };
 
-/// The contacts with the moving walls where they are at `time`, and their velocities over `dt` from then on;
-/// while the soil settles they stand still, and in small strain the equations have them where they were
-/// drawn.
+/// When a step begins [s], its length and that of the step before, 0 for the first one of a stage.
+struct StepTimes {
+    double begin = 0.0, length = 0.0, last = 0.0; // [s]
+};
+
+/// The contacts with the moving walls where they are as the step begins, and their velocities in it; while
+/// the soil settles they stand still, and in small strain the equations have them where they were drawn.
 WallContacts find_contacts(const Problem& problem, const SoilEdges& edges, const NodeConditions& conditions,
-                           Stage stage, double time, double dt);
+                           Stage stage, const StepTimes& times);
 
 /// Length of a segment under each node's function, int N_i ds; a node may come several times.
 struct NodeLength {

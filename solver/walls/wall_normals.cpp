@@ -111,7 +111,8 @@ void place_wall_rows(const Problem& problem, double dt, const State& state, cons
 {
     if (walls.edges.empty()) return;
     if (walls.contacts_are_due || walls.moves) {
-        walls.contacts = find_contacts(problem, walls.edges, conditions, state.stage, state.time, dt);
+        walls.contacts =
+            find_contacts(problem, walls.edges, conditions, state.stage, {state.time, dt, state.last_step});
         mark_touched(problem.grid, conditions, lists, walls);
         walls.contacts_are_due = false;
     }

@@ -229,8 +229,8 @@ void factorise(const Problem& problem, const NodeConditions& conditions, double 
         if (dashpot != dashpots.end() && dashpot->node == i) brake(*dashpot, dt, inverses.back());
     }
     if (walls.moves)
-        let_values_agree(problem.grid, {walls.chain_moves, walls.chain_of_row, walls.contacts.walls},
-                         inverses, rows);
+        walls.changes = let_values_agree(
+            problem.grid, {walls.chain_moves, walls.chain_of_row, walls.contacts.walls}, inverses, rows);
     rows.factorise(std::move(inverses));
 }
 

@@ -57,6 +57,9 @@ struct WallRows {
     CellRoots roots;
     CellRoots wet_roots; // of the wet particles alone, where the water has its own or there are solids
     VelocityRows rows;
+    /// Of walls that move: by how much the velocities that they give the rows' nodes have changed since the
+    /// step before [m/s].
+    std::vector<NodeVelocities> changes;
     std::vector<std::size_t> chain_of_row; // of the rows before the followers'
 
     /// The cells that have the pressure of another.

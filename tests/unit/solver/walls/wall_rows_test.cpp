@@ -90,7 +90,7 @@ TEST(WallChains, ARingHasNoEnds)
     ASSERT_EQ(edges.chains.size(), 1U);
     EXPECT_TRUE(edges.chains[0].closed);
     const NodeConditions conditions = node_conditions(problem);
-    const WallContacts contacts = find_contacts(problem, edges, conditions, Stage::shaking, 0.0, 0.1);
+    const WallContacts contacts = find_contacts(problem, edges, conditions, Stage::shaking, {0.0, 0.1, 0.0});
     double length = 0.0;
     for (const WallContact& contact : contacts.walls) {
         length += contact.length;
@@ -113,7 +113,7 @@ TEST(WallContacts, NodesShareTheLengthOfTheWall)
     double length = 0.0, moment = 0.0;
     Vector2 centre = Vector2::Zero();
     for (const WallContact& contact :
-         find_contacts(problem, edges, conditions, Stage::shaking, 0.0, 0.1).walls) {
+         find_contacts(problem, edges, conditions, Stage::shaking, {0.0, 0.1, 0.0}).walls) {
         length += contact.length;
         moment += contact.length * contact.s;
         centre += contact.length * problem.grid.node_position(contact.node);
