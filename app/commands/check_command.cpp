@@ -129,7 +129,6 @@ ExitCode check_scene(const CheckChoice& choice)
     for (std::size_t k = 1; k < stages.size(); ++k) {
         say_stage(stages[k], k + 1, stages.size(), journal);
         say_changes(stages[k - 1], stages[k], journal);
-        if (stages[k].scene.stage->kind == StageKind::stability) continue;
         stages[k].parted_before = assembled.water_lines; // as those of the first stage
         const SceneSetup of_stage = set_up_reading(choice.scene, stages[k], journal);
         if (const std::string slip = describe_interfaces(of_stage.assembled); !slip.empty())

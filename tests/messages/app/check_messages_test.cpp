@@ -122,6 +122,51 @@ TEST(CheckMessages, RefuseACurveThatLeavesMoreThanTwoPerCent)
     EXPECT_FALSE(std::filesystem::exists(folder / "check"));
 }
 
+TEST(CheckMessages, RefuseWhatAStageOfStabilityWouldRefuse)
+{
+    const WorkFolder folder;
+    std::ofstream(folder / "bank.geo") << R"(
+Point(1) = {0, 0, 0}; Point(2) = {10, 0, 0}; Point(3) = {10, 5, 0}; Point(4) = {6, 5, 0};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+Physical Surface("soil") = {1};
+Physical Curve("base") = {1}; Physical Curve("side") = {2}; Physical Curve("slope") = {3, 4};
+)";
+    std::ofstream(folder / "scene.toml") << R"(scene_version = 1
+geometry.file = "bank.geo"
+grid.cell_size = 1.0
+water.level = 3
+materials.soil = { model = "mohr_coulomb", cohesion = 10e3, friction_angle = 30, porosity = 0.4, shear_modulus = 1e7, poisson_ratio = 0.3, hydraulic_conductivity = 1e-7 }
+regions.soil.material = "soil"
+boundaries.base.soil = "fixed"
+boundaries.side.soil = "roller"
+[boundaries.slope]
+water = "head"
+head = 5
+[[stages]]
+name = "full"
+kind = "seepage"
+[[stages]]
+name = "drawdown"
+kind = "consolidate"
+duration = "1 d"
+[stages.boundaries.slope]
+head = 2
+ramp_time = 36000
+[[stages]]
+name = "factor"
+kind = "stability"
+)";
+    const Outcome outcome =
+        run_program("check " + (folder / "scene.toml").string() + " -o " + (folder / "check").string());
+    EXPECT_EQ(outcome.code, 2) << outcome.output;
+    EXPECT_NE(
+        outcome.output.find("scene.toml:20:8: error[initial-flow]: the water at the curve \"slope\" stands "
+                            "2 m high at"),
+        std::string::npos)
+        << outcome.output;
+}
+
 TEST(CheckMessages, AskNothingOfANamedCurveBetweenTwoRegions)
 {
     const WorkFolder folder;
