@@ -130,8 +130,9 @@ private:
             if (is_there && !missing.empty())
                 throw InputError(
                     fmt::format("{} has results of the stage {} and none of {} before it: the run "
-                                "began with the end of another one"
-                                "\nhint: go on with the same --from RESULTS:STAGE",
+                                "began with the end of another one, or that stage is new or was deleted"
+                                "\nhint: go on with the same --from RESULTS:STAGE, or run all stages anew "
+                                "with --overwrite",
                                 directory_.string(), each.name, missing));
         }
     }

@@ -315,8 +315,9 @@ void FaceWater::set()
     }
     for (const Boundary& boundary : problem_.boundaries) {
         const auto* water = std::get_if<PrescribedWater>(&boundary.water);
-        if (water != nullptr)
-            check_given_water(find_boundary(scene_, boundary.name)->water_place, boundary, *water);
+        if (water == nullptr) continue;
+        const SceneBoundary& written = *find_boundary(scene_, boundary.name);
+        if (!written.water_goes_on) check_given_water(written.water_place, boundary, *water);
     }
 }
 

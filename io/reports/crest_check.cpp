@@ -48,7 +48,8 @@ std::optional<CrestCheck> check_crest(const std::filesystem::path& results)
     const std::vector<double>* settlements = history.find("crest_settlement_m");
     const std::vector<FrameEntry> frames = read_series_index(folder.particle_series());
     if (settlements == nullptr || settlements->empty() || frames.empty()) return std::nullopt;
-    CrestCheck crest{-INFINITY, settlements->back(), false};
+    // displacements may have been kept since a stage before, whose shape the first frame has
+    CrestCheck crest{-INFINITY, settlements->back() - settlements->front(), false};
     const ParticleFrame first = read_particle_frame(results / frames.front().file);
     const std::vector<double> rises = unseen_rises(folder, first);
     for (std::size_t p = 0; p < first.domains.size(); ++p) {

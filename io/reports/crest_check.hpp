@@ -9,7 +9,7 @@ namespace quicksand {
 struct CrestCheck {
     double before = 0.0;     // y of the highest point of the soil in the first frame, with what it has
                              // settled in stages before [m]
-    double settlement = 0.0; // of the crest in the last row of history.csv, positive downward [m]
+    double settlement = 0.0; // of the crest since then, from history.csv, positive downward [m]
     bool is_unseen = false;  // whether the shape in frames and pictures lacks what was settled before
     double after() const { return before - settlement; } // [m]
 };

@@ -84,8 +84,8 @@ std::string crest_text(const fs::path& results, const std::optional<double>& req
     if (!crest)
         return paragraph("The results have no frames or no crest settlement: the crest is not judged.");
     Rows rows{{"crest", ""},
-              {"highest point before the shaking", number(crest->before, " m")},
-              {"settlement of the crest at the end", number(crest->settlement, " m")},
+              {"highest point at the start", number(crest->before, " m")},
+              {"settlement of the crest since then", number(crest->settlement, " m")},
               {"crest at the end", number(crest->after(), " m")}};
     if (required) {
         rows.push_back({"required height", number(*required, " m")});

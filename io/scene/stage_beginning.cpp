@@ -42,8 +42,11 @@ void begin_ramps(const Scene& before, Scene& stage)
         if (!rises_from_rest(water->history)) continue;
         const SceneBoundary* of_before = find_boundary(before, scene.boundary.name);
         if (of_before == nullptr) continue;
-        const double head = head_at_end(before, of_before->boundary);
-        if (head != before.water->level) water->at_rest = WaterLine{{Vector2(0.0, head)}};
+        const double reached = head_at_end(before, of_before->boundary);
+        if (reached == before.water->level) continue;
+        water->at_rest = WaterLine{{Vector2(0.0, reached)}};
+        if (reached == std::get<WaterHead>(water->value).head) water->history = {}; // the ramp has ended
+        scene.water_goes_on = true;
     }
 }
 
@@ -101,17 +104,23 @@ void carry_load_on(const SurfaceLoad& drawn, const SurfaceLoad& before, double d
         load.history = {SampledHistory{{0.0, load.history.ramp_time}, {*left, 1.0}}, 0.0};
 }
 
-/// The water at a curve whose excess has a course; heads that rise by a ramp begin in begin_ramps().
-void carry_pressure_on(const PrescribedWater& drawn, const PrescribedWater& before, double duration,
+/// Whether the water at a curve has a course and goes on with it; heads that rise by a ramp begin in
+/// begin_ramps().
+bool carry_pressure_on(const PrescribedWater& drawn, const PrescribedWater& before, double duration,
                        PrescribedWater& water)
 {
     const bool is_ramp = std::holds_alternative<WaterHead>(water.value) && rises_from_rest(water.history);
-    if (is_ramp || water.value != drawn.value || water.history != drawn.history) return;
+    if (is_ramp || water.value != drawn.value || water.history != drawn.history) return false;
+    const bool has_begun = duration > 0.0 && varies(before.history);
     water.history = history_from(before.history, duration);
+    return has_begun;
 }
 
-void carry_course_on(const Boundary& drawn, const Boundary& before, double duration, Boundary& boundary)
+void carry_course_on(const Boundary& drawn, const SceneBoundary& of_before, double duration,
+                     SceneBoundary& scene)
 {
+    const Boundary& before = of_before.boundary;
+    Boundary& boundary = scene.boundary;
     auto* face = std::get_if<FreeFace>(&boundary.soil);
     const auto *drawn_face = std::get_if<FreeFace>(&drawn.soil),
                *face_before = std::get_if<FreeFace>(&before.soil);
@@ -126,7 +135,8 @@ void carry_course_on(const Boundary& drawn, const Boundary& before, double durat
     const auto *drawn_water = std::get_if<PrescribedWater>(&drawn.water),
                *water_before = std::get_if<PrescribedWater>(&before.water);
     if (water != nullptr && water_before != nullptr)
-        carry_pressure_on(*drawn_water, *water_before, duration, *water);
+        scene.water_goes_on =
+            carry_pressure_on(*drawn_water, *water_before, duration, *water) || of_before.water_goes_on;
 }
 
 } // namespace
@@ -141,7 +151,7 @@ void carry_courses_on(std::vector<SceneReading>& stages)
             const SceneBoundary* of_before = find_boundary(before, scene.boundary.name);
             if (of_before == nullptr) continue;
             const auto number = static_cast<std::size_t>(of_before - before.boundaries.data());
-            carry_course_on(drawn[number].boundary, of_before->boundary, duration_of(before), scene.boundary);
+            carry_course_on(drawn[number].boundary, *of_before, duration_of(before), scene);
         }
         drawn = std::move(drawn_now);
     }
@@ -155,8 +165,10 @@ void begin_later(double time, Scene& scene)
             face->load->history = history_from(face->load->history, time);
         if (auto* wall = std::get_if<MovingWall>(&boundary.soil); wall != nullptr)
             wall->motion.history = history_from(wall->motion.history, time);
-        if (auto* water = std::get_if<PrescribedWater>(&boundary.water); water != nullptr)
+        if (auto* water = std::get_if<PrescribedWater>(&boundary.water); water != nullptr) {
             water->history = history_from(water->history, time);
+            of_scene.water_goes_on = time > 0.0;
+        }
     }
 }
 

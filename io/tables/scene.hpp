@@ -54,6 +54,7 @@ struct SceneBoundary {
     Boundary boundary; // of a physical curve, whose segments the drawing has
     SourcePlace place;
     SourcePlace water_place = {}; // of its head or pore pressure
+    bool water_goes_on = false;   // begins as it has become in a stage before
 };
 
 enum class ProbeKind {

@@ -3,6 +3,7 @@
 #include "solver/base/overload.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -48,6 +49,20 @@ double sine_integral(double angular, double ramp_time, double time)
                    (angular * ramp_time);
     }
     return integral + (std::cos(angular * rising) - std::cos(angular * time)) / angular;
+}
+
+/// The last two times before `end` at which t sin(w t) turns [s]: tan(w t) = -w t, w t = n pi - atan(w t).
+std::array<double, 2> last_turns_of_ramp(double angular, double end)
+{
+    const double last = std::floor((angular * end + std::atan(angular * end)) / std::numbers::pi);
+    std::array<double, 2> times{};
+    for (std::size_t k = 0; k < 2; ++k) {
+        const double full = (last - static_cast<double>(k)) * std::numbers::pi;
+        double angle = full;
+        for (int iteration = 0; iteration < 50; ++iteration) angle = full - std::atan(angle);
+        times[k] = angle / angular;
+    }
+    return times;
 }
 
 } // namespace
@@ -114,8 +129,11 @@ std::vector<double> turning_times(const History& history, double end)
         for (const double time : table->times) add(time);
     add(history.ramp_time - history.begun);
     if (const auto* sine = std::get_if<SineHistory>(&history.shape)) {
-        // crests and troughs of one period after the ramp, which lowers those before; sin is 1 a quarter
-        // later
+        // of the ramp those before its end, which grow; then crests and troughs of one period: sin is 1 a
+        // quarter later
+        const double ramp_end = std::min(history.ramp_time, history.begun + end);
+        for (const double time : last_turns_of_ramp(2.0 * std::numbers::pi * sine->frequency, ramp_end))
+            add(time - history.begun);
         const double quarter = 0.25 / sine->frequency,
                      first = std::ceil(std::max(history.begun, history.ramp_time) / quarter);
         for (double k = first; k < first + 4.0; ++k) add(k * quarter - history.begun);

@@ -148,7 +148,8 @@ TEST_F(TotalDisplacement, GoesOnFromAStageOfAnotherRun)
     EXPECT_EQ(resumed.code, 2) << resumed.output;
     EXPECT_NE(
         resumed.output.find("has results of the stage less and none of gravity before it: the run began "
-                            "with the end of another one\nhint: go on with the same --from RESULTS:STAGE"),
+                            "with the end of another one, or that stage is new or was deleted\nhint: go on "
+                            "with the same --from RESULTS:STAGE, or run all stages anew with --overwrite"),
         std::string::npos)
         << resumed.output;
     EXPECT_FALSE(std::filesystem::exists(others + "/gravity"));
@@ -184,6 +185,31 @@ TEST_F(TotalDisplacement, CountsInTheReportsCrestAndInFigures)
     const Outcome frame = run_program("probe " + results() + " --at 0.5,3.9 --fields total_displacement -o " +
                                       results() + "/at.csv");
     EXPECT_EQ(frame.code, 0) << frame.output;
+}
+
+// What the first of two shakes has settled and the second one keeps lies in its first frame already.
+TEST_F(TotalDisplacement, CountsOnceInTheReportsCrestWhereAStageKeepsIt)
+{
+    std::ofstream(folder / "scene.toml", std::ios::app)
+        << "[stages.boundaries.crest]\npressure = \"30 kPa\"\nramp_time = \"0.1 s\"\n"
+           "[[stages]]\nname = \"after\"\nkind = \"shake\"\nduration = \"20 ms\"\n";
+    for (const std::string strain : {"small", "large"}) {
+        run("--overwrite --set stages.end.duration=0.3 --set analysis.strain=" + strain);
+        const auto of_top = [&](const std::string& stage, const std::string& column) {
+            return numbers_of(folder / ("results/" + stage + "/probes/top.csv"), column).back();
+        };
+        const double kept = -of_top("end", "uy_m"), expected = 4.0 + of_top("after", "total_uy_m");
+        EXPECT_GT(kept, settled);
+        for (const double above : {-0.25 * settled, 0.25 * settled}) { // of the probe's and the crest's rows
+            ASSERT_EQ(
+                run_program("report " + results() + " --required-height " + std::to_string(expected + above))
+                    .code,
+                0);
+            const bool falls = read_file(results() + "/after/report.html")
+                                   .find("The crest falls below the required height.") != std::string::npos;
+            EXPECT_EQ(falls, above > 0.0) << strain << ' ' << expected << ' ' << kept;
+        }
+    }
 }
 
 TEST_F(TotalDisplacement, IsNotThereWithoutStages)

@@ -122,7 +122,8 @@ TEST(CheckMessages, RefuseACurveThatLeavesMoreThanTwoPerCent)
     EXPECT_FALSE(std::filesystem::exists(folder / "check"));
 }
 
-TEST(CheckMessages, RefuseWhatAStageOfStabilityWouldRefuse)
+/// Check a bank with water beside its slope through stages.
+Outcome check_bank(const std::string& slope, const std::string& stages)
 {
     const WorkFolder folder;
     std::ofstream(folder / "bank.geo") << R"(
@@ -136,14 +137,19 @@ Physical Curve("base") = {1}; Physical Curve("side") = {2}; Physical Curve("slop
 geometry.file = "bank.geo"
 grid.cell_size = 1.0
 water.level = 3
-materials.soil = { model = "mohr_coulomb", cohesion = 10e3, friction_angle = 30, porosity = 0.4, shear_modulus = 1e7, poisson_ratio = 0.3, hydraulic_conductivity = 1e-7 }
+materials.soil = { model = "mohr_coulomb", cohesion = 10e3, friction_angle = 30, porosity = 0.4, shear_modulus = 1e7, poisson_ratio = 0.3, hydraulic_conductivity = 1e-4 }
 regions.soil.material = "soil"
 boundaries.base.soil = "fixed"
 boundaries.side.soil = "roller"
 [boundaries.slope]
 water = "head"
-head = 5
-[[stages]]
+)" + slope + stages;
+    return run_program("check " + (folder / "scene.toml").string() + " -o " + (folder / "check").string());
+}
+
+TEST(CheckMessages, RefuseWhatAStageOfStabilityWouldRefuse)
+{
+    const Outcome outcome = check_bank("head = 5\n", R"([[stages]]
 name = "full"
 kind = "seepage"
 [[stages]]
@@ -156,15 +162,52 @@ ramp_time = 36000
 [[stages]]
 name = "factor"
 kind = "stability"
-)";
-    const Outcome outcome =
-        run_program("check " + (folder / "scene.toml").string() + " -o " + (folder / "check").string());
+)");
     EXPECT_EQ(outcome.code, 2) << outcome.output;
     EXPECT_NE(
         outcome.output.find("scene.toml:20:8: error[initial-flow]: the water at the curve \"slope\" stands "
                             "2 m high at"),
         std::string::npos)
         << outcome.output;
+}
+
+// It has risen in the stage before, and stands.
+TEST(CheckMessages, WarnOfNoRampThatHasEnded)
+{
+    const Outcome outcome = check_bank("head = 5\nramp_time = \"1 h\"\n", R"([[stages]]
+name = "rise"
+kind = "seepage"
+duration = "1 d"
+[[stages]]
+name = "steady"
+kind = "seepage"
+)");
+    EXPECT_EQ(outcome.code, 0) << outcome.output;
+    EXPECT_EQ(outcome.output.find("changes in time"), std::string::npos) << outcome.output;
+}
+
+// Its first shaking begins with the water at rest; the second one goes on.
+TEST(CheckMessages, TakeAWaveThatGoesOnInALaterStageForNoSuddenRise)
+{
+    const std::string shakes = R"([[stages]]
+name = "gravity"
+kind = "settle"
+[[stages]]
+name = "one"
+kind = "shake"
+duration = "0.25 s"
+[[stages]]
+name = "two"
+kind = "shake"
+duration = "0.25 s"
+)";
+    const Outcome wave = check_bank("head = 4\nfrequency = 1\n", shakes);
+    EXPECT_EQ(wave.code, 0) << wave.output;
+    const Outcome sudden = check_bank("head = 3\n", shakes + "boundaries.slope.head = 4\n");
+    EXPECT_EQ(sudden.code, 2) << sudden.output;
+    EXPECT_NE(sudden.output.find("a variable head begins with the water at rest: give it a ramp_time"),
+              std::string::npos)
+        << sudden.output;
 }
 
 TEST(CheckMessages, AskNothingOfANamedCurveBetweenTwoRegions)

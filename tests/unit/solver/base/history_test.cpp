@@ -73,19 +73,23 @@ TEST(History, VariesUnlessItIsConstantFromTheStart)
 
 TEST(History, TurnsWhereItIsLargestOrSmallest)
 {
-    for (const History& history : all_shapes()) {
-        double low = 0.0, high = 0.0, lowest = 0.0, highest = 0.0;
-        const auto times = turning_times(history, 3.0);
-        EXPECT_EQ(times.back(), 3.0);
-        for (const double time : times)
-            low = std::min(low, history_value(history, time)),
-            high = std::max(high, history_value(history, time));
-        for (int k = 0; k <= 3000; ++k)
-            lowest = std::min(lowest, history_value(history, 1e-3 * k)),
-            highest = std::max(highest, history_value(history, 1e-3 * k));
-        EXPECT_NEAR(low, lowest, 1e-6);
-        EXPECT_NEAR(high, highest, 1e-6);
-    }
+    std::vector<History> shapes = all_shapes();
+    shapes.push_back({SineHistory{1.0}, 3.2, 0.0});
+    shapes.push_back({SineHistory{1.0}, 3.2, 0.7});
+    for (const History& history : shapes)
+        for (const double end : {0.1, 0.4, 0.6, 0.9, 1.3, 1.9, 2.6, 3.0, 3.7}) { // also within ramps
+            const auto times = turning_times(history, end);
+            EXPECT_EQ(times.back(), end);
+            double low = history_value(history, 0.0), high = low, lowest = low, highest = low;
+            for (const double time : times)
+                low = std::min(low, history_value(history, time)),
+                high = std::max(high, history_value(history, time));
+            for (int k = 0; 1e-4 * k <= end; ++k)
+                lowest = std::min(lowest, history_value(history, 1e-4 * k)),
+                highest = std::max(highest, history_value(history, 1e-4 * k));
+            EXPECT_NEAR(low, lowest, 1e-6) << end;
+            EXPECT_NEAR(high, highest, 1e-6) << end;
+        }
 }
 
 TEST(History, SeenFromLaterGoesOn)
