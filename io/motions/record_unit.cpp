@@ -123,7 +123,11 @@ std::string unknown_unit_of_column(std::string_view header)
 {
     constexpr std::array<std::string_view, 5> lengths = {"M", "CM", "MM", "FT", "IN"};
     if (unit_of_column(header)) return "";
-    for (const std::string_view words : in_brackets(last_column(header))) {
+    const std::string_view column = last_column(header);
+    const std::size_t begin = std::min(column.find_first_not_of(" \t\"'"), column.size());
+    for (const std::string_view other : {"VEL", "DISP"})
+        if (plain(column.substr(begin, other.size())) == other) return std::string(column.substr(begin));
+    for (const std::string_view words : in_brackets(column)) {
         const std::string unit = plain(words);
         const std::string length = unit.substr(0, unit.find('/')), time = unit.substr(length.size());
         const bool of_motion = std::find(lengths.begin(), lengths.end(), length) != lengths.end() &&

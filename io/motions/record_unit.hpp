@@ -20,7 +20,8 @@ std::optional<RecordUnit> record_unit(std::string_view words);
 std::optional<RecordUnit> unit_of_column(std::string_view header);
 
 /// What stands in brackets after the name of the last column where it is a unit, though none of accelerations
-/// that is known: "ft/s2", "%g", "m/s"; empty otherwise.
+/// that is known: "ft/s2", "%g", "m/s"; or the name, where it is that of velocities or displacements; empty
+/// otherwise.
 std::string unknown_unit_of_column(std::string_view header);
 
 /// The unit that the first column of a header states where it is one of time but not the second: "time [ms]",

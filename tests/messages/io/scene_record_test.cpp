@@ -173,11 +173,15 @@ TEST(SceneRecords, TwoColumnsOfAnUnknownUnitAreRefusedWhateverTheSceneSays)
     const std::string text =
         fixtures::replaced(fixtures::column_scene, "kind = \"sine\"\namplitude = \"24 g\"\nfrequency = 180",
                            "kind = \"file\"\nfile = \"record.csv\"\nunit = \"m/s2\"");
-    for (const std::string unit : {"ft/s2", "m/s", "%g", "mg"}) {
+    for (const auto& [column, said] :
+         {std::pair("a [ft/s2]", "ft/s2"), std::pair("a [m/s]", "m/s"), std::pair("a [%g]", "%g"),
+          std::pair("a [mg]", "mg"), std::pair("velocity_m_s", "velocity_m_s"),
+          std::pair("Velocity", "Velocity"), std::pair(" disp_cm", "disp_cm"),
+          std::pair("displacement [m]", "displacement [m]")}) {
         const fixtures::SceneFolder folder;
-        folder.write("record.csv", "time [s],a [" + unit + "]\n0,0.1\n0.01,0.2\n");
+        folder.write("record.csv", "time [s]," + std::string(column) + "\n0,0.1\n0.01,0.2\n");
         EXPECT_EQ(folder.message(text), "scene.toml:46:8: error[motion]: the header of 'record.csv' says " +
-                                            unit +
+                                            std::string(said) +
                                             R"_(, which is no unit of acceleration that is known
    46 | file = "record.csv"
       |        ^~~~~~~~~~~~
