@@ -190,6 +190,22 @@ json flatten_all(const std::vector<Polyline>& lines, const std::string& owner, j
     return flat;
 }
 
+/// Middles of the boxes of drawn surfaces that no group has.
+void write_nameless(json& result)
+{
+    std::set<int> named;
+    for (const PhysicalGroup& group : groups_of(2))
+        named.insert(group.entities.begin(), group.entities.end());
+    gmsh::vectorpair surfaces;
+    gmsh::model::getEntities(surfaces, 2);
+    for (const auto& [dimension, surface] : surfaces) {
+        if (named.count(surface) > 0) continue;
+        double lower[3], upper[3];
+        gmsh::model::getBoundingBox(2, surface, lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
+        result["nameless"].push_back({0.5 * (lower[0] + upper[0]), 0.5 * (lower[1] + upper[1])});
+    }
+}
+
 /// Outlines, curves and points of geometry drawn in a .geo file.
 void write_drawing(double curve_tolerance, json& result)
 {
@@ -308,6 +324,7 @@ void read_model(double curve_tolerance, double quad_size, json& result)
         write_mesh_outlines(NodeTable(), result);
     } else {
         write_drawing(curve_tolerance, result);
+        write_nameless(result);
     }
     write_points(result);
     if (!faults.empty() || quad_size <= 0.0) return;

@@ -46,6 +46,7 @@ struct Section {
     std::vector<NamedCurve> curves;
     std::vector<NamedPoint> points;
     std::vector<MeshQuad> quads;                              // only when asked for
+    std::vector<Vector2> nameless;                            // middles of drawn surfaces in no region [m]
     Vector2 lower = Vector2::Zero(), upper = Vector2::Zero(); // bounding box [m]
 };
 

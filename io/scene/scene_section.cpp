@@ -239,8 +239,20 @@ std::optional<UprightSide> find_upright_side(const SceneBoundary& boundary, cons
     return std::nullopt;
 }
 
+/// A surface that was forgotten would leave a void.
+void check_nameless(const Scene& scene, const Section& section, Diagnostics& findings)
+{
+    if (section.nameless.empty()) return;
+    std::string places;
+    for (const Vector2& place : section.nameless) places += " " + place_text(place);
+    findings.add(warning_at(scene.geometry_place, "geometry.file", "nameless-surface",
+                            "surfaces in no physical surface are left out, there is no soil: around" + places,
+                            "", "name them, as Physical Surface(\"sand\") = {...}; or delete them"));
+}
+
 void check_names(const Scene& scene, const Section& section, Diagnostics& findings)
 {
+    check_nameless(scene, section, findings);
     const auto curves = names_of(section.curves), points = names_of(section.points);
     check_regions(scene, names_of(section.regions), findings);
     for (const SceneBoundary& boundary : scene.boundaries) {

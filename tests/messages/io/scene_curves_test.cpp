@@ -1,4 +1,4 @@
-// Curves whose conditions act on nothing, on two sides or twice.
+// Curves whose conditions act on nothing, on two sides or twice; surfaces in no region.
 #include "tests/fixtures/scene_example.hpp"
 
 #include <gtest/gtest.h>
@@ -79,6 +79,20 @@ TEST(Curves, TakesASecondNameOfALineForNoCondition)
     const SceneFolder folder;
     EXPECT_EQ(folder.assembly_message(column_scene, section),
               folder.assembly_message(column_scene, column_section()));
+}
+
+TEST(Surfaces, AreToldOfWhereNoRegionHasThem)
+{
+    Section section = column_section();
+    section.nameless = {{3.0, 0.5}, {-1.25, 2.0}};
+    EXPECT_EQ(
+        SceneFolder().assembly_message(column_scene, section),
+        R"(scene.toml:5:8: warning[nameless-surface]: surfaces in no physical surface are left out, there is no soil: around (3, 0.5) (-1.25, 2)
+    5 | file = "column.geo"
+      |        ^~~~~~~~~~~~
+hint: name them, as Physical Surface("sand") = {...}; or delete them
+to accept it: accept = ["geometry.file"] at the top of the scene
+)");
 }
 
 } // namespace

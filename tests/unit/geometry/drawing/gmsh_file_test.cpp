@@ -33,6 +33,18 @@ TEST(GmshFile, ReadsRegionsCurvesAndPointsByName)
     EXPECT_EQ(section.upper, Vector2(2.0, 1.0));
 }
 
+TEST(GmshFile, TellsWhichSurfacesNoRegionHas)
+{
+    EXPECT_TRUE(read_geo(rectangle_with_parameters).nameless.empty());
+    const Section section = read_geo(rectangle_with_parameters + R"(
+Point(5) = {4, 0, 0}; Point(6) = {4, 1, 0};
+Line(5) = {2, 5}; Line(6) = {5, 6}; Line(7) = {6, 3}; Curve Loop(8) = {5, 6, 7, -2}; Plane Surface(10) = {8};
+)");
+    ASSERT_EQ(section.regions.size(), 1u);
+    ASSERT_EQ(section.nameless.size(), 1u);
+    EXPECT_LT((section.nameless[0] - Vector2(3.0, 0.5)).norm(), 1e-6);
+}
+
 TEST(GmshFile, TurnsRimSegmentsSoThatTheSoilIsOnTheLeft)
 {
     const Section section = read_geo(rectangle_with_parameters);
