@@ -104,16 +104,16 @@ void carry_load_on(const SurfaceLoad& drawn, const SurfaceLoad& before, double d
         load.history = {SampledHistory{{0.0, load.history.ramp_time}, {*left, 1.0}}, 0.0};
 }
 
-/// Whether the water at a curve has a course and goes on with it; heads that rise by a ramp begin in
-/// begin_ramps().
-bool carry_pressure_on(const PrescribedWater& drawn, const PrescribedWater& before, double duration,
-                       PrescribedWater& water)
+/// The water at a curve whose excess has a course; heads that rise by a ramp begin in begin_ramps().
+void carry_pressure_on(const PrescribedWater& drawn, const SceneBoundary& of_before, double duration,
+                       SceneBoundary& scene)
 {
+    auto& water = std::get<PrescribedWater>(scene.boundary.water);
+    const History& before = std::get<PrescribedWater>(of_before.boundary.water).history;
     const bool is_ramp = std::holds_alternative<WaterHead>(water.value) && rises_from_rest(water.history);
-    if (is_ramp || water.value != drawn.value || water.history != drawn.history) return false;
-    const bool has_begun = duration > 0.0 && varies(before.history);
-    water.history = history_from(before.history, duration);
-    return has_begun;
+    if (is_ramp || water.value != drawn.value || water.history != drawn.history) return;
+    scene.water_goes_on = of_before.water_goes_on || (duration > 0.0 && varies(before));
+    water.history = history_from(before, duration);
 }
 
 void carry_course_on(const Boundary& drawn, const SceneBoundary& of_before, double duration,
@@ -131,12 +131,11 @@ void carry_course_on(const Boundary& drawn, const SceneBoundary& of_before, doub
                *wall_before = std::get_if<MovingWall>(&before.soil);
     if (wall != nullptr && wall_before != nullptr && wall->motion == drawn_wall->motion)
         wall->motion.history = history_from(wall_before->motion.history, duration);
-    auto* water = std::get_if<PrescribedWater>(&boundary.water);
-    const auto *drawn_water = std::get_if<PrescribedWater>(&drawn.water),
+    const auto *water = std::get_if<PrescribedWater>(&boundary.water),
+               *drawn_water = std::get_if<PrescribedWater>(&drawn.water),
                *water_before = std::get_if<PrescribedWater>(&before.water);
     if (water != nullptr && water_before != nullptr)
-        scene.water_goes_on =
-            carry_pressure_on(*drawn_water, *water_before, duration, *water) || of_before.water_goes_on;
+        carry_pressure_on(*drawn_water, of_before, duration, scene);
 }
 
 } // namespace
