@@ -160,6 +160,9 @@ std::vector<NodeVelocities> let_values_agree(const BackgroundGrid& grid, const C
     for (std::size_t r = 0; r < chains.of_row.size(); ++r)
         rows.set_value(r,
                        rows.value(r) + rows.product(r, motion) - rows.product(r, of_chain[chains.of_row[r]]));
+    if (std::all_of(chains.contacts.begin(), chains.contacts.end(),
+                    [](const WallContact& contact) { return contact.change.isZero(0.0); }))
+        return {};
     const std::vector<Velocities> changes = motions_of_chains(grid, chains, rows, &WallContact::change);
     return agreed_motion(chains, changes, inverses, rows);
 }

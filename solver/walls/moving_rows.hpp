@@ -26,7 +26,7 @@ struct ChainsOfRows {
 
 /// Change the values of the rows so that some motion meets all of them. `inverses` are those of
 /// the rows' nodes. Returns by how much this motion differs from that of the step before, at these nodes
-/// [m/s].
+/// [m/s]; empty where no wall changes its velocity.
 std::vector<NodeVelocities> let_values_agree(const BackgroundGrid& grid, const ChainsOfRows& chains,
                                              const std::vector<NodeInverse>& inverses, VelocityRows& rows);
 
