@@ -16,16 +16,42 @@ double duration_of(const Scene& stage)
     return takes_time(stage.stage->kind) ? stage.end_time : stage.stage->flow_duration.value_or(0.0);
 }
 
-/// The head beyond a curve at the end of a stage; the level of the still water where it has no head of its
-/// own [m].
-double head_at_end(const Scene& stage, const Boundary& boundary)
+WaterLine still_water_of(const Scene& stage)
 {
-    const double level = stage.water->level;
+    return {stage.phreatic_line.empty() ? std::vector{Vector2(0.0, stage.water->level)}
+                                        : stage.phreatic_line};
+}
+
+/// The surface of the water at rest that a head beyond a curve counts from.
+WaterLine rest_beyond(const Scene& stage, const Boundary& boundary)
+{
+    const auto* water = std::get_if<PrescribedWater>(&boundary.water);
+    return water != nullptr && water->at_rest ? *water->at_rest : still_water_of(stage);
+}
+
+/// The surface of the water beyond a curve at the end of a stage; of the still water where it has no head of
+/// its own.
+WaterLine surface_at_end(const Scene& stage, const Boundary& boundary)
+{
+    WaterLine line = rest_beyond(stage, boundary);
     const auto* water = std::get_if<PrescribedWater>(&boundary.water);
     const auto* head = water != nullptr ? std::get_if<WaterHead>(&water->value) : nullptr;
-    if (head == nullptr) return level;
-    const double at_rest = water->at_rest ? water->at_rest->points.front().y() : level;
-    return at_rest + outer_factor(boundary.water, duration_of(stage)) * (head->head - at_rest);
+    if (head == nullptr) return line;
+    const double factor = outer_factor(boundary.water, duration_of(stage));
+    for (Vector2& point : line.points)
+        point.y() = factor == 1.0 ? head->head : point.y() + factor * (head->head - point.y());
+    return line;
+}
+
+bool is_at(const WaterLine& line, double height)
+{
+    return std::all_of(line.points.begin(), line.points.end(),
+                       [&](const Vector2& point) { return point.y() == height; });
+}
+
+bool has_still_water_of(const Scene& before, const Scene& stage)
+{
+    return stage.water->level == before.water->level && stage.phreatic_line == before.phreatic_line;
 }
 
 bool rises_from_rest(const History& history)
@@ -33,20 +59,25 @@ bool rises_from_rest(const History& history)
     return std::holds_alternative<ConstantHistory>(history.shape) && history.ramp_time > 0.0;
 }
 
-void begin_ramps(const Scene& before, Scene& stage)
+/// Heads that go on count from where they did; other ones that rise, from where the stage before has left
+/// the water.
+void begin_heads(const Scene& before, Scene& stage)
 {
     if (!before.water || !stage.water) return;
     for (SceneBoundary& scene : stage.boundaries) {
         auto* water = std::get_if<PrescribedWater>(&scene.boundary.water);
-        if (water == nullptr || !std::holds_alternative<WaterHead>(water->value)) continue;
-        if (!rises_from_rest(water->history)) continue;
+        const auto* head = water != nullptr ? std::get_if<WaterHead>(&water->value) : nullptr;
         const SceneBoundary* of_before = find_boundary(before, scene.boundary.name);
-        if (of_before == nullptr) continue;
-        const double reached = head_at_end(before, of_before->boundary);
-        if (reached == before.water->level) continue;
-        water->at_rest = WaterLine{{Vector2(0.0, reached)}};
-        if (reached == std::get<WaterHead>(water->value).head) water->history = {}; // the ramp has ended
-        scene.water_goes_on = true;
+        if (head == nullptr || of_before == nullptr) continue;
+        if (scene.water_goes_on) {
+            water->at_rest = rest_beyond(before, of_before->boundary);
+        } else if (rises_from_rest(water->history)) {
+            const WaterLine reached = surface_at_end(before, of_before->boundary);
+            if (is_at(reached, head->head)) water->history = {}; // the ramp has ended
+            scene.water_goes_on = reached.points != still_water_of(before).points;
+            if (scene.water_goes_on) water->at_rest = reached;
+        }
+        scene.water_goes_on = scene.water_goes_on && has_still_water_of(before, stage);
     }
 }
 
@@ -76,8 +107,7 @@ bool begins_with_steady_flow(const SceneReading& reading)
 std::optional<WaterLine> still_water_line(const Scene& scene)
 {
     if (!scene.water || scene.starts_seeping) return std::nullopt;
-    if (scene.phreatic_line.empty()) return WaterLine{{Vector2(0.0, scene.water->level)}};
-    return WaterLine{scene.phreatic_line};
+    return still_water_of(scene);
 }
 
 /// Factor on `load` that is the part of another, parallel one; none where they are not parallel [-].
@@ -104,14 +134,13 @@ void carry_load_on(const SurfaceLoad& drawn, const SurfaceLoad& before, double d
         load.history = {SampledHistory{{0.0, load.history.ramp_time}, {*left, 1.0}}, 0.0};
 }
 
-/// The water at a curve whose excess has a course; heads that rise by a ramp begin in begin_ramps().
+/// The water at a curve whose excess has a course; other heads that rise by a ramp begin in begin_heads().
 void carry_pressure_on(const PrescribedWater& drawn, const SceneBoundary& of_before, double duration,
                        SceneBoundary& scene)
 {
     auto& water = std::get<PrescribedWater>(scene.boundary.water);
     const History& before = std::get<PrescribedWater>(of_before.boundary.water).history;
-    const bool is_ramp = std::holds_alternative<WaterHead>(water.value) && rises_from_rest(water.history);
-    if (is_ramp || water.value != drawn.value || water.history != drawn.history) return;
+    if (water.value != drawn.value || water.history != drawn.history) return;
     scene.water_goes_on = of_before.water_goes_on || (duration > 0.0 && varies(before));
     water.history = history_from(before, duration);
 }
@@ -166,7 +195,7 @@ void begin_later(double time, Scene& scene)
             wall->motion.history = history_from(wall->motion.history, time);
         if (auto* water = std::get_if<PrescribedWater>(&boundary.water); water != nullptr) {
             water->history = history_from(water->history, time);
-            of_scene.water_goes_on = time > 0.0;
+            of_scene.water_goes_on = of_scene.water_goes_on || time > 0.0;
         }
     }
 }
@@ -175,7 +204,7 @@ void carry_water_on(std::vector<SceneReading>& stages)
 {
     for (std::size_t k = 1; k < stages.size(); ++k) {
         SceneReading& stage = stages[k];
-        begin_ramps(stages[k - 1].scene, stage.scene);
+        begin_heads(stages[k - 1].scene, stage.scene);
         append_flow(stages[k - 1], stage);
         if (settles(stage.scene.stage->kind)) {
             stage.wetting = 0;

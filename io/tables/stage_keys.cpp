@@ -45,7 +45,7 @@ std::vector<SceneKey> stage_keys()
         {.pattern = "stages.*.kind", .type = word, .required = true, .words = {"settle", "seepage", "shake", "consolidate", "stability"},
          .doc = "Settle under gravity, with still water or in the steady flow between heads; shake; let excess pore pressures go in long steps; find the factor of safety."},
         {.pattern = "stages.*.duration", .dimension = Dimension::time, .default_note = "run.end_time; with seepage no time but the steady flow", .allowed = positive,
-         .when = with_duration, .doc = "Length of the stage, whose time counts from its start; loads and walls that move go on where the stage leaves them as they were. With seepage the water flows for so long from where the stage before has left it, while heads rise and fall and pores fill and drain."},
+         .when = with_duration, .doc = "Length of the stage, whose time counts from its start; loads, walls that move and outer water go on where the stage leaves them as they were. With seepage the water flows for so long from where the stage before has left it, while heads rise and fall and pores fill and drain."},
         {.pattern = "stages.*.drainage", .type = word, .default_value = "drained", .words = {"drained", "undrained"}, .when = settling,
          .doc = "Whether water leaves the pores while soil settles, or stays and bears what weight and loads come at once: its excess pressure goes in a stage that consolidates."},
         {.pattern = "stages.*.place", .type = text_list, .default_note = "no soil is placed", .when = at_rest,

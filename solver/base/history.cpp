@@ -23,7 +23,7 @@ double sampled_value(const SampledHistory& table, double time)
     return (1.0 - weight) * table.values[k - 1] + weight * table.values[k];
 }
 
-/// Trapezoids from 0: exact for straight pieces.
+/// Trapezoids from 0: exact for straight pieces, of which one goes back from 0.
 double sampled_integral(const SampledHistory& table, double time)
 {
     double integral = 0.0, last_time = 0.0, last_value = sampled_value(table, 0.0);
@@ -69,34 +69,32 @@ std::array<double, 2> last_turns_of_ramp(double angular, double end)
 
 double history_value(const History& history, double time)
 {
-    const double t = history.begun + std::max(time, 0.0);
+    const double t = std::max(history.begun + time, 0.0);
     const double rise = t < history.ramp_time ? t / history.ramp_time : 1.0;
     return std::visit(Overload{[&](const ConstantHistory&) { return rise; },
                                [&](const SineHistory& sine) {
                                    return rise * std::sin(2.0 * std::numbers::pi * sine.frequency * t);
                                },
-                               [&](const SampledHistory& table) { return sampled_value(table, t); }},
+                               [&](const SampledHistory& table) { return sampled_value(table, time); }},
                       history.shape);
 }
 
 double history_integral(const History& history, double time)
 {
-    const double t = std::max(time, 0.0);
-    const double rising = std::min(t, history.ramp_time);
+    const double t = std::max(history.begun + time, 0.0);
     return std::visit(Overload{[&](const ConstantHistory&) {
-                                   const double risen = history.ramp_time > 0.0
-                                                            ? 0.5 * rising * rising / history.ramp_time
-                                                            : 0.0;
-                                   return risen + (t - rising);
+                                   if (history.ramp_time == 0.0) return time;
+                                   const double rising = std::min(t, history.ramp_time);
+                                   return 0.5 * rising * rising / history.ramp_time + (t - rising);
                                },
                                [&](const SineHistory& sine) {
                                    const auto since_its_start = [&](double end) {
                                        return sine_integral(2.0 * std::numbers::pi * sine.frequency,
                                                             history.ramp_time, end);
                                    };
-                                   return since_its_start(history.begun + t) - since_its_start(history.begun);
+                                   return since_its_start(t) - since_its_start(history.begun);
                                },
-                               [&](const SampledHistory& table) { return sampled_integral(table, t); }},
+                               [&](const SampledHistory& table) { return sampled_integral(table, time); }},
                       history.shape);
 }
 
@@ -104,18 +102,18 @@ History history_from(const History& history, double time)
 {
     if (std::holds_alternative<SineHistory>(history.shape))
         return {history.shape, history.ramp_time, history.begun + time};
-    SampledHistory left{{0.0}, {history_value(history, time)}};
-    if (const auto* table = std::get_if<SampledHistory>(&history.shape)) {
-        for (std::size_t k = 0; k < table->times.size(); ++k) {
-            if (!(table->times[k] > time)) continue;
-            left.times.push_back(table->times[k] - time);
-            left.values.push_back(table->values[k]);
-        }
-        return {left, 0.0};
+    const auto* drawn = std::get_if<SampledHistory>(&history.shape);
+    if (drawn == nullptr && (history.ramp_time < time || history.ramp_time == 0.0)) return {};
+    const SampledHistory table =
+        drawn != nullptr ? *drawn : SampledHistory{{0.0, history.ramp_time}, {0.0, 1.0}};
+    const auto next = std::lower_bound(table.times.begin(), table.times.end(), time);
+    if (next == table.times.end()) return {SampledHistory{{0.0}, {history_value(history, time)}}, 0.0};
+    SampledHistory left;
+    const auto first = static_cast<std::size_t>(next - table.times.begin());
+    for (std::size_t k = first > 0 ? first - 1 : 0; k < table.times.size(); ++k) {
+        left.times.push_back(table.times[k] - time);
+        left.values.push_back(table.values[k]);
     }
-    if (!(history.ramp_time > time)) return {};
-    left.times.push_back(history.ramp_time - time);
-    left.values.push_back(1.0);
     return {left, 0.0};
 }
 

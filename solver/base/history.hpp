@@ -18,7 +18,8 @@ struct SineHistory {
     bool operator==(const SineHistory&) const = default;
 };
 
-/// A table of times and factors, linear in between and constant before its first and after its last time.
+/// A table of times and factors, linear in between and constant before its first and after its last time; of
+/// one that goes on from earlier, times before 0 tell how.
 struct SampledHistory {
     std::vector<double> times;  // increasing [s]
     std::vector<double> values; // factors [-]
@@ -35,13 +36,14 @@ struct History {
     bool operator==(const History&) const = default;
 };
 
-/// The factor at a time; before t = 0 that of t = 0 [-].
+/// The factor at a time; before its begin that of its begin [-].
 double history_value(const History& history, double time);
 
-/// The integral of the factor from 0 to a time; 0 before [s].
+/// The integral of the factor from 0 to a time, as if what has no begin had always been so [s].
 double history_integral(const History& history, double time);
 
-/// The history as one sees it that begins to count at a time: factor(t) = factor of `history` at time + t.
+/// The history as one sees it that begins to count at a time: factor(t) = factor of `history` at time + t; of
+/// what was before, the last straight piece.
 History history_from(const History& history, double time);
 
 /// Times up to an end at which the factor may be at its largest or smallest, the end among them [s].

@@ -8,33 +8,32 @@ namespace quicksand {
 
 namespace {
 
-double pressure_at(const WaterLine& line, const StillWater& still, const Vector2& point)
+/// y of the water's surface at x [m].
+double surface_of(const std::optional<WaterLine>& line, const StillWater& still, double x)
 {
-    return pressure_below(still, elevation(line.points, point.x()), point.y());
+    return line ? elevation(line->points, x) : still.level;
 }
 
-double pressure_at(const WaterHead& water, const StillWater& still, const Vector2& point)
+/// Excess of water up to a height at height y [Pa].
+double excess_below(const StillWater& still, double surface, double y)
 {
-    return pressure_below(still, water.head, point.y());
-}
-
-double pressure_at(const PorePressure& pore, const StillWater&, const Vector2&)
-{
-    return pore.pressure;
+    return pressure_below(still, surface, y) - pressure_below(still, still.level, y);
 }
 
 double excess_of(const std::optional<WaterLine>& line, const StillWater& still, const Vector2& point)
 {
-    if (!line) return 0.0;
-    return pressure_at(*line, still, point) - pressure_below(still, still.level, point.y());
+    return excess_below(still, surface_of(line, still, point.x()), point.y());
 }
 
 double excess_of(const PrescribedWater& water, const StillWater& still, const Vector2& point, double factor)
 {
+    if (const auto* given = std::get_if<WaterHead>(&water.value)) {
+        const double at_rest = surface_of(water.at_rest, still, point.x());
+        return excess_below(still, at_rest + factor * (given->head - at_rest), point.y());
+    }
     const double at_rest = excess_of(water.at_rest, still, point);
     const double full =
-        std::visit([&](const auto& value) { return pressure_at(value, still, point); }, water.value) -
-        pressure_below(still, still.level, point.y());
+        std::get<PorePressure>(water.value).pressure - pressure_below(still, still.level, point.y());
     return at_rest + factor * (full - at_rest);
 }
 

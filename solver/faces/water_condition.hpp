@@ -50,8 +50,8 @@ struct PorePressure {
     bool operator==(const PorePressure&) const = default;
 };
 
-/// Water passes, and has a given head or pressure at the curve; the history is a factor on what it has beyond
-/// the water at rest.
+/// Water passes, and has a given head or pressure at the curve; the history is a factor on the height of the
+/// head above the surface of the water at rest, or on the pressure beyond that of this water.
 struct PrescribedWater {
     std::variant<WaterHead, PorePressure> value;
     History history = {};

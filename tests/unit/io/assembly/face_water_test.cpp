@@ -128,6 +128,8 @@ TEST(FaceWater, AHeadWithAHistoryBeginsAtTheLine)
     EXPECT_EQ(excess(0.0), 0.0);
     EXPECT_NEAR(excess(0.5), -0.5 * water_weight, 1e-9);
     EXPECT_NEAR(excess(1.0), -water_weight, 1e-9);
+    // half of the way down the water is a level, not half of the pressures
+    EXPECT_NEAR(outer_excess_pressure(falling.problem, ground, {7.0, 2.8}, 0.5), -0.2 * water_weight, 1e-9);
 }
 
 TEST(FaceWater, NothingHasRisenAtTheStart)
