@@ -259,7 +259,7 @@ std::vector<SceneKey> calibration_keys()
          .doc = "Dilation above the friction of constant volume over that of the generic set: it limits the strain of a cycle after liquefaction [own]."},
         {.pattern = "materials.*.dilation_strain", .default_note = "without end; calibrated 0.12 (6/(N1)60)^1.5", .allowed = positive,
          .plausible = {0.002, 10.0},
-         .doc = "Shear strain in dilation after which the softened factor of later half cycles is halved, so that strain grows from cycle to cycle [own]."},
+         .doc = "Shear strain in dilation after which the softened factor of later half cycles is halved, so that strain grows from cycle to cycle; with it sand softens only against the sense in which it last dilated [own]."},
         {.pattern = "materials.*.reference_strain", .default_note = "without end; calibrated 4.5e-4", .allowed = positive,
          .plausible = {1e-4, 0.01},
          .doc = "gamma_r: G falls by (1 + gamma/(2 gamma_r))^-2 with the shear strain since it turned: small-strain modulus and damping."},

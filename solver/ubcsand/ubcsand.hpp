@@ -69,8 +69,10 @@ struct UbcSandArrays {
     double *origin_x, *origin_y, *leg_x, *leg_y, *back_x, *back_y, *last_leg, *waiting;
     double *half_cycles, *dilation, *active_dilation;
     const double *volume, *mass_solid; // [m3/m, kg/m], which tell where the sand is at its loosest or densest
-    const double* start_factor = nullptr; // of the plastic modulus [-]; none: 1
+    const double* start_factor = nullptr;              // of the plastic modulus [-]; none: 1
+    double *dilated_x = nullptr, *dilated_y = nullptr; // none: sand without a dilation_strain
 
+    /// All but what may be missing.
     UbcSandState state(std::size_t p) const
     {
         return {-stress_xx[p], -stress_yy[p],  -stress_zz[p], -stress_xy[p],     eta_max[p],
@@ -91,6 +93,18 @@ struct UbcSandArrays {
         last_leg[p] = state.last_leg, waiting[p] = state.waiting;
         half_cycles[p] = state.half_cycles;
         dilation[p] = state.dilation, active_dilation[p] = state.active_dilation;
+    }
+
+    /// What may be missing.
+    void add_to(std::size_t p, UbcSandState& state) const
+    {
+        if (start_factor != nullptr) state.start_factor = start_factor[p];
+        if (dilated_x != nullptr) state.dilated_x = dilated_x[p], state.dilated_y = dilated_y[p];
+    }
+
+    void set_dilated(std::size_t p, const UbcSandState& state) const
+    {
+        if (dilated_x != nullptr) dilated_x[p] = state.dilated_x, dilated_y[p] = state.dilated_y;
     }
 };
 

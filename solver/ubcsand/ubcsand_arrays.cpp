@@ -184,6 +184,14 @@ inline void take_start_factors(const UbcSandArrays& points, std::size_t p, std::
     for (std::size_t k = 0; k < count; ++k) block.start_factor[k] = points.start_factor[p + k];
 }
 
+/// Where `count` points from p on have dilated.
+inline void take_dilated(const UbcSandArrays& points, std::size_t p, std::size_t count, Block& block)
+{
+    if (points.dilated_x == nullptr) return;
+    for (std::size_t k = 0; k < count; ++k) block.dilated_x[k] = points.dilated_x[p + k];
+    for (std::size_t k = 0; k < count; ++k) block.dilated_y[k] = points.dilated_y[p + k];
+}
+
 /// Put point p into lane k: compression-positive strain and its state.
 inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p, double dt, std::size_t k,
                  Block& block)
@@ -206,10 +214,11 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p,
     take_start_factors(points, p, count, block);
     if (count == width) { // a known count makes vectors
         for (std::size_t k = 0; k < width; ++k) load(law, points, p + k, dt, k, block);
-        return;
+    } else {
+        for (std::size_t k = 0; k < count; ++k) load(law, points, p + k, dt, k, block);
+        for (std::size_t k = count; k < width; ++k) block.open[k] = 0.0;
     }
-    for (std::size_t k = 0; k < count; ++k) load(law, points, p + k, dt, k, block);
-    for (std::size_t k = count; k < width; ++k) block.open[k] = 0.0;
+    take_dilated(points, p, count, block);
 }
 
 inline void store(const Block& block, std::size_t p, std::size_t count, const UbcSandArrays& points)
@@ -217,9 +226,11 @@ inline void store(const Block& block, std::size_t p, std::size_t count, const Ub
     if (count == width) {
 #pragma GCC ivdep // the arrays do not overlap
         for (std::size_t k = 0; k < width; ++k) points.set(p + k, block.state(k));
-        return;
+    } else {
+        for (std::size_t k = 0; k < count; ++k) points.set(p + k, block.state(k));
     }
-    for (std::size_t k = 0; k < count; ++k) points.set(p + k, block.state(k));
+    if (points.dilated_x == nullptr) return;
+    for (std::size_t k = 0; k < count; ++k) points.set_dilated(p + k, block.state(k));
 }
 
 /// Points with strain left after their first substep.
@@ -246,9 +257,11 @@ inline void note_unfinished(const Block& block, std::size_t p, std::size_t count
 inline void load(const UbcSand& law, const UbcSandArrays& points, const Unfinished& unfinished, std::size_t i,
                  std::size_t k, Block& block)
 {
-    block.set(k, true, points.state(unfinished.point[i]));
+    UbcSandState state = points.state(unfinished.point[i]);
+    points.add_to(unfinished.point[i], state);
+    block.set(k, true, state);
+    block.start_factor[k] = state.start_factor;
     bound_contraction(law, points, unfinished.point[i], k, block);
-    block.start_factor[k] = points.start_factor == nullptr ? 1.0 : points.start_factor[unfinished.point[i]];
     block.set_strain(k, unfinished.strain[i]);
     block.size[k] = unfinished.size[i];
     block.budget[k] = most_substeps - 1.0;
@@ -269,6 +282,7 @@ inline void finish(const UbcSand& law, const Unfinished& unfinished, const UbcSa
         for (std::size_t k = 0; k < lanes; ++k) {
             if (block.open[k] > 0.0 || in_lane[k] == unfinished.count) continue;
             points.set(unfinished.point[in_lane[k]], block.state(k));
+            points.set_dilated(unfinished.point[in_lane[k]], block.state(k));
             --left;
             in_lane[k] = next;
             if (next < unfinished.count) load(law, points, unfinished, next++, k, block);

@@ -230,8 +230,9 @@ inline Verdict judge_plastic(const UbcSand& m, const Trial& trial, double error,
     const bool begins_on_locus =
         start.squared >= on_locus * (trial.eta_y * trial.eta_y) * (start.sb * start.sb);
     const Deviator end = {0.5 * (after.sigma_x - after.sigma_y), after.tau_xy};
-    const double senses = crossing(least_accord({start.q_x, start.q_y}, after), least_accord(end, after),
-                                   least_accord(at_middle<Integration::second_order>(trial), after));
+    const double senses =
+        crossing(softening_accord({start.q_x, start.q_y}, after), softening_accord(end, after),
+                 softening_accord(at_middle<Integration::second_order>(trial), after));
     const double cut =
         smaller(select(after.active_dilation > 0.0, senses, 1.0), select(begins_on_locus, 1.0, 0.5));
     const double excess = smaller(change.over_least, larger(worst, 2.0 - cut));

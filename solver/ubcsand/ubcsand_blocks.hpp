@@ -15,7 +15,7 @@ struct Block {
     double sigma_x[width], sigma_y[width], sigma_z[width], tau_xy[width];
     double eta_max[width], branch[width], peak_x[width], peak_y[width], origin_x[width], origin_y[width];
     double leg_x[width], leg_y[width], back_x[width], back_y[width], last_leg[width], waiting[width];
-    double half_cycles[width], dilation[width], active_dilation[width];
+    double half_cycles[width], dilation[width], active_dilation[width], dilated_x[width], dilated_y[width];
     double least_contraction[width], most_contraction[width], start_factor[width];
     double strain_x[width], strain_y[width], strain_xy[width]; // what remains
     double size[width];                                        // of the next substep, over that
@@ -31,12 +31,30 @@ struct Block {
 
     UbcSandState state(std::size_t k) const
     {
-        return {sigma_x[k],          sigma_y[k],     sigma_z[k],         tau_xy[k],
-                eta_max[k],          branch[k],      peak_x[k],          peak_y[k],
-                origin_x[k],         origin_y[k],    leg_x[k],           leg_y[k],
-                back_x[k],           back_y[k],      last_leg[k],        waiting[k],
-                half_cycles[k],      dilation[k],    active_dilation[k], least_contraction[k],
-                most_contraction[k], start_factor[k]};
+        return {sigma_x[k],
+                sigma_y[k],
+                sigma_z[k],
+                tau_xy[k],
+                eta_max[k],
+                branch[k],
+                peak_x[k],
+                peak_y[k],
+                origin_x[k],
+                origin_y[k],
+                leg_x[k],
+                leg_y[k],
+                back_x[k],
+                back_y[k],
+                last_leg[k],
+                waiting[k],
+                half_cycles[k],
+                dilation[k],
+                active_dilation[k],
+                dilated_x[k],
+                dilated_y[k],
+                least_contraction[k],
+                most_contraction[k],
+                start_factor[k]};
     }
 
     void set(std::size_t k, bool condition, const UbcSandState& state)
@@ -60,6 +78,8 @@ struct Block {
         half_cycles[k] = select(condition, state.half_cycles, half_cycles[k]);
         dilation[k] = select(condition, state.dilation, dilation[k]);
         active_dilation[k] = select(condition, state.active_dilation, active_dilation[k]);
+        dilated_x[k] = select(condition, state.dilated_x, dilated_x[k]);
+        dilated_y[k] = select(condition, state.dilated_y, dilated_y[k]);
     }
 };
 

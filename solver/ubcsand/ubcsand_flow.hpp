@@ -48,18 +48,23 @@ inline double accord(const Deviator& q, double r_x, double r_y)
     return q.x * r_x + q.y * r_y;
 }
 
-/// The less of the accords with the last turn of the stress and with that of the strain.
-inline double least_accord(const Deviator& q, const UbcSandState& state)
+/// Not positive where dilation softens a branch: it has crossed the isotropic axis since the last turn of the
+/// stress or of the strain. Grains that have dilated in one sense stand against more of it: sand with a
+/// dilation_strain softens in the other one.
+inline double softening_accord(const Deviator& q, const UbcSandState& state)
 {
-    return smaller(accord(q, state.origin_x, state.origin_y), accord(q, state.peak_x, state.peak_y));
+    const double least =
+        smaller(accord(q, state.origin_x, state.origin_y), accord(q, state.peak_x, state.peak_y));
+    const double dilated = state.dilated_x * state.dilated_x + state.dilated_y * state.dilated_y;
+    return select(dilated > 0.0, larger(least, accord(q, state.dilated_x, state.dilated_y)), least);
 }
 
-/// What G^p falls to after a dilation, once the branch has crossed the isotropic axis: a factor. [8b]
+/// What G^p falls to after a dilation, on a branch that it softens: a factor. [8b]
 inline double softening(const UbcSand& m, const Deviator& q, const UbcSandState& state)
 {
     const double loss = larger(-1000.0, -m.a_dil_log2 * state.active_dilation); // exp as a power of 2
     const double factor = select(state.active_dilation > 0.0, exponential_2(loss), 1.0);
-    return select(least_accord(q, state) <= 0.0, factor, 1.0);
+    return select(softening_accord(q, state) <= 0.0, factor, 1.0);
 }
 
 /// F of secondary loading, up to the largest ratio so far, and of virgin loading beyond it. [8a, 8b]
@@ -205,8 +210,8 @@ void remember_loading(const UbcSand& m, const Trial& trial, UbcSandState& state)
         select(accord(at_beginning<order>(trial), state.peak_x, state.peak_y) <= 0.0, 1.0, 0.0);
     const double crossed = select(trial.branch < far_from_reversal, other_side, 0.0);
     const double loads = select(in_ripple > 0.0, 0.0, larger(unloaded, crossed));
-    count_half_cycles(turned, loads, state);
-    state.active_dilation = select(loads * other_side > 0.0, state.dilation, state.active_dilation);
+    count_half_cycles(m, turned, loads, state);
+    soften_by_dilation(m, loads * other_side, state);
     state.branch = select(in_ripple > 0.0, loading_in_ripple, loading);
 }
 

@@ -253,7 +253,7 @@ inline void finish_elastic(const UbcSand& m, const Trial& trial, UbcSandState& s
     const double resumed = select(trial.branch == loading_in_ripple, far_from_reversal, trial.branch);
     const double branch = select(reversal, just_reversed, resumed);
     state.branch = select(turned > 0.0, larger(branch, strain_reversed), branch);
-    count_half_cycles(turned, 0.0, state);
+    count_half_cycles(m, turned, 0.0, state);
     set_stress(m, trial.s, trial.q_x, trial.q_y, trial.t, trial.sigma_z + trial.E2 * trial.volumetric, state);
 }
 

@@ -32,6 +32,7 @@ inline void turn_memory(const Rotation& turn, UbcSandState& state)
 {
     turn_vector(turn, state.peak_x, state.peak_y);
     turn_vector(turn, state.origin_x, state.origin_y);
+    turn_vector(turn, state.dilated_x, state.dilated_y);
     turn_vector(turn, state.leg_x, state.leg_y);
     turn_vector(turn, state.back_x, state.back_y);
 }
@@ -72,15 +73,24 @@ inline double follow_strain(const UbcSand& m, double strain_x, double strain_y, 
     return select(m.ripple_squared <= 0.0, 1.0, turned);
 }
 
+/// What the sand has dilated up to here softens what follows, where the condition is 1 and not 0.
+inline void soften_by_dilation(const UbcSand& m, double condition, UbcSandState& state)
+{
+    const double dilated = select(m.per_dilation > 0.0, state.dilation - state.active_dilation, 0.0);
+    state.dilated_x = select(condition * dilated > 0.0, state.peak_x, state.dilated_x);
+    state.dilated_y = select(condition * dilated > 0.0, state.peak_y, state.dilated_y);
+    state.active_dilation = select(condition > 0.0, state.dilation, state.active_dilation);
+}
+
 /// A half cycle is a reversal of the strain and a beginning of loading, whichever comes first; both are 1 or
 /// 0. The reversal makes where the stress turned the origin of the present branch.
-inline void count_half_cycles(double turned, double loads, UbcSandState& state)
+inline void count_half_cycles(const UbcSand& m, double turned, double loads, UbcSandState& state)
 {
     const double began = select(state.waiting == even, reversal_waits, state.waiting);
     const double waiting = select(turned > 0.0, began, state.waiting);
     const double counts = select(waiting > even, loads, select(waiting < even, turned, 0.0));
     state.half_cycles += counts;
-    state.active_dilation = select(counts > 0.0, state.dilation, state.active_dilation);
+    soften_by_dilation(m, counts, state);
     state.waiting = select(counts > 0.0, even, select(loads > 0.0, loading_waits, waiting));
     state.origin_x = select(turned > 0.0, state.peak_x, state.origin_x);
     state.origin_y = select(turned > 0.0, state.peak_y, state.origin_y);

@@ -66,7 +66,8 @@ struct UbcSandParameters {
 
     // after liquefaction: above the ratio of constant volume D times a factor, for sand dilates more under
     // little stress than the friction of the generic set says [B86], and the least F over 1 + g_dil/strain,
-    // g_dil of the last half cycle, so that strains grow where the sand flows, on both sides alike [own]
+    // g_dil up to the last half cycle, so that strains grow where the sand flows, on both sides alike, and
+    // then only against the sense in which it last dilated [own]
     double dilation_factor = 1.0;                                     // [-]
     double dilation_strain = std::numeric_limits<double>::infinity(); // [-]
 

@@ -14,8 +14,9 @@ namespace quicksand {
 namespace {
 
 constexpr std::size_t of_cycles = 15; // numbers that every law of the kind remembers [-]
+constexpr std::size_t dilated = 22;   // the first of the two that tell where the sand has dilated [-]
 
-constexpr std::array<MemoryNumber, 22> memory = {{
+constexpr std::array<MemoryNumber, 24> memory = {{
     {"eta_max", "-", "largest stress ratio so far", Component::scalar, true},
     {"branch", "-", "0 just reversed, 0.5 strain too, 1 far from there, 1.5 in a ripple, 2 loading",
      Component::scalar, true},
@@ -40,6 +41,10 @@ constexpr std::array<MemoryNumber, 22> memory = {{
     {"liquefied_shear", "-", "the same when the sand last had liquefied; 0: it has not", Component::scalar,
      true},
     {"compaction", "-", "volumetric strain of reconsolidation", Component::scalar, true},
+    {"dilated_x", "-",
+     "stress ratio where the last half cycle turned that dilated, if dilation_strain is finite",
+     Component::x},
+    {"dilated_y", "-", "the same, tau_xy over s", Component::y},
 }};
 
 UbcSandState at_one_atmosphere()
@@ -55,7 +60,7 @@ UbcSandArrays arrays_of(const UbcSand& law, Particles& particles)
     SymmetricTensors& stress = particles.stress;
     std::array<double*, of_cycles> m{}; // columns
     for (std::size_t k = 0; k < m.size(); ++k) m[k] = particles.memory[k].data();
-    const bool has_factors = keeps_history(law);
+    const bool has_history = keeps_history(law);
     return {L.xx.data(),
             L.xy.data(),
             L.yx.data(),
@@ -81,7 +86,9 @@ UbcSandArrays arrays_of(const UbcSand& law, Particles& particles)
             m[14],
             particles.volume.data(),
             particles.mass_solid.data(),
-            has_factors ? particles.memory[of_cycles].data() : nullptr};
+            has_history ? particles.memory[of_cycles].data() : nullptr,
+            has_history ? particles.memory[dilated].data() : nullptr,
+            has_history ? particles.memory[dilated + 1].data() : nullptr};
 }
 
 UbcSandHistory history_of(Particles& particles)
@@ -120,7 +127,9 @@ UbcSandArrays from(std::size_t p, const UbcSandArrays& a)
             a.active_dilation + p,
             a.volume + p,
             a.mass_solid + p,
-            a.start_factor + p};
+            a.start_factor + p,
+            a.dilated_x + p,
+            a.dilated_y + p};
 }
 
 /// One particle, as one point of the laboratory.
@@ -130,10 +139,11 @@ void update_alone(const UbcSand& law, double dt, std::size_t p, const UbcSandArr
     const double volume = points.volume[p], mass = points.mass_solid[p];
     state.least_contraction = volume > law.largest_specific_volume * mass ? 0.0 : -1.0;
     state.most_contraction = volume < law.smallest_specific_volume * mass ? 0.0 : 1.0;
-    if (points.start_factor != nullptr) state.start_factor = points.start_factor[p];
+    points.add_to(p, state);
     update(law, {-dt * points.L_xx[p], -dt * points.L_yy[p], -dt * (points.L_xy[p] + points.L_yx[p]), 0.0},
            state);
     points.set(p, state);
+    points.set_dilated(p, state);
 }
 
 void update_points(const UbcSand& law, double dt, std::size_t first, std::size_t last,
@@ -180,7 +190,8 @@ bool limit_stress(const UbcSand& law, UbcSandState& state)
 bool keeps_history(const UbcSand& law)
 {
     return law.remembers == SandMemory::of_shaking || law.m_v > 0.0 || law.m_h > 0.0 ||
-           law.static_shear > 0.0 || law.reconsolidation > 0.0 || law.liquefied_conductivity > 1.0;
+           law.static_shear > 0.0 || law.reconsolidation > 0.0 || law.liquefied_conductivity > 1.0 ||
+           law.per_dilation > 0.0;
 }
 
 LawMemory memory_of(const UbcSand& law)
@@ -273,6 +284,7 @@ std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last
         limited += limit_stress(law, state) ? 1U : 0U;
         begin_shaking(law, state);
         arrays.set(p, state);
+        arrays.set_dilated(p, state);
         if (keeps_history(law)) begin_history(state, p, history_of(particles));
     }
     return limited;

@@ -70,6 +70,8 @@ struct UbcSandState {
     double half_cycles = 0.0; // n, reversals that were followed by loading [-]
     double dilation = 0.0;    // g_dil, plastic shear strain in dilation [-]
     double active_dilation = 0.0; // its value at the last counted half cycle, which softens the branch [-]
+    double dilated_x = 0.0;       // r where the last half cycle turned in which sand with a dilation_strain
+    double dilated_y = 0.0;       // dilated; 0: none has [-]
     // bounds of D, given and not remembered: -1, or 0 where the sand is at its loosest, and 1, or 0 where it
     // is at its densest [-]
     double least_contraction = -1.0, most_contraction = 1.0;

@@ -153,14 +153,14 @@ TEST(UbcSandCalibrated, LanesAreThePointsOneByOne)
         const UbcSand law = make_ubcsand(parameters);
         constexpr std::size_t count = 21;
         std::vector<UbcSandState> states(count);
-        std::array<std::vector<double>, 26> columns;
+        std::array<std::vector<double>, 28> columns;
         for (auto& column : columns) column.assign(count, 0.0);
         auto& c = columns;
         const UbcSandArrays arrays = {
             c[0].data(),  c[1].data(),  c[2].data(),  c[3].data(),  c[4].data(),  c[5].data(),  c[6].data(),
             c[7].data(),  c[8].data(),  c[9].data(),  c[10].data(), c[11].data(), c[12].data(), c[13].data(),
             c[14].data(), c[15].data(), c[16].data(), c[17].data(), c[18].data(), c[19].data(), c[20].data(),
-            c[21].data(), c[22].data(), c[23].data(), c[24].data(), c[25].data()};
+            c[21].data(), c[22].data(), c[23].data(), c[24].data(), c[25].data(), c[26].data(), c[27].data()};
         for (std::size_t p = 0; p < count; ++p) {
             states[p].sigma_y = 50e3 + 5e3 * static_cast<double>(p);
             states[p].sigma_x = states[p].sigma_z = 0.5 * states[p].sigma_y;
@@ -185,6 +185,54 @@ TEST(UbcSandCalibrated, LanesAreThePointsOneByOne)
             EXPECT_EQ(states[p].tau_xy, arrays.state(p).tau_xy);
             EXPECT_EQ(states[p].sigma_z, arrays.state(p).sigma_z);
         }
+    }
+}
+
+using Direction = std::array<double, 2>; // a unit vector of (eps_x - eps_y, gamma_xy)
+
+/// Shear stress along a direction [Pa].
+double shear_stress(const Direction& direction, const UbcSandState& state)
+{
+    return 0.5 * (state.sigma_x - state.sigma_y) * direction[0] + state.tau_xy * direction[1];
+}
+
+/// Undrained shear along a direction, or back, up to a shear stress [Pa].
+void shear(const UbcSand& law, const Direction& direction, double amount, UbcSandState& state,
+           double most = 1e9)
+{
+    const double sense = std::copysign(1.0, amount), step = 2e-5 * sense;
+    const double x = 0.5 * step * direction[0], xy = step * direction[1];
+    const auto steps = static_cast<int>(std::round(amount / step));
+    for (int k = 0; k < steps && sense * shear_stress(direction, state) < most; ++k)
+        update(law, {x, -x, xy, 0.0}, state);
+}
+
+/// Liquefied sand that has dilated in one sense is stiff in it, and flows in the other; however the sand has
+/// turned since.
+TEST(UbcSandCalibrated, SoftensAgainstTheSenseOfItsLastDilation)
+{
+    const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    for (const double spin : {0.0, 0.7}) {
+        UbcSandState state;
+        state.sigma_x = state.sigma_z = 50e3, state.sigma_y = 100e3;
+        begin_shaking(law, state);
+        Direction sense{0.0, 1.0};
+        for (int cycle = 0; cycle < 6; ++cycle)
+            shear(law, sense, -0.5, state, 30e3), shear(law, sense, 0.5, state, 30e3);
+        ASSERT_GE(shear_stress(sense, state), 30e3);
+        turn(spin, state);
+        const double angle = 4.0 * std::atan(0.5 * spin); // of vectors, twice that of the soil
+        sense = {-std::sin(angle), std::cos(angle)};
+        shear(law, sense, -0.03, state); // flows, and does not dilate
+        EXPECT_LT(std::abs(shear_stress(sense, state)), 1e3);
+        UbcSandState same = state, other = state;
+        shear(law, sense, 0.015, same);
+        shear(law, sense, -0.015, other);
+        EXPECT_GT(shear_stress(sense, same), -20.0 * shear_stress(sense, other)) << spin;
+        UbcSandState forgets = state;
+        forgets.dilated_x = forgets.dilated_y = 0.0;
+        shear(law, sense, 0.015, forgets);
+        EXPECT_LT(shear_stress(sense, forgets), 0.05 * shear_stress(sense, same)) << spin;
     }
 }
 
