@@ -107,12 +107,9 @@ std::string describe_failure(const Problem& problem, const Particles& failure)
 void require_strength(const AssembledCase& assembled)
 {
     if (has_strength(assembled.problem)) return;
-    std::string models;
-    for (const SoilLaw& law : soil_laws())
-        if (has_strength(law.form)) models += fmt::format("{}\"{}\"", models.empty() ? "" : " or ", law.word);
-    throw InputError(
-        assembled.scene.file.string() +
-        ": no soil of this scene has a strength to reduce\nexpected: a material with model = " + models);
+    throw InputError(assembled.scene.file.string() +
+                     ": no soil of this scene has a strength to reduce\nexpected: a material with model = " +
+                     laws_with_strength());
 }
 
 void require_still_water(const AssembledCase& assembled)

@@ -294,7 +294,7 @@ Section read_section(const json& result)
         section.points.push_back({entry["name"], Vector2(entry["at"][0], entry["at"][1])});
     }
     for (const json& entry : result.value("nameless", json::array()))
-        section.nameless.push_back(Vector2(entry[0], entry[1]));
+        section.nameless.push_back({Vector2(entry[0], entry[1]), Vector2(entry[2], entry[3])});
     bound_section(section);
     return section;
 }

@@ -190,7 +190,7 @@ json flatten_all(const std::vector<Polyline>& lines, const std::string& owner, j
     return flat;
 }
 
-/// Middles of the boxes of drawn surfaces that no group has.
+/// Boxes of drawn surfaces that no group has.
 void write_nameless(json& result)
 {
     std::set<int> named;
@@ -202,7 +202,7 @@ void write_nameless(json& result)
         if (named.count(surface) > 0) continue;
         double lower[3], upper[3];
         gmsh::model::getBoundingBox(2, surface, lower[0], lower[1], lower[2], upper[0], upper[1], upper[2]);
-        result["nameless"].push_back({0.5 * (lower[0] + upper[0]), 0.5 * (lower[1] + upper[1])});
+        result["nameless"].push_back({lower[0], lower[1], upper[0], upper[1]});
     }
 }
 

@@ -41,12 +41,16 @@ struct MeshQuad {
     std::size_t region = 0; // index into Section::regions
 };
 
+struct Box {
+    Vector2 lower, upper; // corners [m]
+};
+
 struct Section {
     std::vector<Region> regions;
     std::vector<NamedCurve> curves;
     std::vector<NamedPoint> points;
     std::vector<MeshQuad> quads;                              // only when asked for
-    std::vector<Vector2> nameless;                            // middles of drawn surfaces in no region [m]
+    std::vector<Box> nameless;                                // around drawn surfaces in no region
     Vector2 lower = Vector2::Zero(), upper = Vector2::Zero(); // bounding box [m]
 };
 

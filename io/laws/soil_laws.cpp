@@ -170,6 +170,14 @@ std::string numbers_of(const SkeletonLaw& law)
 
 } // namespace
 
+std::string laws_with_strength()
+{
+    std::string words;
+    for (const SoilLaw& law : soil_laws())
+        if (has_strength(law.form)) words += fmt::format("{}\"{}\"", words.empty() ? "" : " or ", law.word);
+    return words;
+}
+
 std::span<const SoilLaw> soil_laws()
 {
     static const std::vector<SoilLaw> laws = list_laws();

@@ -29,6 +29,9 @@ DescribedLaw read_element_law(const LawSource& source);
 /// A usual soil of the law.
 SkeletonLaw example_of(const SoilLaw& law);
 
+/// The words of the laws with a strength that can be reduced, quoted: "a" or "b".
+std::string laws_with_strength();
+
 /// The law of that form.
 const SoilLaw& soil_law(const SkeletonLaw& form);
 

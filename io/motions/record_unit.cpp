@@ -96,6 +96,40 @@ std::string unit_in(std::string_view name, std::span<const std::string_view> uni
     return "";
 }
 
+/// The last column without quotation marks; in a header without commas and semicolons its last word, for that
+/// may be a title.
+std::string_view last_name(std::string_view header)
+{
+    constexpr std::string_view gaps = " \t\"'";
+    const std::string_view column = last_column(header);
+    const std::size_t begin = column.find_first_not_of(gaps), end = column.find_last_not_of(gaps);
+    if (begin == std::string_view::npos) return {};
+    const std::string_view name = column.substr(begin, end + 1 - begin);
+    return column.size() < header.size() ? name : name.substr(name.find_last_of(gaps) + 1);
+}
+
+/// Whether a column is named as a velocity or displacement, or ends with the unit of a velocity.
+bool is_other_motion(std::string_view name)
+{
+    constexpr std::array<std::string_view, 7> motions = {"VEL",   "VELOCITY",     "VELOCITIES",   "DISP",
+                                                         "DISPL", "DISPLACEMENT", "DISPLACEMENTS"};
+    constexpr std::array<std::string_view, 3> units = {"M/S", "CM/S", "MM/S"};
+    const auto is_one_of = [](const auto& words, const std::string& word) {
+        return std::find(words.begin(), words.end(), word) != words.end();
+    };
+    std::string word;
+    for (const char c : std::string(name) + ' ') {
+        if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
+            word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+        } else if (is_one_of(motions, std::exchange(word, ""))) {
+            return true;
+        }
+    }
+    const auto tails = tails_of(name, "_");
+    return std::any_of(tails.begin(), tails.end(),
+                       [&](std::string_view tail) { return is_one_of(units, plain(tail)); });
+}
+
 } // namespace
 
 std::optional<RecordUnit> record_unit(std::string_view words)
@@ -123,10 +157,8 @@ std::string unknown_unit_of_column(std::string_view header)
 {
     constexpr std::array<std::string_view, 5> lengths = {"M", "CM", "MM", "FT", "IN"};
     if (unit_of_column(header)) return "";
-    const std::string_view column = last_column(header);
-    const std::size_t begin = std::min(column.find_first_not_of(" \t\"'"), column.size());
-    for (const std::string_view other : {"VEL", "DISP"})
-        if (plain(column.substr(begin, other.size())) == other) return std::string(column.substr(begin));
+    const std::string_view column = last_column(header), name = last_name(header);
+    if (is_other_motion(name)) return std::string(name);
     for (const std::string_view words : in_brackets(column)) {
         const std::string unit = plain(words);
         const std::string length = unit.substr(0, unit.find('/')), time = unit.substr(length.size());

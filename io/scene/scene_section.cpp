@@ -244,10 +244,12 @@ void check_nameless(const Scene& scene, const Section& section, Diagnostics& fin
 {
     if (section.nameless.empty()) return;
     std::string places;
-    for (const Vector2& place : section.nameless) places += " " + place_text(place);
+    for (const Box& box : section.nameless)
+        places += fmt::format("{} between {} and {}", places.empty() ? "" : ",", place_text(box.lower),
+                              place_text(box.upper));
     findings.add(warning_at(scene.geometry_place, "geometry.file", "nameless-surface",
-                            "surfaces in no physical surface are left out, there is no soil: around" + places,
-                            "", "name them, as Physical Surface(\"sand\") = {...}; or delete them"));
+                            "surfaces in no physical surface are left out, there is no soil:" + places, "",
+                            "name them, as Physical Surface(\"sand\") = {...}; or delete them"));
 }
 
 void check_names(const Scene& scene, const Section& section, Diagnostics& findings)

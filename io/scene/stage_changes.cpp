@@ -1,6 +1,7 @@
 #include "io/scene/stage_changes.hpp"
 
 #include "io/keys/scene_schema.hpp"
+#include "io/laws/soil_laws.hpp"
 #include "io/tables/stage_keys.hpp"
 
 #include <algorithm>
@@ -116,6 +117,12 @@ std::map<std::string, std::string> given_soil_keys(const Keys& keys, const std::
     return soil;
 }
 
+bool has_strength(const Scene& scene)
+{
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [](const SceneMaterial& material) { return has_strength(material.material.law); });
+}
+
 } // namespace
 
 void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings)
@@ -130,6 +137,11 @@ void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings
                                   "no water reacts in the stage \"" + now.scene.stage->name +
                                       "\", which settles undrained",
                                   "a table [water], with flow = \"coupled\" or \"undrained\""));
+        if (now.scene.stage->kind == StageKind::stability && !has_strength(now.scene))
+            findings.add(error_at(now.scene.stage->place, "stage",
+                                  "no soil has a strength that the stage \"" + now.scene.stage->name +
+                                      "\" could reduce",
+                                  "a material with model = " + laws_with_strength()));
         if (now.scene.stage->kind == StageKind::consolidate && !now.scene.water)
             findings.add(error_at(now.scene.stage->place, "stage", "dry soil does not consolidate",
                                   "a table [water], or kind = \"settle\""));

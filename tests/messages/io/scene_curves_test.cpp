@@ -84,10 +84,10 @@ TEST(Curves, TakesASecondNameOfALineForNoCondition)
 TEST(Surfaces, AreToldOfWhereNoRegionHasThem)
 {
     Section section = column_section();
-    section.nameless = {{3.0, 0.5}, {-1.25, 2.0}};
+    section.nameless = {{{2.0, 0.0}, {4.0, 1.0}}, {{-1.25, 2.0}, {0.0, 3.5}}};
     EXPECT_EQ(
         SceneFolder().assembly_message(column_scene, section),
-        R"(scene.toml:5:8: warning[nameless-surface]: surfaces in no physical surface are left out, there is no soil: around (3, 0.5) (-1.25, 2)
+        R"(scene.toml:5:8: warning[nameless-surface]: surfaces in no physical surface are left out, there is no soil: between (2, 0) and (4, 1), between (-1.25, 2) and (0, 3.5)
     5 | file = "column.geo"
       |        ^~~~~~~~~~~~
 hint: name them, as Physical Surface("sand") = {...}; or delete them

@@ -176,7 +176,8 @@ TEST(SceneRecords, TwoColumnsOfAnUnknownUnitAreRefusedWhateverTheSceneSays)
     for (const auto& [column, said] :
          {std::pair("a [ft/s2]", "ft/s2"), std::pair("a [m/s]", "m/s"), std::pair("a [%g]", "%g"),
           std::pair("a [mg]", "mg"), std::pair("velocity_m_s", "velocity_m_s"),
-          std::pair("Velocity", "Velocity"), std::pair(" disp_cm", "disp_cm"),
+          std::pair("Velocity", "Velocity"), std::pair("ground_velocity", "ground_velocity"),
+          std::pair("v_m_s", "v_m_s"), std::pair(" disp_cm", "disp_cm"),
           std::pair("displacement [m]", "displacement [m]")}) {
         const fixtures::SceneFolder folder;
         folder.write("record.csv", "time [s]," + std::string(column) + "\n0,0.1\n0.01,0.2\n");
@@ -196,6 +197,14 @@ hint: convert the numbers, and name their unit in the header
         folder.write("record.csv", "time (s)," + sound + "\n0,0.1\n0.01,0.2\n");
         EXPECT_EQ(folder.message(text).find("error"), std::string::npos) << folder.message(text);
     }
+    const auto message_of = [&](const std::string& header) {
+        const fixtures::SceneFolder folder;
+        folder.write("record.csv", header + "\n0 0.1\n0.01 0.2\n");
+        return folder.message(text);
+    };
+    EXPECT_NE(message_of("time_s velocity_m_s").find("says velocity_m_s, which"), std::string::npos);
+    EXPECT_NE(message_of("t\tdisp").find("says disp, which"), std::string::npos);
+    EXPECT_EQ(message_of("Velestino station, 1980 N-S").find("error"), std::string::npos); // a title
 }
 
 std::string of_columns()

@@ -157,6 +157,18 @@ hint: remove it, or set kind = "settle"
 )_");
 }
 
+TEST(SceneStageMessages, StabilityNeedsAStrength)
+{
+    const std::string message = column_message(settle_stage + "[[stages]]\nkind = \"stability\"\n");
+    EXPECT_NE(
+        message.find("error[stage]: no soil has a strength that the stage \"stability\" could reduce\n"),
+        std::string::npos)
+        << message;
+    EXPECT_NE(message.find("expected: a material with model = \"mohr_coulomb\" or \"ubcsand\""),
+              std::string::npos)
+        << message;
+}
+
 TEST(SceneStageMessages, WaterFlowsWhereSoilConsolidates)
 {
     EXPECT_EQ(

@@ -42,7 +42,8 @@ Line(5) = {2, 5}; Line(6) = {5, 6}; Line(7) = {6, 3}; Curve Loop(8) = {5, 6, 7, 
 )");
     ASSERT_EQ(section.regions.size(), 1u);
     ASSERT_EQ(section.nameless.size(), 1u);
-    EXPECT_LT((section.nameless[0] - Vector2(3.0, 0.5)).norm(), 1e-6);
+    EXPECT_LT((section.nameless[0].lower - Vector2(2.0, 0.0)).norm(), 1e-6);
+    EXPECT_LT((section.nameless[0].upper - Vector2(4.0, 1.0)).norm(), 1e-6);
 }
 
 TEST(GmshFile, TurnsRimSegmentsSoThatTheSoilIsOnTheLeft)

@@ -231,10 +231,12 @@ using Factors = std::vector<std::pair<double, double>>;
 TEST(SceneStages, ALoadGoesOnWhereTheStageBeforeLeftIt)
 {
     const std::string stability = "[[stages]]\nkind = \"stability\"\n";
-    EXPECT_EQ(
-        factors_of_surface(read_stages(loaded("ramp_time = \"4 h\"\n") + settle + consolidate + stability +
-                                       consolidate + "name = \"on\"\n" + stability + "name = \"end\"\n")),
-        (Factors{{0.0, 0.0}, {0.0, 0.5}, {0.5, 0.5}, {0.5, 1.0}, {1.0, 1.0}}));
+    const std::string ground =
+        fixtures::replaced(loaded("ramp_time = \"4 h\"\n"), "model = \"linear_elastic\"",
+                           "model = \"mohr_coulomb\"\ncohesion = 1000\nfriction_angle = 30");
+    EXPECT_EQ(factors_of_surface(read_stages(ground + settle + consolidate + stability + consolidate +
+                                             "name = \"on\"\n" + stability + "name = \"end\"\n")),
+              (Factors{{0.0, 0.0}, {0.0, 0.5}, {0.5, 0.5}, {0.5, 1.0}, {1.0, 1.0}}));
 }
 
 TEST(SceneStages, AnOscillatingLoadGoesOnInItsPhase)
