@@ -3,6 +3,8 @@
 
 #include "solver/base/conventions.hpp"
 
+#include <algorithm>
+
 namespace quicksand {
 
 /// Normal equations of the least-squares slope of a quantity from a cell to its neighbours.
@@ -31,6 +33,13 @@ struct SlopeFit {
         return trace > 0.0 ? Vector2(x / trace, y / trace) : Vector2(0.0, 0.0);
     }
 };
+
+/// The weight of a neighbour with this volume of soil beside a cell's own: 1 down to half of it. Slivers of
+/// soil have pressures of their own, which must not bend that of the cells beside.
+inline double weight_of_soil(double volume, double own)
+{
+    return std::min(1.0, 2.0 * volume / own);
+}
 
 /// The least-squares plane through a cell and its neighbours, which may pass the cell's own value: what bends
 /// along the end of a body, where neighbours lie on one side, has no slope across it.

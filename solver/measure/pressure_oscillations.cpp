@@ -72,7 +72,8 @@ Vectors cell_slopes(const BackgroundGrid& grid, const CellField& field)
             for (int k = 0; k < 9; ++k) {
                 const auto other = static_cast<std::size_t>((j + k / 3 - 1) * columns + i + k % 3 - 1);
                 if (other == c || field.volume[other] == 0.0) continue;
-                fit.add(1.0, field.centre[other] - field.centre[c], field.mean[other] - field.mean[c]);
+                fit.add(weight_of_soil(field.volume[other], field.volume[c]),
+                        field.centre[other] - field.centre[c], field.mean[other] - field.mean[c]);
             }
             slopes.set(c, fit.slope(grid.cell_size));
         }

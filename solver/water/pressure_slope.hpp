@@ -69,7 +69,9 @@ Vector2 pressure_slope(const Problem& problem, const CellLists& lists, const Cel
     PlaneFit fit;
     const auto add = [&](std::size_t other, const Vector2& apart) {
         if (!alike) most_conductive = std::max(most_conductive, means.most_conductive[other]);
-        fit.add(part_of_neighbour(means, slot, other), apart, pressure_of(other) - pressure);
+        fit.add(weight_of_soil(means.volume[other], means.volume[slot]) *
+                    part_of_neighbour(means, slot, other),
+                apart, pressure_of(other) - pressure);
     };
     for (std::int32_t b = -1; b <= 1; ++b) {
         for (std::int32_t a = -1; a <= 1; ++a) {
