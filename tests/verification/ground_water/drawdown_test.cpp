@@ -3,6 +3,7 @@
 #include "solver/measure/balances.hpp"
 #include "solver/run/staged_run.hpp"
 #include "tests/fixtures/drawn_section.hpp"
+#include "tests/fixtures/scene_example.hpp"
 
 #include <gtest/gtest.h>
 
