@@ -43,7 +43,9 @@ std::string describe_history(const History& history)
     if (history.ramp_time > 0.0) text += fmt::format(", rising over {} s", short_number(history.ramp_time));
     if (const auto* sine = std::get_if<SineHistory>(&history.shape))
         text += fmt::format(", a sine wave of {} Hz", short_number(sine->frequency));
-    if (const auto* table = std::get_if<SampledHistory>(&history.shape); table != nullptr && varies(history))
+    const auto* table = std::get_if<SampledHistory>(&history.shape);
+    if (table != nullptr &&
+        (varies(history) || history_value(history, 0.0) != 1.0)) // one that ended at 1 is over
         text += fmt::format(", times a table of {} factors, up to {}", table->times.size(),
                             short_number(peak_value(history)));
     return text;

@@ -176,7 +176,6 @@ private:
 
     SessionOutcome find_safety(const fs::path& directory, SceneSetup setup, Journal& journal)
     {
-        require_strength(setup.assembled);
         const ResultsFolder folder =
             prepare_report_folder(directory, stability_report, setup.assembled.scene);
         journal.keep(folder.directory / stability_report);

@@ -17,7 +17,7 @@ const Boundary& ground_of(const Scene& scene)
     return find_boundary(scene, "ground")->boundary;
 }
 
-/// Surfaces of the water beyond the ground at the begin and the end of each stage, and at a time of it [m].
+/// Surface of the water beyond the ground at the begin and the end of a stage [m].
 struct Surface {
     double begin, end;
 };
@@ -85,7 +85,7 @@ TEST(StageBeginning, WaterThatStandsAtItsHeadVariesNoMore)
     const SceneFolder folder; // rounding: 1.1 + (3.3 - 1.1) is not 3.3
     folder.write("scene.toml", slope_scene("level = 1.1", "soil = \"free\"\nwater = \"head\"\nhead = 3.3\n"
                                                           "ramp_time = \"1 d\"\n") +
-                                   two_days + "[stages.boundaries.ground]\nhead = 3.3\n");
+                                   two_days + "[stages.boundaries.ground]\nramp_time = \"2 d\"\n");
     const auto stages = read_scene_stages(folder.file("scene.toml"), {});
     EXPECT_FALSE(varies(std::get<PrescribedWater>(ground_of(stages[1].scene).water).history));
 }
