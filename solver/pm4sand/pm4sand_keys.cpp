@@ -67,7 +67,7 @@ constexpr std::array<Key, 27> keys = {{
       .meaning = "n_b: M^b = M exp(-n_b xi), xi the relative state; a quarter of it where loose of critical.",
       .allowed = not_negative,
       .usual = {0.1, 2.0},
-      .standard = standard.bounding_exponent},
+      .absent = "0.5; calibrated 0.8 - 1.5 (Dr - 0.35), from 0.5 to 0.8"},
      &Pm4Sand::bounding_exponent},
     {{.name = "dilatancy_exponent",
       .unit = "-",
@@ -176,8 +176,9 @@ constexpr std::array<Key, 27> keys = {{
      &Pm4Sand::sedimentation_stress},
     {{.name = "reconsolidation",
       .unit = "-",
-      .meaning = "Post-shaking option: 1 softens the moduli by F_sed, 0 does not; for tests of settling "
-                 "after shaking.",
+      .meaning =
+          "Post-shaking option: 1 softens the moduli by F_sed, 0 does not; for stages after shaking, in "
+          "which sand that has liquefied settles by a tenth without it.",
       .allowed = {.lower = 0.0, .upper = 1.0},
       .usual = {0.0, 1.0},
       .standard = standard.reconsolidation},

@@ -73,6 +73,7 @@ double contraction_rate_at(double relative_density)
 Pm4Sand calibrated_pm4sand()
 {
     Pm4Sand law;
+    law.bounding_exponent = not_given;
     law.yield_radius = 0.005;
     law.sedimentation_floor = 0.04;
     law.sedimentation_stress = atmospheric_pressure;
@@ -91,6 +92,7 @@ Pm4Sand complete_calibrated(Pm4Sand law)
                                   {0.80, 1.6}}};
     fill_density(law);
     fill(law.modulus_ratio, std::max(0.3, law.relative_density + 0.11));
+    fill(law.bounding_exponent, std::clamp(0.8 - 1.5 * (law.relative_density - 0.35), 0.5, 0.8));
     fill(law.contraction_rate, interpolated(rates, law.relative_density));
     return complete(law);
 }

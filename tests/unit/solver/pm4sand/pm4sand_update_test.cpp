@@ -54,11 +54,14 @@ TEST(Pm4Sand, LeavesGivenParametersOfTheCalibratedSetAlone)
     const Pm4Sand by_default = complete_calibrated(law);
     EXPECT_NEAR(by_default.modulus_ratio, std::sqrt(12.0 / 46.0) + 0.11, 1e-12);
     EXPECT_EQ(by_default.yield_radius, 0.005);
+    EXPECT_NEAR(by_default.bounding_exponent, 0.8 - 1.5 * (std::sqrt(12.0 / 46.0) - 0.35), 1e-12);
     EXPECT_LT(by_default.contraction_rate, contraction_rate_at(by_default.relative_density));
     EXPECT_EQ(by_default.shear_coefficient, complete({.n1_60 = 12.0}).shear_coefficient);
     law.modulus_ratio = 0.5;
     law.contraction_rate = 0.6;
+    law.bounding_exponent = 0.3;
     EXPECT_EQ(complete_calibrated(law).modulus_ratio, 0.5);
+    EXPECT_EQ(complete_calibrated(law).bounding_exponent, 0.3);
     EXPECT_EQ(complete_calibrated(law).contraction_rate, 0.6);
 }
 
