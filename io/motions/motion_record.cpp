@@ -119,9 +119,9 @@ std::optional<MotionRecord> read_columns(const std::filesystem::path& file, cons
     if (const std::string other = unknown_unit_of_column(table.header); !other.empty()) {
         findings.add(error_at(place, "motion",
                               "the header of '" + file.string() + "' says " + other +
-                                  ", which is no unit of acceleration that is known",
+                                  ", which is no acceleration in a unit that is known",
                               "g, m/s2, cm/s2 or Gal",
-                              "convert the numbers, and name their unit in the header"));
+                              "convert the numbers, or name the column as acc [m/s2]"));
         return std::nullopt;
     }
     const auto stated = unit_of_column(table.header);

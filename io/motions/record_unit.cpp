@@ -60,8 +60,10 @@ std::vector<std::string_view> in_brackets(std::string_view name)
     return found;
 }
 
+/// The last that has a name.
 std::string_view last_column(std::string_view header)
 {
+    header = header.substr(0, header.find_last_not_of(",; \t") + 1);
     return header.substr(header.find_last_of(",;") + 1);
 }
 
@@ -108,7 +110,8 @@ std::string_view last_name(std::string_view header)
     return column.size() < header.size() ? name : name.substr(name.find_last_of(gaps) + 1);
 }
 
-/// Whether a column is named as a velocity or displacement, or ends with the unit of a velocity.
+/// Whether a column is named as a velocity or displacement and not as an acceleration too
+/// ("acc_disp_corrected"), or is or ends with the unit of a velocity.
 bool is_other_motion(std::string_view name)
 {
     constexpr std::array<std::string_view, 7> motions = {"VEL",   "VELOCITY",     "VELOCITIES",   "DISP",
@@ -118,15 +121,19 @@ bool is_other_motion(std::string_view name)
         return std::find(words.begin(), words.end(), word) != words.end();
     };
     std::string word;
+    bool is_named = false, is_acceleration = false;
     for (const char c : std::string(name) + ' ') {
         if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
             word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-        } else if (is_one_of(motions, std::exchange(word, ""))) {
-            return true;
+            continue;
         }
+        is_acceleration = is_acceleration || word.starts_with("ACC");
+        is_named = is_one_of(motions, std::exchange(word, "")) || is_named;
     }
-    const auto tails = tails_of(name, "_");
-    return std::any_of(tails.begin(), tails.end(),
+    auto tails = tails_of(name, "_");
+    tails.push_back(name);
+    return (is_named && !is_acceleration) ||
+           std::any_of(tails.begin(), tails.end(),
                        [&](std::string_view tail) { return is_one_of(units, plain(tail)); });
 }
 

@@ -3,6 +3,7 @@
 #include "io/keys/scene_units.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 
@@ -58,6 +59,20 @@ std::optional<TimeRow> parse_row(std::string_view line)
     return TimeRow{time->value, value->value, decimals_of(time->text)};
 }
 
+/// The names of two columns in a comment, as numpy writes them ("# time,acceleration"); empty where the
+/// comment says something else.
+std::string_view names_in_comment(std::string_view comment)
+{
+    comment.remove_prefix(std::min(comment.find_first_not_of("# \t"), comment.size()));
+    if (std::count_if(comment.begin(), comment.end(), [](char c) { return c == ',' || c == ';'; }) == 1)
+        return comment;
+    std::string first;
+    for (const char c : comment.substr(0, comment.find_first_of(" \t([_")))
+        first += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    const bool has_second = comment.find_first_of(blanks) != std::string_view::npos;
+    return has_second && (first == "t" || first == "time") ? comment : std::string_view();
+}
+
 } // namespace
 
 std::string parse_time_table(std::string_view text, TimeTable& table)
@@ -70,7 +85,12 @@ std::string parse_time_table(std::string_view text, TimeTable& table)
         text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
         ++number;
         if (line.ends_with('\r')) line.remove_suffix(1);
-        if (line.find_first_not_of(" \t") == std::string_view::npos || line.starts_with('#')) continue;
+        if (line.find_first_not_of(" \t") == std::string_view::npos) continue;
+        if (line.starts_with('#')) {
+            const std::string_view names = names_in_comment(line);
+            if (header_allowed && !names.empty()) table.header = std::string(names);
+            continue;
+        }
         const auto row = parse_row(line);
         if (row) {
             table.rows.push_back(*row);

@@ -19,11 +19,12 @@ struct TimeRow {
 struct TimeTable {
     std::vector<TimeRow> rows;
     std::vector<int> lines; // of the file, where each row stands
-    std::string header;     // the line above them, empty: none
+    std::string header;     // the line above them, or names of columns in a comment there; empty: none
 };
 
 /// Rows of two numbers separated by a comma, a semicolon or blanks; one header line, empty lines and lines
-/// with # are left out. Returns what is wrong with the text, "" when it holds two rows or more.
+/// with # are left out, but the header may be such a line. Returns what is wrong with the text, "" when it
+/// holds two rows or more.
 std::string parse_time_table(std::string_view text, TimeTable& table);
 
 /// What is wrong with the times where they do not increase, "" when they do.

@@ -183,16 +183,16 @@ TEST(SceneRecords, TwoColumnsOfAnUnknownUnitAreRefusedWhateverTheSceneSays)
         folder.write("record.csv", "time [s]," + std::string(column) + "\n0,0.1\n0.01,0.2\n");
         EXPECT_EQ(folder.message(text), "scene.toml:46:8: error[motion]: the header of 'record.csv' says " +
                                             std::string(said) +
-                                            R"_(, which is no unit of acceleration that is known
+                                            R"_(, which is no acceleration in a unit that is known
    46 | file = "record.csv"
       |        ^~~~~~~~~~~~
 expected: g, m/s2, cm/s2 or Gal
-hint: convert the numbers, and name their unit in the header
+hint: convert the numbers, or name the column as acc [m/s2]
 )_");
     }
     for (const std::string sound :
          {"a (E-W)", "acc (N/S)", "acc (17/10/1989)", "acc (5% damped)", "a (m/s**2)", "a (m/sec/sec)",
-          "a (m/s^{2})", "a [m/(s^2)]", "acc [m/s2] (N/S)", "a"}) {
+          "a (m/s^{2})", "a [m/(s^2)]", "acc [m/s2] (N/S)", "a", "acc_disp_corrected", "a,"}) {
         const fixtures::SceneFolder folder;
         folder.write("record.csv", "time (s)," + sound + "\n0,0.1\n0.01,0.2\n");
         EXPECT_EQ(folder.message(text).find("error"), std::string::npos) << folder.message(text);
@@ -204,6 +204,9 @@ hint: convert the numbers, and name their unit in the header
     };
     EXPECT_NE(message_of("time_s velocity_m_s").find("says velocity_m_s, which"), std::string::npos);
     EXPECT_NE(message_of("t\tdisp").find("says disp, which"), std::string::npos);
+    EXPECT_NE(message_of("VELOCITY TIME SERIES IN UNITS OF CM/S").find("says CM/S, which"),
+              std::string::npos);
+    EXPECT_NE(message_of("time_s, v [m/s], ").find("says m/s, which"), std::string::npos);
     EXPECT_EQ(message_of("Velestino station, 1980 N-S").find("error"), std::string::npos); // a title
 }
 

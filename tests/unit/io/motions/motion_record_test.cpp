@@ -78,6 +78,20 @@ TEST(MotionRecord, TakesTheUnitOfTheHeader)
     }
 }
 
+TEST(MotionRecord, TakesTheUnitOfNamesInAComment)
+{
+    const std::string rows = "\n# of the year 1989\n0,0\n0.01,2\n";
+    for (const std::string header : {"# time (s), a (gal)", "#t;acc_cm_s2", "# Time[s] a[gal]"})
+        EXPECT_EQ(read_columns_of(header + rows, "").accelerations, (std::vector{0.0, 0.02})) << header;
+    EXPECT_NE(read_columns_of("# time,velocity" + rows, "m/s2").findings.find("says velocity"),
+              std::string::npos);
+    EXPECT_NE(read_columns_of("# t_ms,a_g" + rows, "g").findings.find("its times are in ms"),
+              std::string::npos);
+    for (const std::string comment : {"# Kobe, 1995, velocity", "# from the velocity", "#", "# time"})
+        EXPECT_EQ(read_columns_of(comment + rows, "m/s2").accelerations, (std::vector{0.0, 2.0})) << comment;
+    EXPECT_EQ(read_columns_of("# t, velocity\nt, a" + rows, "m/s2").accelerations, (std::vector{0.0, 2.0}));
+}
+
 TEST(MotionRecord, RefusesAUnitThatTheHeaderContradicts)
 {
     const Reading reading = read_columns_of("Time [s];Acceleration [g]\n0;0\n0.01;1\n", "m/s2");
