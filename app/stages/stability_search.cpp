@@ -106,7 +106,7 @@ std::string describe_failure(const Problem& problem, const Particles& failure)
 
 void require_strength(const AssembledCase& assembled)
 {
-    if (has_strength(assembled.problem)) return;
+    if (has_strength(assembled.problem, assembled.state.particles)) return;
     throw InputError(assembled.scene.file.string() +
                      ": no soil of this scene has a strength to reduce\nexpected: a material with model = " +
                      laws_with_strength());

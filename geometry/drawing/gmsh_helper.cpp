@@ -324,8 +324,8 @@ void read_model(double curve_tolerance, double quad_size, json& result)
         write_mesh_outlines(NodeTable(), result);
     } else {
         write_drawing(curve_tolerance, result);
-        write_nameless(result);
     }
+    write_nameless(result);
     write_points(result);
     if (!faults.empty() || quad_size <= 0.0) return;
 

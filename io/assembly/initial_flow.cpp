@@ -128,12 +128,13 @@ bool FlowSection::check_water_beyond(const Boundary& boundary, const SceneBounda
             const double lowest =
                 std::max(0.0, level() - point.y()) - head_rounding * problem_.grid.cell_size;
             if (pressure >= lowest) continue;
+            const std::string high = pressure == 0.0 ? "no higher than the curve"
+                                                     : fmt::format("{:.4g} m high", point.y() + pressure);
             findings_.add(error_at(
                 written.water_place, "initial-flow",
                 fmt::format(
-                    "the water at the curve \"{}\" stands {:.4g} m high at [{:.5g}, {:.5g}]{}, below {}",
-                    boundary.name, point.y() + pressure, point.x(), point.y(),
-                    time > 0.0 ? fmt::format(" after {:.5g} s", time) : "",
+                    "the water at the curve \"{}\" stands {} at [{:.5g}, {:.5g}]{}, below {}", boundary.name,
+                    high, point.x(), point.y(), time > 0.0 ? fmt::format(" after {:.5g} s", time) : "",
                     lowest > 0.0 ? fmt::format("the water level {:.5g} m", level()) : "the curve itself"),
                 "water at the water level or above, and no suction",
                 "let level be that of the lowest water"));

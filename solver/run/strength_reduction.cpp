@@ -164,10 +164,11 @@ private:
 
 } // namespace
 
-bool has_strength(const Problem& problem)
+bool has_strength(const Problem& problem, const Particles& particles)
 {
-    return std::any_of(problem.materials.begin(), problem.materials.end(),
-                       [](const Material& material) { return has_strength(material.law); });
+    return std::any_of(particles.material.begin(), particles.material.end(), [&](auto material) {
+        return has_strength(problem.materials[static_cast<std::size_t>(material)].law);
+    });
 }
 
 MovingSoil moving_soil(const Particles& failure)

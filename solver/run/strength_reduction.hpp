@@ -58,8 +58,8 @@ MovingSoil moving_soil(const Particles& failure);
 /// The problem with its strengths divided; laws without strength stay as they are.
 Problem with_reduced_strength(const Problem& problem, double factor);
 
-/// Whether the problem has a material whose strength can be reduced.
-bool has_strength(const Problem& problem);
+/// Whether a particle has a strength that can be reduced.
+bool has_strength(const Problem& problem, const Particles& particles);
 
 /// The factor of safety of a body at rest, its stress being the initial one. The pore pressure is held: what
 /// exceeds the static one takes part. `state` keeps its shape and becomes that of the last factor at which

@@ -223,9 +223,10 @@ TEST(StrengthReduction, SoilThatCannotFailIsSafe)
     const SafetyFactor safety = safety_factor(problem, controls, state);
     EXPECT_EQ(safety.factor, 4.0);
     EXPECT_TRUE(std::isinf(safety.fails));
-    EXPECT_TRUE(has_strength(problem));
+    EXPECT_TRUE(has_strength(problem, state.particles));
+    problem.materials.push_back(problem.materials[0]); // of no particle
     problem.materials[0].law = LinearElastic{1e7, 0.3};
-    EXPECT_FALSE(has_strength(problem));
+    EXPECT_FALSE(has_strength(problem, state.particles));
 }
 
 } // namespace

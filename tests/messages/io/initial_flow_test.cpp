@@ -49,6 +49,11 @@ hint: let level be that of the lowest water
 )");
     dam.left += "\nramp_time = \"1 s\"";
     EXPECT_EQ(message(dam), "") << "it falls later";
+    dam.left = "water = \"head\"\nhead = -1";
+    EXPECT_NE(message(dam).find("the water at the curve \"left\" stands no higher than the curve at [0, 0], "
+                                "below the water level 3 m"),
+              std::string::npos)
+        << message(dam);
 }
 
 // Pressures do not fall below the level: a slope had the factor of a full river after its drawdown.
