@@ -22,6 +22,26 @@ UnbalancedForces forces_of(const Problem& problem, const SinglePhaseWorkspace& w
     return unbalanced_forces(problem, 0.0, work.conditions, work.walls, work.sums);
 }
 
+UnbalancedForces present_forces(const Problem& problem, const State& state)
+{
+    State copy = state;
+    SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
+    copy.stage = Stage::relaxation;
+    locate_particles(problem, 0.0, copy, work);
+    scatter_to_nodes(problem, 0.0, copy, work);
+    constexpr double unit_time = 1.0; // forces stand for impulses
+    assemble_walls(problem, unit_time, work.sums, work);
+    return forces_of(problem, work);
+}
+
+/// After a step. A damped step has taken the reactions of walls out of its sums, without which nothing would
+/// stand for the weight where there is no gravity.
+UnbalancedForces forces_after_step(const Problem& problem, const State& state,
+                                   const SinglePhaseWorkspace& work)
+{
+    return problem.gravity > 0.0 ? forces_of(problem, work) : present_forces(problem, state);
+}
+
 /// Pores keep their pressure while soil settles: let it be that of the water at the start of the shaking.
 void sink_water_table(const Problem& problem, Particles& particles)
 {
@@ -63,14 +83,7 @@ std::size_t begin_with_memory(const Problem& problem, State& state)
 
 double out_of_balance(const Problem& problem, const State& state)
 {
-    State copy = state;
-    SinglePhaseWorkspace work = make_single_phase_workspace(problem, Stage::relaxation);
-    copy.stage = Stage::relaxation;
-    locate_particles(problem, 0.0, copy, work);
-    scatter_to_nodes(problem, 0.0, copy, work);
-    constexpr double unit_time = 1.0; // forces stand for impulses
-    assemble_walls(problem, unit_time, work.sums, work);
-    return forces_of(problem, work).of_weight;
+    return present_forces(problem, state).of_weight;
 }
 
 namespace {
@@ -132,7 +145,7 @@ bool settle_at_strength(const Problem& shaken, const RelaxationControls& control
             advance(dt);
             if (step % steps_between_checks != 0) continue;
             check_particles(dt, state);
-            report.unbalanced = forces_of(problem, work);
+            report.unbalanced = forces_after_step(problem, state, work);
             report.steps = state.step;
             if (report.unbalanced.of_weight <= tolerance) break;
             look(dt);
@@ -185,7 +198,7 @@ RelaxationReport relax(const Problem& shaken, const RelaxationControls& controls
         advance_single_phase_step(problem, dt, controls.damping, state, work);
         if (state.step % steps_between_checks != 0) continue;
         check_particles(dt, state);
-        report.unbalanced = forces_of(problem, work);
+        report.unbalanced = forces_after_step(problem, state, work);
         report.steps = state.step;
         if (report.unbalanced.of_weight <= controls.tolerance) break;
         watch.look(state, report.unbalanced, dt);

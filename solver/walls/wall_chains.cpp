@@ -141,6 +141,34 @@ int parallel_axis(const WallChain& chain)
     return normal < 0 ? -1 : 1 - normal;
 }
 
+bool is_ring(const WallChain& chain, double tolerance)
+{
+    return (chain.edges.front().drawn.start - chain.edges.back().drawn.end).norm() < tolerance;
+}
+
+/// The arc length of a ring's highest place, or half a ring from it: half way between the first and the last
+/// of its highest corners.
+double highest_place(const WallChain& ring, double tolerance)
+{
+    const auto height = [](const ChainEdge& edge) { return edge.drawn.start.y(); };
+    const auto is_lower = [&](const ChainEdge& a, const ChainEdge& b) { return height(a) < height(b); };
+    const double top = height(*std::max_element(ring.edges.begin(), ring.edges.end(), is_lower));
+    const auto is_top = [&](const ChainEdge& edge) { return height(edge) > top - tolerance; };
+    const auto first = std::find_if(ring.edges.begin(), ring.edges.end(), is_top);
+    const auto last = std::find_if(ring.edges.rbegin(), ring.edges.rend(), is_top);
+    return 0.5 * (first->first + last->first);
+}
+
+/// Hats of a ring: an even number, one of them at its highest place and one half a ring from there, so that
+/// they lie the same wherever and in whichever sense the ring is drawn, and mirrored on one that is mirrored.
+void place_hats_on_ring(double wanted, double tolerance, WallChain& ring)
+{
+    const double pairs = std::max(2.0, std::round(0.5 * ring.last / wanted));
+    ring.spacing = 0.5 * ring.last / pairs;
+    ring.hats = 2 * static_cast<std::size_t>(pairs);
+    ring.first_hat = std::fmod(highest_place(ring, tolerance), ring.spacing);
+}
+
 /// Hats at even distances over the drawn part, going on at the same distance beyond it. Along the grid the
 /// nodes of a line across the wall are all that touch it there: each line has a hat of its own, and none
 /// lock.
@@ -154,7 +182,8 @@ void place_hats(const BackgroundGrid& grid, double drawn_length, WallChain& chai
         return;
     }
     const double cell_size = grid.cell_size;
-    const double wanted = hat_spacing * cell_size;
+    const double wanted = hat_spacing * cell_size, tolerance = on_wall * cell_size;
+    if (is_ring(chain, tolerance)) return place_hats_on_ring(wanted, tolerance, chain);
     const auto least = chain.closed ? 3.0 : 0.0;
     const double intervals = std::max(least, std::round(drawn_length / wanted));
     if (intervals == 0.0 && chain.last - chain.first < wanted) {

@@ -61,7 +61,9 @@ void for_each_hat(const WallChain& chain, double s, Add&& add)
         return;
     }
     const auto most = static_cast<double>(chain.closed ? chain.hats : chain.hats - 1);
-    const double place = std::clamp((s - chain.first_hat) / chain.spacing, 0.0, most);
+    double place = (s - chain.first_hat) / chain.spacing;
+    if (chain.closed && place < 0.0) place += most;
+    place = std::clamp(place, 0.0, most);
     const auto left = std::min(static_cast<std::size_t>(place), static_cast<std::size_t>(most) - 1);
     const double fraction = place - static_cast<double>(left);
     add(left, 1.0 - fraction);

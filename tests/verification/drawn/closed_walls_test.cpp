@@ -1,5 +1,6 @@
 // Sealed bodies of any shape keep a constant pressure, a wall that moves through the grid feels no grid
-// lines, and one that starts at once makes no energy at any angle.
+// lines, one that starts at once makes no energy at any angle, and one that goes round, as that of a culvert,
+// is the same wherever its drawing begins.
 #include "solver/measure/balances.hpp"
 #include "solver/step/stepper.hpp"
 #include "solver/step_length/time_step_control.hpp"
@@ -9,6 +10,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
+#include <utility>
 
 namespace quicksand {
 namespace {
@@ -178,6 +182,88 @@ TEST(PressedSlab, MakesNoEnergyAtAnyAngle)
         for (const double degrees : {0.0, 10.0, 25.0, 45.0, 70.0, 115.0})
             EXPECT_LT(std::abs(energy_error(degrees, particles)), 0.01)
                 << degrees << " degrees, " << particles;
+}
+
+constexpr double ground_width = 10.0, ground_height = 6.0; // about the ring [m]
+
+/// Ground with a ring of as many sides as given in its middle, which is drawn clockwise, for the soil lies
+/// outside, from the corner `first` on, itself at an angle of so many sides.
+Section ground_with_ring(int sides, double radius, int first, double from)
+{
+    Section section = polygon_section({{{0.0, 0.0}, "base"},
+                                       {{ground_width, 0.0}, "right"},
+                                       {{ground_width, ground_height}, "top"},
+                                       {{0.0, ground_height}, "left"}});
+    Ring ring;
+    for (int k = 0; k < sides; ++k) {
+        const double angle = -2.0 * std::numbers::pi * (k + first + from) / sides;
+        ring.push_back(
+            {0.5 * ground_width + radius * std::cos(angle), 0.5 * ground_height + radius * std::sin(angle)});
+    }
+    section.regions.front().polygons.front().holes = {ring};
+    NamedCurve curve{"ring", {}};
+    for (std::size_t k = 0; k < ring.size(); ++k)
+        curve.segments.push_back({ring[k], ring[(k + 1) % ring.size()]});
+    section.curves.push_back(curve);
+    bound_section(section);
+    return section;
+}
+
+/// Vertical stresses at rest, by place in tenths of a millimetre [Pa].
+using Stresses = std::map<std::pair<long, long>, double>;
+
+Stresses stresses_at_rest(const std::string& wall, const Section& section)
+{
+    const std::string tables = elastic + base_and_sides + "[boundaries.ring]\nsoil = \"" + wall +
+                               "\"\n[relaxation]\ntolerance = 1e-8\n";
+    AssembledCase assembled = assemble(scene_with(0.5, {0.0, 0.0}, 20, 13, tables), section);
+    relax(assembled.problem, *assembled.scene.relaxation, assembled.state);
+    const Particles& particles = assembled.state.particles;
+    Stresses stresses;
+    for (std::size_t p = 0; p < particles.size(); ++p) {
+        const Vector2 place = 1e4 * particles.reference_position[p];
+        stresses[{std::lround(place.x()), std::lround(place.y())}] = particles.stress.yy[p];
+    }
+    return stresses;
+}
+
+/// Largest difference of stresses at the same places, of which `b` may be mirrored, over the largest stress.
+double stress_difference(const Stresses& a, const Stresses& b, bool mirrored)
+{
+    double worst = 0.0, largest = 0.0;
+    for (const auto& [place, stress] : a) {
+        largest = std::max(largest, std::abs(stress));
+        double nearest = 1e30;
+        for (long dx = -1; dx <= 1; ++dx)
+            for (long dy = -1; dy <= 1; ++dy) {
+                const long x = mirrored ? std::lround(1e4 * ground_width) - place.first : place.first;
+                const auto found = b.find({x + dx, place.second + dy});
+                if (found != b.end()) nearest = std::min(nearest, std::abs(stress - found->second));
+            }
+        worst = std::max(worst, nearest);
+    }
+    return worst / largest;
+}
+
+TEST(RingOfAWall, IsTheSameWhereverItsDrawingBeginsAndInAMirror)
+{
+    for (const std::string wall : {"fixed", "roller"}) {
+        const Stresses stresses = stresses_at_rest(wall, ground_with_ring(16, 1.1, 0, 0.0));
+        EXPECT_LT(stress_difference(stresses, stresses, true), 1e-5) << wall;
+        EXPECT_LT(
+            stress_difference(stresses, stresses_at_rest(wall, ground_with_ring(16, 1.1, 3, 0.0)), false),
+            1e-5)
+            << wall;
+    }
+    for (const double from : {0.0, 0.2}) { // a flat top; no symmetry
+        const Stresses stresses = stresses_at_rest("fixed", ground_with_ring(14, 1.3, 0, from));
+        if (from == 0.0) {
+            EXPECT_LT(stress_difference(stresses, stresses, true), 1e-5);
+        }
+        EXPECT_LT(
+            stress_difference(stresses, stresses_at_rest("fixed", ground_with_ring(14, 1.3, 5, from)), false),
+            1e-5);
+    }
 }
 
 } // namespace

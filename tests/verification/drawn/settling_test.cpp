@@ -1,4 +1,4 @@
-// What must not matter while soil settles: how many particles a cell has.
+// What must not matter while soil settles: how many particles a cell has, the angle of walls without gravity.
 #include "tests/fixtures/drawn_section.hpp"
 
 #include <gtest/gtest.h>
@@ -74,6 +74,35 @@ TEST(SettledSlope, IsTheSameWithTwoAndThreeParticlesAcrossACell)
         EXPECT_LT(two.steps, 3000);
         EXPECT_LT(three.steps, 3000);
         EXPECT_LT(difference(coarse.state.particles, fine.state.particles), 0.01) << law;
+    }
+}
+
+// Walls between grid lines took all forces of soil at rest, whose weight is their measure: without gravity
+// it never came to rest.
+TEST(WeightlessSoil, SettlesBetweenSlantedWalls)
+{
+    for (const double degrees : {0.0, 0.5, 13.0, 30.0}) {
+        const auto corners =
+            turned({{{0.0, 0.0}, "base"}, {{1.0, 0.0}, "right"}, {{1.0, 2.0}, "top"}, {{0.0, 2.0}, "left"}},
+                   degrees, {1.5, 0.3});
+        const std::string tables =
+            elastic + "[gravity]\nacceleration = 0.0\n[boundaries.base]\nsoil = \"roller\"\n"
+                      "[boundaries.left]\nsoil = \"roller\"\n[boundaries.right]\nsoil = \"roller\"\n"
+                      "[boundaries.top]\npressure = 1000.0\n[relaxation]\nmax_steps = 20000\n";
+        AssembledCase assembled =
+            assemble(scene_with(0.1, {0.0, 0.0}, 32, 28, tables), polygon_section(corners));
+        const RelaxationReport report =
+            relax(assembled.problem, *assembled.scene.relaxation, assembled.state);
+        EXPECT_TRUE(report.settled) << degrees;
+        const Vector2 axis = turn({0.0, 1.0}, degrees);
+        const Particles& particles = assembled.state.particles;
+        for (std::size_t p = 0; p < particles.size(); ++p) {
+            const double xx = particles.stress.xx[p], yy = particles.stress.yy[p],
+                         xy = particles.stress.xy[p];
+            const double along =
+                axis.x() * axis.x() * xx + 2.0 * axis.x() * axis.y() * xy + axis.y() * axis.y() * yy;
+            EXPECT_NEAR(along, -1000.0, 20.0) << degrees;
+        }
     }
 }
 
