@@ -178,6 +178,14 @@ std::string laws_with_strength()
     return words;
 }
 
+std::string_view missing_reconsolidation(const SkeletonLaw& law)
+{
+    const auto* ubcsand = std::get_if<UbcSand>(&law);
+    if (ubcsand != nullptr && ubcsand->reconsolidation == 0.0) return "reconsolidation_slope";
+    const auto* pm4sand = std::get_if<Pm4Sand>(&law);
+    return pm4sand != nullptr && pm4sand->reconsolidation == 0.0 ? "reconsolidation" : "";
+}
+
 std::span<const SoilLaw> soil_laws()
 {
     static const std::vector<SoilLaw> laws = list_laws();

@@ -117,16 +117,39 @@ std::map<std::string, std::string> given_soil_keys(const Keys& keys, const std::
     return soil;
 }
 
+/// Sand that has been shaken and settles by a fraction of what laboratories measure.
+void doubt_reconsolidation(const Scene& stage, Diagnostics& findings)
+{
+    for (const SceneMaterial& material : stage.materials) {
+        const std::string& name = material.material.name;
+        const std::string_view key = missing_reconsolidation(material.material.law);
+        const bool is_there = std::any_of(stage.regions.begin(), stage.regions.end(),
+                                          [&](const SceneRegion& region) { return region.material == name; });
+        if (key.empty() || !is_there) continue;
+        findings.add(warning_at(
+            stage.stage->place, join_path({"materials", name, std::string(key)}), "stage",
+            "after liquefaction the sand \"" + name + "\" settles in the stage \"" + stage.stage->name +
+                "\" by a fraction of what laboratories measure: its " + std::string(key) + " is 0",
+            "", "give it one for this stage, in a table [stages.materials." + name + "]"));
+    }
+}
+
+/// Whether a region has soil with a strength. Regions of wrong materials count: they have been reported.
 bool has_strength(const Scene& scene)
 {
-    return std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [](const SceneMaterial& material) { return has_strength(material.material.law); });
+    return std::any_of(scene.regions.begin(), scene.regions.end(), [&](const SceneRegion& region) {
+        return std::none_of(
+            scene.materials.begin(), scene.materials.end(), [&](const SceneMaterial& material) {
+                return material.material.name == region.material && !has_strength(material.material.law);
+            });
+    });
 }
 
 } // namespace
 
 void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings)
 {
+    bool has_shaken = false;
     for (std::size_t k = 0; k < stages.size(); ++k) {
         const SceneReading& now = stages[k];
         if (!now.scene.stage) return; // its keys are wrong and have been reported
@@ -145,6 +168,12 @@ void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings
         if (now.scene.stage->kind == StageKind::consolidate && !now.scene.water)
             findings.add(error_at(now.scene.stage->place, "stage", "dry soil does not consolidate",
                                   "a table [water], or kind = \"settle\""));
+        has_shaken = has_shaken || now.scene.stage->kind == StageKind::shake;
+        if (has_shaken && now.scene.stage->kind == StageKind::consolidate) {
+            doubt_reconsolidation(now.scene, findings);
+            findings.accept(now.scene.accepted);
+            has_shaken = false; // told once
+        }
     }
 }
 

@@ -159,14 +159,44 @@ hint: remove it, or set kind = "settle"
 
 TEST(SceneStageMessages, StabilityNeedsAStrength)
 {
-    const std::string message = column_message(settle_stage + "[[stages]]\nkind = \"stability\"\n");
-    EXPECT_NE(
-        message.find("error[stage]: no soil has a strength that the stage \"stability\" could reduce\n"),
-        std::string::npos)
-        << message;
-    EXPECT_NE(message.find("expected: a material with model = \"mohr_coulomb\" or \"ubcsand\""),
-              std::string::npos)
-        << message;
+    const std::string of_no_region =
+        "[materials.other]\nmodel = \"mohr_coulomb\"\nfriction_angle = 30\nshear_modulus = 1e7\n"
+        "poisson_ratio = 0.3\nporosity = 0.4\nhydraulic_conductivity = 1e-4\n";
+    for (const std::string& other : {std::string(), of_no_region}) {
+        const std::string message =
+            column_message(settle_stage + "[[stages]]\nkind = \"stability\"\n" + other);
+        EXPECT_NE(
+            message.find("error[stage]: no soil has a strength that the stage \"stability\" could reduce\n"),
+            std::string::npos)
+            << message;
+        EXPECT_NE(message.find("expected: a material with model = \"mohr_coulomb\" or \"ubcsand\""),
+                  std::string::npos)
+            << message;
+    }
+}
+
+TEST(SceneStageMessages, SandThatHasBeenShakenSettlesAsInLaboratories)
+{
+    const std::string linear =
+        "model = \"linear_elastic\"\nshear_modulus = \"60 MPa\"\npoisson_ratio = 0.3\n";
+    const std::string drain = "[[stages]]\nname = \"drain\"\nkind = \"consolidate\"\nduration = 100\n";
+    const auto warnings = [&](const std::string& sand, const std::string& rest) {
+        const std::string scene = fixtures::replaced(fixtures::column_scene, linear, sand);
+        return fixtures::SceneFolder().message(scene + settle_stage + rest);
+    };
+    const std::string said =
+        "settles in the stage \"drain\" by a fraction of what laboratories measure: its ";
+    for (const auto& [model, key] :
+         {std::pair("ubcsand", "reconsolidation_slope"), std::pair("pm4sand", "reconsolidation")}) {
+        const std::string sand = "model = \"" + std::string(model) + "\"\nrelative_density = 0.5\n";
+        const std::string given = "[stages.materials.sand]\n" + std::string(key) + " = 1\n";
+        EXPECT_NE(warnings(sand, shake + drain).find(said + key + " is 0"), std::string::npos) << model;
+        EXPECT_EQ(warnings(sand, shake + drain + given).find(said), std::string::npos) << model;
+        EXPECT_EQ(warnings(sand, drain).find(said), std::string::npos) << model;
+    }
+    EXPECT_EQ(warnings("model = \"ubcsand\"\nrelative_density = 0.5\nlaw = \"calibrated\"\n", shake + drain)
+                  .find(said),
+              std::string::npos);
 }
 
 TEST(SceneStageMessages, WaterFlowsWhereSoilConsolidates)
