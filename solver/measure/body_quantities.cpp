@@ -23,7 +23,7 @@ constexpr std::array body_quantity_table = {
         [](const MeasuredBody& body) { return base_acceleration(body.problem.base_motion, body.state.time); }, "Base acceleration", "m/s²"},
     BodyQuantity{"crest_settlement", "m", "mean of the particles that lay highest when the shaking began, positive downward", any_body,
         [](const MeasuredBody& body) { return body.monitors.crest_settlement; }, "Crest settlement"},
-    BodyQuantity{"max_displacement", "m", "largest displacement of a particle since the shaking began, in stages since soil last settled", any_body,
+    BodyQuantity{"max_displacement", "m", "largest displacement of a particle since the shaking began, in stages since they were last set to zero", any_body,
         [](const MeasuredBody& body) { return body.monitors.max_displacement; }},
     BodyQuantity{"max_velocity", "m/s", "largest velocity of the grains, relative to the base", any_body,
         [](const MeasuredBody& body) { return body.monitors.max_velocity; }},

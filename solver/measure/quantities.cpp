@@ -33,7 +33,7 @@ constexpr std::array quantity_table = {
         .value = [](const Problem&, const Particles& particles, std::size_t p) { return of_vector(particles.position[p]); },
         .found_by = FoundBy::place, .length_power = 1},
     Quantity{.name = "displacement", .symbol = "u", .unit = "m", .label = "Displacement",
-        .meaning = "displacement since the shaking began, in stages since soil last settled, relative to the base", .form = QuantityForm::vector, .places = everywhere,
+        .meaning = "displacement since the shaking began, in stages since they were last set to zero, relative to the base", .form = QuantityForm::vector, .places = everywhere,
         .value = [](const Problem&, const Particles& particles, std::size_t p) { return of_vector(displacement(particles, p)); },
         .length_power = 1},
     Quantity{.name = "total_displacement", .symbol = "total_u", .unit = "m", .label = "Total displacement",

@@ -184,6 +184,7 @@ void begin_shaking(const UbcSand& law, UbcSandState& state)
     fresh.eta_max = ubcsand::larger(std::sqrt(fresh.peak_x * fresh.peak_x + fresh.peak_y * fresh.peak_y),
                                     law.least_start_ratio);
     fresh.start_factor = start_factor_of(law, state);
+    fresh.static_y = state.tau_xy / ubcsand::larger(state.sigma_y, law.s_min);
     fresh.origin_x = fresh.peak_x;
     fresh.origin_y = fresh.peak_y;
     fresh.branch = ubcsand::loading;

@@ -69,8 +69,9 @@ struct UbcSandArrays {
     double *origin_x, *origin_y, *leg_x, *leg_y, *back_x, *back_y, *last_leg, *waiting;
     double *half_cycles, *dilation, *active_dilation;
     const double *volume, *mass_solid; // [m3/m, kg/m], which tell where the sand is at its loosest or densest
-    const double* start_factor = nullptr;              // of the plastic modulus [-]; none: 1
-    double *dilated_x = nullptr, *dilated_y = nullptr; // none: sand without a dilation_strain
+    const double* start_factor = nullptr;                  // of the plastic modulus [-]; none: 1
+    double *dilated_x = nullptr, *dilated_y = nullptr;     // none: sand without a dilation_strain
+    const double *static_x = nullptr, *static_y = nullptr; // likewise
 
     /// All but what may be missing.
     UbcSandState state(std::size_t p) const
@@ -99,7 +100,9 @@ struct UbcSandArrays {
     void add_to(std::size_t p, UbcSandState& state) const
     {
         if (start_factor != nullptr) state.start_factor = start_factor[p];
-        if (dilated_x != nullptr) state.dilated_x = dilated_x[p], state.dilated_y = dilated_y[p];
+        if (dilated_x == nullptr) return;
+        state.dilated_x = dilated_x[p], state.dilated_y = dilated_y[p];
+        state.static_x = static_x[p], state.static_y = static_y[p];
     }
 
     void set_dilated(std::size_t p, const UbcSandState& state) const

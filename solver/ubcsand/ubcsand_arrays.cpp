@@ -184,12 +184,14 @@ inline void take_start_factors(const UbcSandArrays& points, std::size_t p, std::
     for (std::size_t k = 0; k < count; ++k) block.start_factor[k] = points.start_factor[p + k];
 }
 
-/// Where `count` points from p on have dilated.
-inline void take_dilated(const UbcSandArrays& points, std::size_t p, std::size_t count, Block& block)
+/// The senses in which `count` points from p on have dilated, and of their static shear.
+inline void take_senses(const UbcSandArrays& points, std::size_t p, std::size_t count, Block& block)
 {
     if (points.dilated_x == nullptr) return;
     for (std::size_t k = 0; k < count; ++k) block.dilated_x[k] = points.dilated_x[p + k];
     for (std::size_t k = 0; k < count; ++k) block.dilated_y[k] = points.dilated_y[p + k];
+    for (std::size_t k = 0; k < count; ++k) block.static_x[k] = points.static_x[p + k];
+    for (std::size_t k = 0; k < count; ++k) block.static_y[k] = points.static_y[p + k];
 }
 
 /// Put point p into lane k: compression-positive strain and its state.
@@ -218,7 +220,7 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, std::size_t p,
         for (std::size_t k = 0; k < count; ++k) load(law, points, p + k, dt, k, block);
         for (std::size_t k = count; k < width; ++k) block.open[k] = 0.0;
     }
-    take_dilated(points, p, count, block);
+    take_senses(points, p, count, block);
 }
 
 inline void store(const Block& block, std::size_t p, std::size_t count, const UbcSandArrays& points)
@@ -261,6 +263,7 @@ inline void load(const UbcSand& law, const UbcSandArrays& points, const Unfinish
     points.add_to(unfinished.point[i], state);
     block.set(k, true, state);
     block.start_factor[k] = state.start_factor;
+    block.static_x[k] = state.static_x, block.static_y[k] = state.static_y;
     bound_contraction(law, points, unfinished.point[i], k, block);
     block.set_strain(k, unfinished.strain[i]);
     block.size[k] = unfinished.size[i];

@@ -17,6 +17,7 @@ struct Block {
     double leg_x[width], leg_y[width], back_x[width], back_y[width], last_leg[width], waiting[width];
     double half_cycles[width], dilation[width], active_dilation[width], dilated_x[width], dilated_y[width];
     double least_contraction[width], most_contraction[width], start_factor[width];
+    double static_x[width], static_y[width];
     double strain_x[width], strain_y[width], strain_xy[width]; // what remains
     double size[width];                                        // of the next substep, over that
     double budget[width];                                      // substeps left
@@ -54,7 +55,9 @@ struct Block {
                 dilated_y[k],
                 least_contraction[k],
                 most_contraction[k],
-                start_factor[k]};
+                start_factor[k],
+                static_x[k],
+                static_y[k]};
     }
 
     void set(std::size_t k, bool condition, const UbcSandState& state)

@@ -48,15 +48,22 @@ inline double accord(const Deviator& q, double r_x, double r_y)
     return q.x * r_x + q.y * r_y;
 }
 
+/// Whether the sand has dilated last in the sense of q: its grains stand against more of it.
+inline bool is_locked(const Deviator& q, const UbcSandState& state)
+{
+    return accord(q, state.dilated_x, state.dilated_y) > 0.0;
+}
+
 /// Not positive where dilation softens a branch: it has crossed the isotropic axis since the last turn of the
-/// stress or of the strain. Grains that have dilated in one sense stand against more of it: sand with a
-/// dilation_strain softens in the other one.
+/// stress or of the strain. Locked sand softens in the other sense, and in that of a static shear.
 inline double softening_accord(const Deviator& q, const UbcSandState& state)
 {
     const double least =
         smaller(accord(q, state.origin_x, state.origin_y), accord(q, state.peak_x, state.peak_y));
+    const double locked = larger(least, accord(q, state.dilated_x, state.dilated_y));
     const double dilated = state.dilated_x * state.dilated_x + state.dilated_y * state.dilated_y;
-    return select(dilated > 0.0, larger(least, accord(q, state.dilated_x, state.dilated_y)), least);
+    const double kept = select(accord(q, state.static_x, state.static_y) > 0.0, least, locked);
+    return select(dilated > 0.0, kept, least);
 }
 
 /// What G^p falls to after a dilation, on a branch that it softens: a factor. [8b]
@@ -72,13 +79,30 @@ struct HardeningFactors {
     double secondary, virgin; // [-]
 };
 
-inline HardeningFactors hardening_factors(const UbcSand& m, const Deviator& q, const UbcSandState& state)
+inline HardeningFactors softened_factors(const UbcSand& m, double factor, const UbcSandState& state)
 {
-    const double factor = softening(m, q, state);
     const double least =
         select(factor < 1.0, m.fac_post / (1.0 + state.active_dilation * m.per_dilation), 0.0);
     return {larger(least, factor * (m.h1 * m.h2 * (m.s0 + m.s1 * state.half_cycles)) * state.start_factor),
             larger(least, factor * m.h1 * state.start_factor)};
+}
+
+/// The static shear over the vertical stress under which locked sand flows as if it were not.
+inline constexpr double whole_static_shear = 0.2; // [-]
+
+/// Sand that is locked in the sense of its static shear makes a part of its flow there softened all the same,
+/// in proportion to that shear, and the rest as hard sand: 1/F = part/F_soft + (1 - part)/F_hard.
+inline HardeningFactors hardening_factors(const UbcSand& m, const Deviator& q, const UbcSandState& state)
+{
+    const double factor = softening(m, q, state);
+    const bool is_partial = is_locked(q, state) & (factor < 1.0);
+    const HardeningFactors soft = softened_factors(m, factor, state), hard = softened_factors(m, 1.0, state);
+    const double shear = std::sqrt(state.static_x * state.static_x + state.static_y * state.static_y);
+    const double part = smaller(1.0, shear * (1.0 / whole_static_shear)), rest = 1.0 - part;
+    const Inverses per =
+        inverses(part * hard.secondary + rest * soft.secondary, part * hard.virgin + rest * soft.virgin);
+    return {select(is_partial, soft.secondary * hard.secondary * per.of_a, soft.secondary),
+            select(is_partial, soft.virgin * hard.virgin * per.of_b, soft.virgin)};
 }
 
 /// K_G^p P_a (s/P_a)^np [Pa]

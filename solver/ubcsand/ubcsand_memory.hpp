@@ -33,6 +33,7 @@ inline void turn_memory(const Rotation& turn, UbcSandState& state)
     turn_vector(turn, state.peak_x, state.peak_y);
     turn_vector(turn, state.origin_x, state.origin_y);
     turn_vector(turn, state.dilated_x, state.dilated_y);
+    turn_vector(turn, state.static_x, state.static_y);
     turn_vector(turn, state.leg_x, state.leg_y);
     turn_vector(turn, state.back_x, state.back_y);
 }

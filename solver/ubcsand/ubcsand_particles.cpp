@@ -15,8 +15,9 @@ namespace {
 
 constexpr std::size_t of_cycles = 15; // numbers that every law of the kind remembers [-]
 constexpr std::size_t dilated = 22;   // the first of the two that tell where the sand has dilated [-]
+constexpr std::size_t of_start = 24;  // the first of the two of its static shear [-]
 
-constexpr std::array<MemoryNumber, 24> memory = {{
+constexpr std::array<MemoryNumber, 26> memory = {{
     {"eta_max", "-", "largest stress ratio so far", Component::scalar, true},
     {"branch", "-", "0 just reversed, 0.5 strain too, 1 far from there, 1.5 in a ripple, 2 loading",
      Component::scalar, true},
@@ -45,6 +46,9 @@ constexpr std::array<MemoryNumber, 24> memory = {{
      "stress ratio where the last half cycle turned that dilated, if dilation_strain is finite",
      Component::x},
     {"dilated_y", "-", "the same, tau_xy over s", Component::y},
+    {"static_x", "-", "static shear over the vertical stress at the start of shaking, as it has turned",
+     Component::x},
+    {"static_y", "-", "the same: tau_xy where nothing has turned", Component::y},
 }};
 
 UbcSandState at_one_atmosphere()
@@ -88,7 +92,9 @@ UbcSandArrays arrays_of(const UbcSand& law, Particles& particles)
             particles.mass_solid.data(),
             has_history ? particles.memory[of_cycles].data() : nullptr,
             has_history ? particles.memory[dilated].data() : nullptr,
-            has_history ? particles.memory[dilated + 1].data() : nullptr};
+            has_history ? particles.memory[dilated + 1].data() : nullptr,
+            has_history ? particles.memory[of_start].data() : nullptr,
+            has_history ? particles.memory[of_start + 1].data() : nullptr};
 }
 
 UbcSandHistory history_of(Particles& particles)
@@ -129,7 +135,9 @@ UbcSandArrays from(std::size_t p, const UbcSandArrays& a)
             a.mass_solid + p,
             a.start_factor + p,
             a.dilated_x + p,
-            a.dilated_y + p};
+            a.dilated_y + p,
+            a.static_x + p,
+            a.static_y + p};
 }
 
 /// One particle, as one point of the laboratory.
@@ -168,6 +176,14 @@ void update_with_history(const UbcSand& law, double dt, std::size_t first, std::
         points.L_xx = L_xx.data(), points.L_yy = L_yy.data();
         update_points(law, dt, 0, end - p, points);
     }
+}
+
+/// Begin with the state of the start of shaking.
+void begin_with(const UbcSandState& start, std::size_t p, Particles& particles)
+{
+    begin_history(start, p, history_of(particles));
+    particles.memory[of_start][p] = start.static_x;
+    particles.memory[of_start + 1][p] = start.static_y;
 }
 
 /// Shrink the deviator in the plane to the failure limit and raise the mean stress to the floor; true when
@@ -285,7 +301,7 @@ std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last
         begin_shaking(law, state);
         arrays.set(p, state);
         arrays.set_dilated(p, state);
-        if (keeps_history(law)) begin_history(state, p, history_of(particles));
+        if (keeps_history(law)) begin_with(state, p, particles);
     }
     return limited;
 }
@@ -299,7 +315,7 @@ void complete_memory(const UbcSand& law, std::size_t first, std::size_t last, Pa
         if (history.start_mean[p] > 0.0) continue;
         UbcSandState state = arrays.state(p);
         begin_shaking(law, state);
-        begin_history(state, p, history);
+        begin_with(state, p, particles);
         constexpr double over_vertical = 0.75; // (1 + K_0)/2
         history.start_mean[p] =
             std::max(history.start_mean[p], over_vertical * particles.initial_vertical_effective_stress[p]);

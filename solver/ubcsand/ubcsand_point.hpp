@@ -76,6 +76,8 @@ struct UbcSandState {
     // is at its densest [-]
     double least_contraction = -1.0, most_contraction = 1.0;
     double start_factor = 1.0; // of F, by the stress at the start of shaking; given likewise [-]
+    double static_x = 0.0;     // of r where shaking began, the shear stress on horizontal planes over their
+    double static_y = 0.0;     // stress; turns with the sand, given likewise [-]
 };
 
 /// A strain increment, compression positive, and the rotation that comes with it.

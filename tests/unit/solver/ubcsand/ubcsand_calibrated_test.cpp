@@ -153,20 +153,23 @@ TEST(UbcSandCalibrated, LanesAreThePointsOneByOne)
         const UbcSand law = make_ubcsand(parameters);
         constexpr std::size_t count = 21;
         std::vector<UbcSandState> states(count);
-        std::array<std::vector<double>, 28> columns;
+        std::array<std::vector<double>, 30> columns;
         for (auto& column : columns) column.assign(count, 0.0);
         auto& c = columns;
-        const UbcSandArrays arrays = {
-            c[0].data(),  c[1].data(),  c[2].data(),  c[3].data(),  c[4].data(),  c[5].data(),  c[6].data(),
-            c[7].data(),  c[8].data(),  c[9].data(),  c[10].data(), c[11].data(), c[12].data(), c[13].data(),
-            c[14].data(), c[15].data(), c[16].data(), c[17].data(), c[18].data(), c[19].data(), c[20].data(),
-            c[21].data(), c[22].data(), c[23].data(), c[24].data(), c[25].data(), c[26].data(), c[27].data()};
+        const UbcSandArrays arrays = {c[0].data(),  c[1].data(),  c[2].data(),  c[3].data(),  c[4].data(),
+                                      c[5].data(),  c[6].data(),  c[7].data(),  c[8].data(),  c[9].data(),
+                                      c[10].data(), c[11].data(), c[12].data(), c[13].data(), c[14].data(),
+                                      c[15].data(), c[16].data(), c[17].data(), c[18].data(), c[19].data(),
+                                      c[20].data(), c[21].data(), c[22].data(), c[23].data(), c[24].data(),
+                                      c[25].data(), c[26].data(), c[27].data(), c[28].data(), c[29].data()};
         for (std::size_t p = 0; p < count; ++p) {
             states[p].sigma_y = 50e3 + 5e3 * static_cast<double>(p);
             states[p].sigma_x = states[p].sigma_z = 0.5 * states[p].sigma_y;
+            states[p].tau_xy = 0.01 * static_cast<double>(p) * states[p].sigma_y;
             begin_shaking(law, states[p]);
             arrays.set(p, states[p]);
             c[25][p] = states[p].start_factor;
+            c[29][p] = states[p].static_y;
         }
         for (int step = 0; step < 400; ++step) {
             const double shear = 4e-5 * std::cos(0.05 * step);
@@ -234,6 +237,35 @@ TEST(UbcSandCalibrated, SoftensAgainstTheSenseOfItsLastDilation)
         shear(law, sense, 0.015, forgets);
         EXPECT_LT(shear_stress(sense, forgets), 0.05 * shear_stress(sense, same)) << spin;
     }
+}
+
+/// Locked sand flows in the sense of its static shear in proportion to it: on slopes it moves on downhill
+/// from cycle to cycle.
+TEST(UbcSandCalibrated, FlowsInTheSenseOfItsStaticShearThoughLocked)
+{
+    const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    const auto strain_to_5_kPa = [&](double ratio, double spin) {
+        UbcSandState state;
+        state.sigma_x = state.sigma_z = 50e3, state.sigma_y = 100e3, state.tau_xy = ratio * 100e3;
+        begin_shaking(law, state);
+        Direction sense{0.0, 1.0};
+        for (int cycle = 0; cycle < 6; ++cycle)
+            shear(law, sense, -0.5, state, 30e3), shear(law, sense, 0.5, state, 30e3);
+        turn(spin, state);
+        const double angle = 4.0 * std::atan(0.5 * spin);
+        sense = {-std::sin(angle), std::cos(angle)};
+        shear(law, sense, -0.03, state); // locked in the other sense still
+        double strain = 0.0;
+        for (; shear_stress(sense, state) < 5e3 && strain < 0.1; strain += 2e-4)
+            shear(law, sense, 2e-4, state);
+        return strain;
+    };
+    const double level = strain_to_5_kPa(0.0, 0.0), gentle = strain_to_5_kPa(0.05, 0.0),
+                 steep = strain_to_5_kPa(0.1, 0.0);
+    EXPECT_GT(gentle, level + 2e-3);
+    EXPECT_GT(steep, gentle + 2e-3);
+    EXPECT_NEAR(strain_to_5_kPa(-0.1, 0.0), level, 2e-3); // against it
+    EXPECT_NEAR(strain_to_5_kPa(0.1, 0.7), steep, 6e-4);
 }
 
 /// The table at (N1)60 = 12: Idriss and Boulanger (2008), Yoshimine and others (2006), Seed and
