@@ -23,6 +23,9 @@ template <ElasticForm form>
 void advance_in_first_order(const UbcSand& law, ubcsand::Strain remaining, UbcSandState& state)
 {
     constexpr Integration order = Integration::first_order;
+    const auto flow = ubcsand::locking_of(law) == ubcsand::Locking::none
+                          ? ubcsand::finish_in_first_order<ubcsand::Locking::none>
+                          : ubcsand::finish_in_first_order<ubcsand::Locking::by_dilation>;
     double fraction = 0.0;
     for (double budget = ubcsand::most_substeps; budget > 0.0 && fraction < 1.0; budget -= 1.0) {
         const ubcsand::Start start = ubcsand::start_of<form>(law, state);
@@ -30,12 +33,21 @@ void advance_in_first_order(const UbcSand& law, ubcsand::Strain remaining, UbcSa
         const ubcsand::Strain strain = ubcsand::part_of(remaining, fraction);
         const ubcsand::Trial trial = ubcsand::elastic_trial<order, form>(law, state, start, strain);
         if (trial.plastic) {
-            ubcsand::finish_in_first_order(law, trial, state);
+            flow(law, trial, state);
         } else {
             ubcsand::finish_elastic(law, trial, state);
         }
         remaining = ubcsand::rest_of(remaining, strain);
     }
+}
+
+template <ubcsand::Locking locking>
+ubcsand::Verdict flow_in_second_order(const UbcSand& law, const ubcsand::Trial& trial, double event,
+                                      UbcSandState& next)
+{
+    double error = 0.0;
+    ubcsand::finish_in_second_order<locking>(law, trial, next, error);
+    return ubcsand::judge_plastic<locking>(law, trial, error, event, next);
 }
 
 /// Try a substep of second order; the state changes if it stands.
@@ -52,9 +64,9 @@ ubcsand::Verdict try_substep(const UbcSand& law, const ubcsand::Start& start, co
     ubcsand::Verdict verdict = ubcsand::judge_elastic(law, trial, events.elastic);
     if (trial.plastic) {
         next = state;
-        double error = 0.0;
-        ubcsand::finish_in_second_order(law, trial, next, error);
-        verdict = ubcsand::judge_plastic(law, trial, error, events.plastic, next);
+        verdict = ubcsand::locking_of(law) == ubcsand::Locking::none
+                      ? flow_in_second_order<ubcsand::Locking::none>(law, trial, events.plastic, next)
+                      : flow_in_second_order<ubcsand::Locking::by_dilation>(law, trial, events.plastic, next);
     }
     if (last_try) verdict.excess = 0.0;
     if (verdict.stands()) state = next;

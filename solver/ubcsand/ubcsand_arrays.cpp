@@ -51,11 +51,12 @@ inline double step_elastically(const UbcSand& law, Block& block, TrialBlock& tri
 }
 
 /// [8] to [10] of the plastic lanes.
+template <Locking locking>
 inline void flow_in_first_order(const UbcSand& law, Block& block, const TrialBlock& trials)
 {
     for (std::size_t k = 0; k < width; ++k) {
         UbcSandState state = block.state(k);
-        finish_in_first_order(law, trials.trial(law, k), state);
+        finish_in_first_order<locking>(law, trials.trial(law, k), state);
         block.set(k, trials.plastic[k] > 0.0, state);
     }
 }
@@ -64,7 +65,9 @@ template <ElasticForm form>
 inline void step_in_first_order(const UbcSand& law, Block& block)
 {
     TrialBlock trials;
-    if (step_elastically<form>(law, block, trials) > 0.0) flow_in_first_order(law, block, trials);
+    if (!(step_elastically<form>(law, block, trials) > 0.0)) return;
+    if (locking_of(law) == Locking::none) return flow_in_first_order<Locking::none>(law, block, trials);
+    flow_in_first_order<Locking::by_dilation>(law, block, trials);
 }
 
 /// Which substep of second order: the first one, of the whole strain, or one to the next event.
@@ -119,6 +122,7 @@ inline void try_elastically(const UbcSand& law, Block& block, const TrialBlock& 
 }
 
 /// [8] to [10] of the plastic lanes, of which those that stand are finished.
+template <Locking locking>
 inline void try_plastically(const UbcSand& law, Block& block, const TrialBlock& trials,
                             VerdictBlock& verdicts)
 {
@@ -126,8 +130,8 @@ inline void try_plastically(const UbcSand& law, Block& block, const TrialBlock& 
         const Trial trial = trials.trial(law, k);
         UbcSandState next = block.state(k);
         double error = 0.0;
-        finish_in_second_order(law, trial, next, error);
-        Verdict verdict = judge_plastic(law, trial, error, verdicts.plastic_event[k], next);
+        finish_in_second_order<locking>(law, trial, next, error);
+        Verdict verdict = judge_plastic<locking>(law, trial, error, verdicts.plastic_event[k], next);
         verdict.excess = select(block.budget[k] <= 1.0, 0.0, verdict.excess);
         const double plastic = trials.plastic[k];
         block.set(k, verdict.excess + 2.0 * (1.0 - plastic) <= 1.0, next);
@@ -145,7 +149,10 @@ inline void try_block_substep(const UbcSand& law, Block& block)
     if constexpr (round == Round::first) note_events(law, block, trials, verdicts);
     const double plastic = sum(trials.plastic);
     if (plastic < width) try_elastically(law, block, trials, verdicts);
-    if (plastic > 0.0) try_plastically(law, block, trials, verdicts);
+    if (plastic > 0.0 && locking_of(law) == Locking::none)
+        try_plastically<Locking::none>(law, block, trials, verdicts);
+    else if (plastic > 0.0)
+        try_plastically<Locking::by_dilation>(law, block, trials, verdicts);
     for (std::size_t k = 0; k < width; ++k) {
         const Verdict verdict = {verdicts.excess[k], verdicts.longer[k]};
         const double fraction = verdicts.fraction[k];

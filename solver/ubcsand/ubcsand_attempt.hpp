@@ -220,6 +220,7 @@ inline double crossing(double before, double after, double used)
 
 /// A plastic substep stands if its error and its changes are small enough, it has met no event, it began on
 /// the locus, and the branch kept its sense, or changed it at an end.
+template <Locking locking>
 inline Verdict judge_plastic(const UbcSand& m, const Trial& trial, double error, double event,
                              const UbcSandState& after)
 {
@@ -230,9 +231,9 @@ inline Verdict judge_plastic(const UbcSand& m, const Trial& trial, double error,
     const bool begins_on_locus =
         start.squared >= on_locus * (trial.eta_y * trial.eta_y) * (start.sb * start.sb);
     const Deviator end = {0.5 * (after.sigma_x - after.sigma_y), after.tau_xy};
-    const double senses =
-        crossing(softening_accord({start.q_x, start.q_y}, after), softening_accord(end, after),
-                 softening_accord(at_middle<Integration::second_order>(trial), after));
+    const double senses = crossing(
+        softening_accord<locking>({start.q_x, start.q_y}, after), softening_accord<locking>(end, after),
+        softening_accord<locking>(at_middle<Integration::second_order>(trial), after));
     const double cut =
         smaller(select(after.active_dilation > 0.0, senses, 1.0), select(begins_on_locus, 1.0, 0.5));
     const double excess = smaller(change.over_least, larger(worst, 2.0 - cut));

@@ -48,6 +48,15 @@ inline double accord(const Deviator& q, double r_x, double r_y)
     return q.x * r_x + q.y * r_y;
 }
 
+/// Whether sand locks in the sense of its last dilation, as sand with a dilation_strain does: kernels of
+/// other sand do not ask.
+enum class Locking { none, by_dilation };
+
+inline Locking locking_of(const UbcSand& m)
+{
+    return m.per_dilation > 0.0 ? Locking::by_dilation : Locking::none;
+}
+
 /// Whether the sand has dilated last in the sense of q: its grains stand against more of it.
 inline bool is_locked(const Deviator& q, const UbcSandState& state)
 {
@@ -56,10 +65,12 @@ inline bool is_locked(const Deviator& q, const UbcSandState& state)
 
 /// Not positive where dilation softens a branch: it has crossed the isotropic axis since the last turn of the
 /// stress or of the strain. Locked sand softens in the other sense, and in that of a static shear.
+template <Locking locking>
 inline double softening_accord(const Deviator& q, const UbcSandState& state)
 {
     const double least =
         smaller(accord(q, state.origin_x, state.origin_y), accord(q, state.peak_x, state.peak_y));
+    if constexpr (locking == Locking::none) return least;
     const double locked = larger(least, accord(q, state.dilated_x, state.dilated_y));
     const double dilated = state.dilated_x * state.dilated_x + state.dilated_y * state.dilated_y;
     const double kept = select(accord(q, state.static_x, state.static_y) > 0.0, least, locked);
@@ -67,11 +78,12 @@ inline double softening_accord(const Deviator& q, const UbcSandState& state)
 }
 
 /// What G^p falls to after a dilation, on a branch that it softens: a factor. [8b]
+template <Locking locking>
 inline double softening(const UbcSand& m, const Deviator& q, const UbcSandState& state)
 {
     const double loss = larger(-1000.0, -m.a_dil_log2 * state.active_dilation); // exp as a power of 2
     const double factor = select(state.active_dilation > 0.0, exponential_2(loss), 1.0);
-    return select(softening_accord(q, state) <= 0.0, factor, 1.0);
+    return select(softening_accord<locking>(q, state) <= 0.0, factor, 1.0);
 }
 
 /// F of secondary loading, up to the largest ratio so far, and of virgin loading beyond it. [8a, 8b]
@@ -92,17 +104,23 @@ inline constexpr double whole_static_shear = 0.2; // [-]
 
 /// Sand that is locked in the sense of its static shear makes a part of its flow there softened all the same,
 /// in proportion to that shear, and the rest as hard sand: 1/F = part/F_soft + (1 - part)/F_hard.
+template <Locking locking>
 inline HardeningFactors hardening_factors(const UbcSand& m, const Deviator& q, const UbcSandState& state)
 {
-    const double factor = softening(m, q, state);
-    const bool is_partial = is_locked(q, state) & (factor < 1.0);
-    const HardeningFactors soft = softened_factors(m, factor, state), hard = softened_factors(m, 1.0, state);
-    const double shear = std::sqrt(state.static_x * state.static_x + state.static_y * state.static_y);
-    const double part = smaller(1.0, shear * (1.0 / whole_static_shear)), rest = 1.0 - part;
-    const Inverses per =
-        inverses(part * hard.secondary + rest * soft.secondary, part * hard.virgin + rest * soft.virgin);
-    return {select(is_partial, soft.secondary * hard.secondary * per.of_a, soft.secondary),
-            select(is_partial, soft.virgin * hard.virgin * per.of_b, soft.virgin)};
+    const double factor = softening<locking>(m, q, state);
+    if constexpr (locking == Locking::none) {
+        return softened_factors(m, factor, state); // a named one would stay in memory, and no vectors be made
+    } else {
+        const HardeningFactors soft = softened_factors(m, factor, state),
+                               hard = softened_factors(m, 1.0, state);
+        const double shear = std::sqrt(state.static_x * state.static_x + state.static_y * state.static_y);
+        const double part = smaller(1.0, shear * (1.0 / whole_static_shear)), rest = 1.0 - part;
+        const Inverses per =
+            inverses(part * hard.secondary + rest * soft.secondary, part * hard.virgin + rest * soft.virgin);
+        const double partial = select(is_locked(q, state), factor, 1.0);
+        return {select(partial < 1.0, soft.secondary * hard.secondary * per.of_a, soft.secondary),
+                select(partial < 1.0, soft.virgin * hard.virgin * per.of_b, soft.virgin)};
+    }
 }
 
 /// K_G^p P_a (s/P_a)^np [Pa]
@@ -264,11 +282,12 @@ inline double modulus_of_locus(const UbcSand& m, const Trial& trial, const Harde
 }
 
 /// The plastic end of a substep of first order; returns its flow.
+template <Locking locking>
 inline PlasticFlow finish_in_first_order(const UbcSand& m, const Trial& trial, UbcSandState& state)
 {
     constexpr Integration order = Integration::first_order;
     remember_loading<order>(m, trial, state);
-    const HardeningFactors F = hardening_factors(m, at_middle<order>(trial), state);
+    const HardeningFactors F = hardening_factors<locking>(m, at_middle<order>(trial), state);
     const double number = plastic_number(m, trial.start.s);
     const double G_p = modulus_of_locus(m, trial, F, number, state);
     const PlasticFlow end = flow_from_start(m, trial, G_p);

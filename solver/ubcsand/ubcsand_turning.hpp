@@ -104,12 +104,13 @@ inline Return return_turning(const UbcSand& m, const Trial& trial, const Hardeni
 
 /// [8] to [10] The plastic end of a substep of second order; returns its flow, and the error of the stress
 /// [Pa].
+template <Locking locking>
 inline PlasticFlow finish_in_second_order(const UbcSand& m, const Trial& trial, UbcSandState& state,
                                           double& error)
 {
     constexpr Integration order = Integration::second_order;
     remember_loading<order>(m, trial, state);
-    const HardeningFactors F = hardening_factors(m, at_middle<order>(trial), state);
+    const HardeningFactors F = hardening_factors<locking>(m, at_middle<order>(trial), state);
     const double number = plastic_number(m, trial.start.s);
     const Return end = return_turning(m, trial, F, state.eta_max, number);
     const double G_p = modulus_of_locus(m, trial, F, number, state);

@@ -3,8 +3,8 @@
 // Standing walls that lie on grid lines are conditions on nodes (boundary_conditions.hpp). All other curves
 // that hold grains or water, and all that move, are chains: segments of one condition joined by turns below
 // 45 degrees. Hats along the arc length, some 2.5 cells apart, carry one condition on the velocities each
-// (wall_rows.hpp). Closer hats lock the soil at the wall, as multipliers that are too rich for the velocities
-// do (Babuska 1973).
+// (wall_rows.hpp); of rings one stands at the highest place, wherever the drawing begins. Closer hats lock
+// the soil at the wall, as multipliers that are too rich for the velocities do (Babuska 1973).
 #pragma once
 
 #include "solver/problem/problem.hpp"

@@ -76,7 +76,7 @@ double least_in_first_order(const UbcSand& law, ubcsand::Strain remaining, UbcSa
         const Trial trial =
             elastic_trial<Integration::first_order, ElasticForm::square_roots>(law, state, start, strain);
         if (trial.plastic) {
-            least = std::min(least, dissipation(finish_in_first_order(law, trial, state)));
+            least = std::min(least, dissipation(finish_in_first_order<Locking::none>(law, trial, state)));
         } else {
             finish_elastic(law, trial, state);
         }
@@ -101,12 +101,13 @@ double least_in_second_order(const UbcSand& law, ubcsand::Strain remaining, UbcS
         UbcSandState next = state;
         double error = 0.0, dissipated = 0.0;
         if (trial.plastic) {
-            dissipated = dissipation(finish_in_second_order(law, trial, next, error));
+            dissipated = dissipation(finish_in_second_order<Locking::none>(law, trial, next, error));
         } else {
             finish_elastic(law, trial, next);
         }
-        const Verdict verdict = trial.plastic ? judge_plastic(law, trial, error, events.plastic, next)
-                                              : judge_elastic(law, trial, events.elastic);
+        const Verdict verdict = trial.plastic
+                                    ? judge_plastic<Locking::none>(law, trial, error, events.plastic, next)
+                                    : judge_elastic(law, trial, events.elastic);
         size = next_size(verdict, fraction);
         if (!verdict.stands() && budget > 1.0) continue;
         state = next;

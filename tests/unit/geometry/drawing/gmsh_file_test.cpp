@@ -205,6 +205,40 @@ $EndElements
     EXPECT_NEAR(sum, 2.0, 1e-14);
 }
 
+// Elements of the physical number 0 belong to no group.
+TEST(GmshFile, TellsWhichSurfacesOfAMeshNoRegionHas)
+{
+    const ScratchFolder folder;
+    GmshRequest request;
+    request.file = folder.write("nameless.msh", R"($MeshFormat
+2.2 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 1 "sand"
+$EndPhysicalNames
+$Nodes
+6
+1 0 0 0
+2 1 0 0
+3 1 1 0
+4 0 1 0
+5 3 0 0
+6 3 1 0
+$EndNodes
+$Elements
+2
+1 3 2 1 1 1 2 3 4
+2 3 2 0 2 2 5 6 3
+$EndElements
+)");
+    const Section section = read_gmsh_file(request);
+    ASSERT_EQ(section.regions.size(), 1u);
+    ASSERT_EQ(section.nameless.size(), 1u);
+    EXPECT_LT((section.nameless[0].lower - Vector2(1.0, 0.0)).norm(), 1e-6);
+    EXPECT_LT((section.nameless[0].upper - Vector2(3.0, 1.0)).norm(), 1e-6);
+}
+
 TEST(GmshFile, SeparatesPartsOfAMeshThatTouchInOneNode)
 {
     const ScratchFolder folder;

@@ -91,7 +91,7 @@ TEST(UbcSandSubstepsOfSecondOrder, HaveAnErrorEstimateOfSecondOrder)
         const Trial trial = elastic_trial<Integration::second_order, ElasticForm::square_roots>(
             law, state, start_of<ElasticForm::square_roots>(law, state), {-0.5 * gamma, 0.5 * gamma, gamma});
         double error = 0.0;
-        finish_in_second_order(law, trial, state, error);
+        finish_in_second_order<Locking::none>(law, trial, state, error);
         return error;
     };
     EXPECT_NEAR(std::log2(estimate(2e-4) / estimate(1e-4)), 2.0, 0.2);

@@ -75,7 +75,7 @@ TEST(UbcSand, TheFactorStiffensReloadingAndSoftensAfterDilation)
     state.half_cycles = 6.0;
     state.origin_x = state.peak_x = 0.3;
     ubcsand::Deviator q = {-1.0, 0.0};
-    const auto factors = [&] { return ubcsand::hardening_factors(law, q, state); };
+    const auto factors = [&] { return ubcsand::hardening_factors<ubcsand::Locking::none>(law, q, state); };
     EXPECT_DOUBLE_EQ(factors().virgin, 1.0);
     EXPECT_DOUBLE_EQ(factors().secondary, 0.6 * (4.0 + 0.5 * 6.0));
     state.active_dilation = 1e-3;
@@ -96,7 +96,7 @@ TEST(UbcSand, TheLeastFactorFallsWithTheDilationOfTheLastHalfCycle)
     state.origin_x = state.peak_x = 0.3;
     for (const double dilation : {0.02, 0.06}) {
         state.active_dilation = dilation;
-        EXPECT_NEAR(ubcsand::hardening_factors(law, {-1.0, 0.0}, state).secondary,
+        EXPECT_NEAR(ubcsand::hardening_factors<ubcsand::Locking::none>(law, {-1.0, 0.0}, state).secondary,
                     0.05 / (1.0 + dilation / 0.02), 1e-15);
     }
 }
