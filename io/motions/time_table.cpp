@@ -63,13 +63,14 @@ std::optional<TimeRow> parse_row(std::string_view line)
 /// comment says something else.
 std::string_view names_in_comment(std::string_view comment)
 {
+    constexpr std::string_view gaps = " \t";
     comment.remove_prefix(std::min(comment.find_first_not_of("# \t"), comment.size()));
     if (std::count_if(comment.begin(), comment.end(), [](char c) { return c == ',' || c == ';'; }) == 1)
         return comment;
     std::string first;
     for (const char c : comment.substr(0, comment.find_first_of(" \t([_")))
         first += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const bool has_second = comment.find_first_of(blanks) != std::string_view::npos;
+    const bool has_second = comment.find_first_of(gaps) != std::string_view::npos;
     return has_second && (first == "t" || first == "time") ? comment : std::string_view();
 }
 
