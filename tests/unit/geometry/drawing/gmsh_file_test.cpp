@@ -171,30 +171,28 @@ TEST_P(MeshFiles, GiveTheSameSectionInEveryFormat)
 INSTANTIATE_TEST_SUITE_P(Formats, MeshFiles,
                          testing::Values("slope.geo", "slope_22.msh", "slope_41.msh", "slope_41_binary.msh"));
 
+/// A mesh with the group "sand"; nodes and elements with their counts before them.
+std::string mesh_of_sand(const std::string& nodes, const std::string& elements)
+{
+    return "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n1\n2 1 "
+           "\"sand\"\n$EndPhysicalNames\n$Nodes\n" +
+           nodes + "$EndNodes\n$Elements\n" + elements + "$EndElements\n";
+}
+
 TEST(GmshFile, SplitsTrianglesOfAMeshFileInThree)
 {
     const ScratchFolder folder;
     GmshRequest request;
-    request.file = folder.write("triangles.msh", R"($MeshFormat
-2.2 0 8
-$EndMeshFormat
-$PhysicalNames
-1
-2 1 "sand"
-$EndPhysicalNames
-$Nodes
-4
+    request.file = folder.write("triangles.msh", mesh_of_sand(R"(4
 1 0 0 0
 2 2 0 0
 3 2 1 0
 4 0 1 0
-$EndNodes
-$Elements
-2
+)",
+                                                              R"(2
 1 2 2 1 1 1 2 3
 2 2 2 1 1 1 4 3
-$EndElements
-)");
+)"));
     request.quad_size = 1.0;
     const Section section = read_gmsh_file(request);
     EXPECT_EQ(section.quads.size(), 6u);
@@ -210,28 +208,18 @@ TEST(GmshFile, TellsWhichSurfacesOfAMeshNoRegionHas)
 {
     const ScratchFolder folder;
     GmshRequest request;
-    request.file = folder.write("nameless.msh", R"($MeshFormat
-2.2 0 8
-$EndMeshFormat
-$PhysicalNames
-1
-2 1 "sand"
-$EndPhysicalNames
-$Nodes
-6
+    request.file = folder.write("nameless.msh", mesh_of_sand(R"(6
 1 0 0 0
 2 1 0 0
 3 1 1 0
 4 0 1 0
 5 3 0 0
 6 3 1 0
-$EndNodes
-$Elements
-2
+)",
+                                                             R"(2
 1 3 2 1 1 1 2 3 4
 2 3 2 0 2 2 5 6 3
-$EndElements
-)");
+)"));
     const Section section = read_gmsh_file(request);
     ASSERT_EQ(section.regions.size(), 1u);
     ASSERT_EQ(section.nameless.size(), 1u);
@@ -243,15 +231,7 @@ TEST(GmshFile, SeparatesPartsOfAMeshThatTouchInOneNode)
 {
     const ScratchFolder folder;
     GmshRequest request;
-    request.file = folder.write("touching.msh", R"($MeshFormat
-2.2 0 8
-$EndMeshFormat
-$PhysicalNames
-1
-2 1 "sand"
-$EndPhysicalNames
-$Nodes
-7
+    request.file = folder.write("touching.msh", mesh_of_sand(R"(7
 1 0 0 0
 2 1 0 0
 3 1 1 0
@@ -259,13 +239,11 @@ $Nodes
 5 2 1 0
 6 2 2 0
 7 1 2 0
-$EndNodes
-$Elements
-2
+)",
+                                                             R"(2
 1 3 2 1 1 1 2 3 4
 2 3 2 1 1 3 5 6 7
-$EndElements
-)");
+)"));
     const Section section = read_gmsh_file(request);
     ASSERT_EQ(section.regions[0].polygons.size(), 2u);
     EXPECT_DOUBLE_EQ(area(section.regions[0]), 2.0);
