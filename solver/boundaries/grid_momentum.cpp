@@ -158,11 +158,18 @@ NodeImpulses two_phase_impulses(const Problem& problem, double dt, double accele
             Vector2(node.momentum_fluid_x, node.momentum_fluid_y) + dt * force_fluid};
 }
 
+double local_damping(double damping, double dt, double force, double momentum)
+{
+    constexpr double turning = 0.25; // of the force's impulse, below which the sense fades [-]
+    const double size = std::abs(momentum) + turning * dt * std::abs(force);
+    return size > 0.0 ? -damping * std::abs(force) * (momentum / size) : 0.0;
+}
+
 Vector2 single_phase_impulse(const Problem& problem, double dt, double acceleration, double damping,
                              const SinglePhaseSums& node)
 {
     const auto damped = [&](double force, double momentum) {
-        return momentum == 0.0 ? force : force - std::copysign(damping * std::abs(force), momentum);
+        return force + local_damping(damping, dt, force, momentum);
     };
     const double force_x = damped(node.stress_force_x - node.mass * acceleration, node.momentum_x);
     const double force_y = damped(node.stress_force_y - node.weight * problem.gravity, node.momentum_y);

@@ -49,6 +49,12 @@ void set_velocities(const Problem& problem, const TwoPhaseSums& node, const Vect
                     const Vector2& fluid, TwoPhaseMotion& motion);
 void set_velocity(const SinglePhaseSums& node, const Vector2& velocity, SinglePhaseMotion& motion);
 
+/// What local damping adds to a force [N/m] on a node of a momentum [N s/m]: against the momentum, the part
+/// `damping` of the force; less where the momentum is small beside what the force adds in dt. A sense that
+/// jumps there would let rounding decide over the whole damping: bodies and their mirror would settle
+/// differently.
+double local_damping(double damping, double dt, double force, double momentum);
+
 /// Momentum and impulses of the known forces on a node's grains and water.
 struct NodeImpulses {
     Vector2 solid, fluid; // [N s/m]

@@ -34,8 +34,7 @@ void solve_single_phase_velocities(const Problem& problem, double velocity_dt, d
 void damp_accelerations(double damping, double velocity_dt, SinglePhaseWorkspace& work)
 {
     const auto brake = [&](double mass, double change, double momentum) {
-        const double force = mass * std::abs(change) / velocity_dt;
-        return momentum == 0.0 ? 0.0 : -std::copysign(damping * force, momentum);
+        return local_damping(damping, velocity_dt, mass * change / velocity_dt, momentum);
     };
     for_each_index(work.sums.size(), [&](std::size_t i) {
         SinglePhaseSums& node = work.sums[i];

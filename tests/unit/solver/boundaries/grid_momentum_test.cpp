@@ -9,6 +9,16 @@
 namespace quicksand {
 namespace {
 
+TEST(LocalDamping, OpposesTheMomentumAndFadesWithIt)
+{
+    const double dt = 0.1, force = -4.0;
+    EXPECT_NEAR(local_damping(0.7, dt, force, 1e6), -0.7 * 4.0, 1e-5);
+    EXPECT_NEAR(local_damping(0.7, dt, force, -1e6), 0.7 * 4.0, 1e-5);
+    EXPECT_EQ(local_damping(0.7, dt, force, 0.1), -0.5 * 0.7 * 4.0); // a quarter of the force's impulse
+    EXPECT_LT(std::abs(local_damping(0.7, dt, force, 1e-17)), 1e-15);
+    EXPECT_EQ(local_damping(0.7, dt, 0.0, 0.0), 0.0);
+}
+
 TEST(SolveDrag, IsTheSolutionOfTheTwoByTwoSystem)
 {
     const double m_s = 3.0, m_w = 0.7, b_s = 1.1, b_w = -0.4;
