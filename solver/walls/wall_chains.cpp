@@ -39,7 +39,9 @@ bool goes_on(const Link& from, const Link& to, double tolerance)
 {
     if ((to.edge.drawn.start - from.edge.drawn.end).norm() > tolerance) return false;
     if (!(from.hold == to.hold) || from.owner != to.owner) return false;
-    return direction_of(from.edge.drawn).dot(direction_of(to.edge.drawn)) > std::numbers::sqrt2 / 2.0;
+    constexpr double rounding = 1e-9; // of a turn of 45 degrees, which ends the wall wherever it is drawn
+    const double cosine = direction_of(from.edge.drawn).dot(direction_of(to.edge.drawn));
+    return cosine > std::numbers::sqrt2 / 2.0 + rounding;
 }
 
 std::vector<Link> collect_links(const Problem& problem, Stage stage)
@@ -141,22 +143,29 @@ int parallel_axis(const WallChain& chain)
     return normal < 0 ? -1 : 1 - normal;
 }
 
+/// Whether a chain goes round, not from one tied side to the other.
 bool is_ring(const WallChain& chain, double tolerance)
 {
-    return (chain.edges.front().drawn.start - chain.edges.back().drawn.end).norm() < tolerance;
+    return chain.closed &&
+           (chain.edges.front().drawn.start - chain.edges.back().drawn.end).norm() < tolerance;
 }
 
-/// The arc length of a ring's highest place, or half a ring from it: half way between the first and the last
-/// of its highest corners.
+/// The arc length of a ring's highest place, or half a ring from it: half way between the ends of its highest
+/// corners, which are beside the widest gap between two of them.
 double highest_place(const WallChain& ring, double tolerance)
 {
     const auto height = [](const ChainEdge& edge) { return edge.drawn.start.y(); };
     const auto is_lower = [&](const ChainEdge& a, const ChainEdge& b) { return height(a) < height(b); };
     const double top = height(*std::max_element(ring.edges.begin(), ring.edges.end(), is_lower));
     const auto is_top = [&](const ChainEdge& edge) { return height(edge) > top - tolerance; };
-    const auto first = std::find_if(ring.edges.begin(), ring.edges.end(), is_top);
-    const auto last = std::find_if(ring.edges.rbegin(), ring.edges.rend(), is_top);
-    return 0.5 * (first->first + last->first);
+    std::vector<double> corners;
+    for (const ChainEdge& edge : ring.edges)
+        if (is_top(edge)) corners.push_back(edge.first);
+    corners.push_back(corners.front() + ring.last);
+    std::size_t widest = 1;
+    for (std::size_t k = 2; k < corners.size(); ++k)
+        if (corners[k] - corners[k - 1] > corners[widest] - corners[widest - 1] + tolerance) widest = k;
+    return 0.5 * (corners[widest - 1] + corners[widest]);
 }
 
 /// Hats of a ring: an even number, one of them at its highest place and one half a ring from there, so that
@@ -191,10 +200,12 @@ void place_hats(const BackgroundGrid& grid, double drawn_length, WallChain& chai
         return;
     }
     chain.spacing = intervals == 0.0 ? wanted : drawn_length / intervals;
-    const double before = std::ceil(-chain.first / chain.spacing - on_wall),
-                 after = std::ceil((chain.last - drawn_length) / chain.spacing - on_wall);
-    chain.first_hat = -before * chain.spacing;
-    const auto count = static_cast<std::size_t>(before + std::max(intervals, 1.0) + after);
+    // about a short edge from its middle, so that they lie in its mirror image as here
+    const double from = intervals == 0.0 ? 0.5 * drawn_length : 0.0, to = drawn_length - from;
+    const double before = std::ceil((from - chain.first) / chain.spacing - on_wall),
+                 after = std::ceil((chain.last - to) / chain.spacing - on_wall);
+    chain.first_hat = from - before * chain.spacing;
+    const auto count = static_cast<std::size_t>(before + intervals + after);
     chain.hats = chain.closed ? count : count + 1;
 }
 

@@ -186,20 +186,13 @@ TEST(PressedSlab, MakesNoEnergyAtAnyAngle)
 
 constexpr double ground_width = 10.0, ground_height = 6.0; // about the ring [m]
 
-/// Ground with a ring of as many sides as given in its middle, which is drawn clockwise, for the soil lies
-/// outside, from the corner `first` on, itself at an angle of so many sides.
-Section ground_with_ring(int sides, double radius, int first, double from)
+/// Ground with this ring, which is drawn clockwise, for the soil lies outside.
+Section ground_with_ring(const Ring& ring)
 {
     Section section = polygon_section({{{0.0, 0.0}, "base"},
                                        {{ground_width, 0.0}, "right"},
                                        {{ground_width, ground_height}, "top"},
                                        {{0.0, ground_height}, "left"}});
-    Ring ring;
-    for (int k = 0; k < sides; ++k) {
-        const double angle = -2.0 * std::numbers::pi * (k + first + from) / sides;
-        ring.push_back(
-            {0.5 * ground_width + radius * std::cos(angle), 0.5 * ground_height + radius * std::sin(angle)});
-    }
     section.regions.front().polygons.front().holes = {ring};
     NamedCurve curve{"ring", {}};
     for (std::size_t k = 0; k < ring.size(); ++k)
@@ -207,6 +200,19 @@ Section ground_with_ring(int sides, double radius, int first, double from)
     section.curves.push_back(curve);
     bound_section(section);
     return section;
+}
+
+/// A ring of as many sides as given in the middle, from the corner `first` on, itself at an angle of so many
+/// sides.
+Section ground_with_ring(int sides, double radius, int first, double from)
+{
+    Ring ring;
+    for (int k = 0; k < sides; ++k) {
+        const double angle = -2.0 * std::numbers::pi * (k + first + from) / sides;
+        ring.push_back(
+            {0.5 * ground_width + radius * std::cos(angle), 0.5 * ground_height + radius * std::sin(angle)});
+    }
+    return ground_with_ring(ring);
 }
 
 /// Vertical stresses at rest, by place in tenths of a millimetre [Pa].
@@ -263,6 +269,57 @@ TEST(RingOfAWall, IsTheSameWhereverItsDrawingBeginsAndInAMirror)
         EXPECT_LT(
             stress_difference(stresses, stresses_at_rest("fixed", ground_with_ring(14, 1.3, 5, from)), false),
             1e-5);
+    }
+}
+
+/// A box of 2.2 x 1.6 m, clockwise from its upper left on, with corners of as many edges as given, whose flat
+/// top has a corner more than its shape needs.
+Ring round_box(int edges)
+{
+    const Vector2 middle(0.5 * ground_width, 0.5 * ground_height);
+    constexpr double radius = 0.3, quarter = 0.5 * std::numbers::pi;
+    Ring box;
+    for (int corner = 0; corner < 4; ++corner) {
+        const Vector2 centre(corner == 0 || corner == 3 ? -0.8 : 0.8, corner < 2 ? 0.5 : -0.5);
+        for (int k = 0; k <= edges; ++k) {
+            const double angle = quarter * (2 - corner - static_cast<double>(k) / edges);
+            box.push_back(middle + centre + radius * Vector2(std::cos(angle), std::sin(angle)));
+        }
+        if (corner == 0) box.push_back(middle + Vector2(0.0, 0.8));
+    }
+    return box;
+}
+
+TEST(RingOfAWall, IsTheSameWhereverItBeginsOnAFlatTop)
+{
+    for (const int edges : {3, 4}) {
+        Ring ring = round_box(edges);
+        const Stresses stresses = stresses_at_rest("fixed", ground_with_ring(ring));
+        EXPECT_LT(stress_difference(stresses, stresses, true), 1e-8) << edges;
+        for (int turn = 0; turn < 3; ++turn) {
+            std::rotate(ring.begin(), ring.begin() + edges, ring.end()); // on, beside and far from the top
+            EXPECT_LT(stress_difference(stresses, stresses_at_rest("fixed", ground_with_ring(ring)), false),
+                      1e-8)
+                << edges << ' ' << turn;
+        }
+    }
+}
+
+/// One corner of 45 degrees and more: the wall ends there, and has no hats that go round.
+TEST(RingOfAWall, WithOneSharpCornerIsItsMirrorImage)
+{
+    const Vector2 middle(0.5 * ground_width, 0.5 * ground_height - 0.4);
+    constexpr double radius = 0.9, opening = 0.25 * std::numbers::pi; // to either side of the top [m, rad]
+    constexpr int sides = 14;
+    for (const std::string wall : {"fixed", "roller"}) {
+        Ring drop = {middle + Vector2(0.0, radius * std::numbers::sqrt2)};
+        for (int k = 0; k <= sides; ++k) {
+            const double angle =
+                0.5 * std::numbers::pi - opening - 2.0 * (std::numbers::pi - opening) * k / sides;
+            drop.push_back(middle + radius * Vector2(std::cos(angle), std::sin(angle)));
+        }
+        const Stresses stresses = stresses_at_rest(wall, ground_with_ring(drop));
+        EXPECT_LT(stress_difference(stresses, stresses, true), 1e-8) << wall;
     }
 }
 
