@@ -110,8 +110,8 @@ std::string_view last_name(std::string_view header)
     return column.size() < header.size() ? name : name.substr(name.find_last_of(gaps) + 1);
 }
 
-/// Whether a column is named as a velocity or displacement and not as an acceleration too
-/// ("acc_disp_corrected"), or is or ends with the unit of a velocity.
+/// Whether the first word for a motion in a column's name is that of a velocity or displacement
+/// ("acc_disp_corrected" is an acceleration), or the name is or ends with the unit of a velocity.
 bool is_other_motion(std::string_view name)
 {
     constexpr std::array<std::string_view, 7> motions = {"VEL",   "VELOCITY",     "VELOCITIES",   "DISP",
@@ -121,20 +121,20 @@ bool is_other_motion(std::string_view name)
         return std::find(words.begin(), words.end(), word) != words.end();
     };
     std::string word;
-    bool is_named = false, is_acceleration = false;
+    bool is_named = false, is_told = false;
     for (const char c : std::string(name) + ' ') {
         if (std::isalpha(static_cast<unsigned char>(c)) != 0) {
             word += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
             continue;
         }
-        is_acceleration = is_acceleration || word.starts_with("ACC");
-        is_named = is_one_of(motions, std::exchange(word, "")) || is_named;
+        is_named = is_named || (!is_told && is_one_of(motions, word));
+        is_told = is_told || is_named || word.starts_with("ACC");
+        word.clear();
     }
     auto tails = tails_of(name, "_");
     tails.push_back(name);
-    return (is_named && !is_acceleration) ||
-           std::any_of(tails.begin(), tails.end(),
-                       [&](std::string_view tail) { return is_one_of(units, plain(tail)); });
+    return is_named || std::any_of(tails.begin(), tails.end(),
+                                   [&](std::string_view tail) { return is_one_of(units, plain(tail)); });
 }
 
 } // namespace

@@ -59,19 +59,34 @@ std::optional<TimeRow> parse_row(std::string_view line)
     return TimeRow{time->value, value->value, decimals_of(time->text)};
 }
 
-/// The names of two columns in a comment, as numpy writes them ("# time,acceleration"); empty where the
-/// comment says something else.
+/// How many words there are outside brackets.
+int count_words(std::string_view words)
+{
+    int count = 0, depth = 0;
+    bool inside = false;
+    for (const char c : words) {
+        if (c == '(' || c == '[') ++depth;
+        const bool is_letter = depth == 0 && c != ' ' && c != '\t';
+        count += is_letter && !inside ? 1 : 0;
+        inside = is_letter;
+        if ((c == ')' || c == ']') && depth > 0) --depth;
+    }
+    return count;
+}
+
+/// The names of two columns in a comment, as numpy writes them ("# time,acceleration"): the first is time, or
+/// t. Empty where the comment says something else.
 std::string_view names_in_comment(std::string_view comment)
 {
-    constexpr std::string_view gaps = " \t";
     comment.remove_prefix(std::min(comment.find_first_not_of("# \t"), comment.size()));
-    if (std::count_if(comment.begin(), comment.end(), [](char c) { return c == ',' || c == ';'; }) == 1)
-        return comment;
     std::string first;
-    for (const char c : comment.substr(0, comment.find_first_of(" \t([_")))
+    for (const char c : comment.substr(0, comment.find_first_of(" \t([_,;")))
         first += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    const bool has_second = comment.find_first_of(gaps) != std::string_view::npos;
-    return has_second && (first == "t" || first == "time") ? comment : std::string_view();
+    if (first != "t" && first != "time") return {};
+    const auto is_comma = [](char c) { return c == ',' || c == ';'; };
+    const std::string_view named = comment.substr(0, comment.find_last_not_of(",; \t") + 1);
+    const auto commas = std::count_if(named.begin(), named.end(), is_comma);
+    return commas == 1 || (commas == 0 && count_words(named) == 2) ? comment : std::string_view();
 }
 
 } // namespace
@@ -89,7 +104,7 @@ std::string parse_time_table(std::string_view text, TimeTable& table)
         if (line.find_first_not_of(" \t") == std::string_view::npos) continue;
         if (line.starts_with('#')) {
             const std::string_view names = names_in_comment(line);
-            if (header_allowed && !names.empty()) table.header = std::string(names);
+            if (header_allowed && table.header.empty()) table.header = std::string(names);
             continue;
         }
         const auto row = parse_row(line);

@@ -87,8 +87,18 @@ TEST(MotionRecord, TakesTheUnitOfNamesInAComment)
               std::string::npos);
     EXPECT_NE(read_columns_of("# t_ms,a_g" + rows, "g").findings.find("its times are in ms"),
               std::string::npos);
-    for (const std::string comment : {"# Kobe, 1995, velocity", "# from the velocity", "#", "# time"})
+    for (const std::string comment :
+         {"# Kobe, 1995, velocity", "# from the velocity", "#", "# time",
+          "# Northridge 1994, velocity removed", "# Kobe, 1995 (M)", "# time series of velocity",
+          "# Baseline corrected; velocity ends at zero"})
         EXPECT_EQ(read_columns_of(comment + rows, "m/s2").accelerations, (std::vector{0.0, 2.0})) << comment;
+    for (const std::string names :
+         {"# time,velocity\n# filtered 0.1 Hz, 25 Hz", "# time,velocity,", "# time velocity",
+          "# time,velocity integrated from acceleration", "time,displacement from accelerogram",
+          "time,velocity (according to the station)"})
+        EXPECT_NE(read_columns_of(names + rows, "m/s2").findings.find("says "), std::string::npos) << names;
+    EXPECT_EQ(read_columns_of("# time [s],acc [cm/s2]\n# filtered 0.1 Hz, 25 Hz" + rows, "").accelerations,
+              (std::vector{0.0, 0.02}));
     EXPECT_EQ(read_columns_of("# t, velocity\nt, a" + rows, "m/s2").accelerations, (std::vector{0.0, 2.0}));
 }
 
