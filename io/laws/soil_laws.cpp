@@ -178,12 +178,18 @@ std::string laws_with_strength()
     return words;
 }
 
-std::string_view missing_reconsolidation(const SkeletonLaw& law)
+bool lacks_reconsolidation(const SkeletonLaw& law)
 {
     const auto* ubcsand = std::get_if<UbcSand>(&law);
-    if (ubcsand != nullptr && ubcsand->reconsolidation == 0.0) return "reconsolidation_slope";
     const auto* pm4sand = std::get_if<Pm4Sand>(&law);
-    return pm4sand != nullptr && pm4sand->reconsolidation == 0.0 ? "reconsolidation" : "";
+    return (ubcsand != nullptr && reconsolidation_slope(*ubcsand) == 0.0) ||
+           (pm4sand != nullptr && reconsolidation_slope(*pm4sand) == 0.0 && pm4sand->reconsolidation == 0.0);
+}
+
+bool has_post_shaking_option(const SkeletonLaw& law)
+{
+    const auto* pm4sand = std::get_if<Pm4Sand>(&law);
+    return pm4sand != nullptr && pm4sand->reconsolidation > 0.0;
 }
 
 std::span<const SoilLaw> soil_laws()

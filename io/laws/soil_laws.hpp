@@ -32,9 +32,12 @@ SkeletonLaw example_of(const SoilLaw& law);
 /// The words of the laws with a strength that can be reduced, quoted: "a" or "b".
 std::string laws_with_strength();
 
-/// The key whose standard value keeps sand of the law from settling after liquefaction by what laboratories
-/// measure; "" where another value is given, or none is missing.
-std::string_view missing_reconsolidation(const SkeletonLaw& law);
+/// Whether sand settles after liquefaction by a fraction of what laboratories measure, for want of a
+/// reconsolidation_slope.
+bool lacks_reconsolidation(const SkeletonLaw& law);
+
+/// Whether sand is softened so that it settles after shaking.
+bool has_post_shaking_option(const SkeletonLaw& law);
 
 /// The law of that form.
 const SoilLaw& soil_law(const SkeletonLaw& form);

@@ -232,7 +232,8 @@ SceneKey law_choice_key()
             .words = {"published", "calibrated"},
             .doc = "Standard values of the keys that have two: those of the published law, or those that meet what laboratories "
                    "measure [own]: of UBCSAND K_sigma, K_alpha, K0, strains after liquefaction and small strains, with the stress "
-                   "out of the plane bounded by the failure limit; of PM4Sand damping, the loss of strength with cycles, and settlement by the post-shaking option, which reconsolidation = 1 takes."};
+                   "out of the plane bounded by the failure limit; of PM4Sand damping, the loss of strength with "
+                   "cycles, and settlement after liquefaction."};
 }
 
 namespace {

@@ -27,7 +27,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t format_version = 17;
+constexpr std::int64_t format_version = 18;
 constexpr hsize_t chunk_entries = 8192;
 
 /// An HDF5 call failed; the caller knows the file and makes a FileError of it.
@@ -331,7 +331,9 @@ void require_same_scene(const fs::path& path, hid_t file, const std::string& sta
     const std::int64_t version = read_number<std::int64_t>(file, "format_version");
     if (version != format_version)
         throw InputError(path.string() + ": the checkpoint has format " + std::to_string(version) +
-                         ", this program reads format " + std::to_string(format_version));
+                         ", this program reads format " + std::to_string(format_version) +
+                         "\nhint: go on with the program that wrote it, or start the run anew with "
+                         "--overwrite");
     const std::string found = read_text_attribute(file, "state_hash");
     if (found != state_hash)
         throw InputError(path.string() + ": the checkpoint is of another scene (hash " + found +

@@ -117,20 +117,45 @@ std::map<std::string, std::string> given_soil_keys(const Keys& keys, const std::
     return soil;
 }
 
-/// Sand that has been shaken and settles by a fraction of what laboratories measure.
-void doubt_reconsolidation(const Scene& stage, Diagnostics& findings)
+/// Warn of the materials of regions that are as `is_doubtful` says, at a key of theirs.
+template <class Doubt>
+bool doubt_materials(const Scene& stage, std::string_view key, const std::string& hint, Doubt&& is_doubtful,
+                     std::string_view what, Diagnostics& findings)
 {
+    bool told = false;
     for (const SceneMaterial& material : stage.materials) {
         const std::string& name = material.material.name;
-        const std::string_view key = missing_reconsolidation(material.material.law);
         const bool is_there = std::any_of(stage.regions.begin(), stage.regions.end(),
                                           [&](const SceneRegion& region) { return region.material == name; });
-        if (key.empty() || !is_there) continue;
-        findings.add(warning_at(
-            stage.stage->place, join_path({"materials", name, std::string(key)}), "stage",
-            "after liquefaction the sand \"" + name + "\" settles in the stage \"" + stage.stage->name +
-                "\" by a fraction of what laboratories measure: its " + std::string(key) + " is 0",
-            "", "give it one for this stage, in a table [stages.materials." + name + "]"));
+        if (!is_there || !is_doubtful(material.material.law)) continue;
+        findings.add(warning_at(stage.stage->place, join_path({"materials", name, std::string(key)}), "stage",
+                                "the sand \"" + name + "\" " + std::string(what) + " in the stage \"" +
+                                    stage.stage->name + "\"",
+                                "", hint + " in a table [stages.materials." + name + "]"));
+        told = true;
+    }
+    return told;
+}
+
+/// Sand that has been shaken and settles by a fraction of what laboratories measure, told once, and sand that
+/// is shaken with what is for settling.
+void doubt_sands(const std::vector<SceneReading>& stages, Diagnostics& findings)
+{
+    bool has_shaken = false;
+    for (const SceneReading& now : stages) {
+        if (now.scene.stage->kind == StageKind::shake) {
+            has_shaken = true;
+            doubt_materials(now.scene, "reconsolidation", "reconsolidation = 0", has_post_shaking_option,
+                            "is shaken with its post-shaking option, reconsolidation, which softens it,",
+                            findings);
+        } else if (has_shaken && now.scene.stage->kind == StageKind::consolidate) {
+            has_shaken = !doubt_materials(now.scene, "reconsolidation_slope",
+                                          "give it a reconsolidation_slope", lacks_reconsolidation,
+                                          "settles after liquefaction by a fraction of what laboratories "
+                                          "measure, with a reconsolidation_slope of 0,",
+                                          findings);
+        }
+        findings.accept(now.scene.accepted);
     }
 }
 
@@ -149,7 +174,6 @@ bool has_strength(const Scene& scene)
 
 void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings)
 {
-    bool has_shaken = false;
     for (std::size_t k = 0; k < stages.size(); ++k) {
         const SceneReading& now = stages[k];
         if (!now.scene.stage) return; // its keys are wrong and have been reported
@@ -168,13 +192,8 @@ void check_stages(const std::vector<SceneReading>& stages, Diagnostics& findings
         if (now.scene.stage->kind == StageKind::consolidate && !now.scene.water)
             findings.add(error_at(now.scene.stage->place, "stage", "dry soil does not consolidate",
                                   "a table [water], or kind = \"settle\""));
-        has_shaken = has_shaken || now.scene.stage->kind == StageKind::shake;
-        if (has_shaken && now.scene.stage->kind == StageKind::consolidate) {
-            doubt_reconsolidation(now.scene, findings);
-            findings.accept(now.scene.accepted);
-            has_shaken = false; // told once
-        }
     }
+    if (!findings.has_errors()) doubt_sands(stages, findings);
 }
 
 void keep_histories(std::vector<SceneReading>& stages)

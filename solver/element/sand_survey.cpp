@@ -58,10 +58,11 @@ ShearCurvePoint measure_shear(const SkeletonLaw& law, double gamma)
     return {second.secant_modulus / largest, second.damping_ratio};
 }
 
-/// With the post-shaking option, where the law has one.
+/// With the post-shaking option, where the law has nothing else.
 SkeletonLaw settling_after_shaking(SkeletonLaw law)
 {
-    if (auto* sand = std::get_if<Pm4Sand>(&law)) sand->reconsolidation = 1.0;
+    auto* sand = std::get_if<Pm4Sand>(&law);
+    if (sand != nullptr && reconsolidation_slope(*sand) == 0.0) sand->reconsolidation = 1.0;
     return law;
 }
 

@@ -30,8 +30,8 @@ struct SandSurvey {
     /// Largest shear strain of the cycle that reaches ru = 0.95, in 15 cycles, and of the five after it [-].
     std::vector<double> strain_of_cycles;
     double most_out_of_plane; // sigma'_z over the most of the failure limit, largest after ru = 0.95 [-]
-    double reconsolidation; // volumetric strain to 100 kPa after cycles of 8 %, of PM4Sand by its option [-]
-    double k_0_after;       // sigma'_h over sigma'_v then [-]
+    double reconsolidation;   // volumetric strain to 100 kPa after cycles of 8 % [-]
+    double k_0_after;         // sigma'_h over sigma'_v then [-]
     std::array<ShearCurvePoint, survey_strains.size()> curve; // second cycle, drained, by survey_strains
 };
 

@@ -16,18 +16,19 @@ namespace {
 
 using namespace pm4sand;
 
-constexpr std::size_t memory_numbers = 24; // of a point [-]
-
 /// Stress (tension positive) and memory of particles, by column.
 struct Columns {
     double *xx, *yy, *zz, *xy;
-    double* memory[memory_numbers];
+    double* memory[numbers_of_cycles];
 
+    // the bounds of the starts belong to axes that stay: their middle turns with the body, their distance
+    // does not
     Pm4SandState state(std::size_t p) const
     {
+        const double x = memory[8][p], y = memory[9][p], beyond_x = memory[10][p], beyond_y = memory[11][p];
         return {-xx[p],        -yy[p],        -zz[p],        -xy[p],        memory[0][p],  memory[1][p],
                 memory[2][p],  memory[3][p],  memory[4][p],  memory[5][p],  memory[6][p],  memory[7][p],
-                memory[8][p],  memory[9][p],  memory[10][p], memory[11][p], memory[12][p], memory[13][p],
+                x - beyond_x,  y - beyond_y,  x + beyond_x,  y + beyond_y,  memory[12][p], memory[13][p],
                 memory[14][p], memory[15][p], memory[16][p], memory[17][p], memory[18][p], memory[19][p],
                 memory[20][p], memory[21][p], memory[22][p], memory[23][p]};
     }
@@ -43,10 +44,10 @@ struct Columns {
         memory[5][p] = state.turn_y;
         memory[6][p] = state.previous_x;
         memory[7][p] = state.previous_y;
-        memory[8][p] = state.least_x;
-        memory[9][p] = state.least_y;
-        memory[10][p] = state.most_x;
-        memory[11][p] = state.most_y;
+        memory[8][p] = 0.5 * (state.least_x + state.most_x);
+        memory[9][p] = 0.5 * (state.least_y + state.most_y);
+        memory[10][p] = 0.5 * (state.most_x - state.least_x);
+        memory[11][p] = 0.5 * (state.most_y - state.least_y);
         memory[12][p] = state.fabric_x;
         memory[13][p] = state.fabric_y;
         memory[14][p] = state.origin_x;
@@ -66,18 +67,20 @@ Columns columns_of(Particles& particles)
 {
     SymmetricTensors& stress = particles.stress;
     Columns columns = {stress.xx.data(), stress.yy.data(), stress.zz.data(), stress.xy.data(), {}};
-    for (std::size_t k = 0; k < memory_numbers; ++k) columns.memory[k] = particles.memory[k].data();
+    for (std::size_t k = 0; k < numbers_of_cycles; ++k) columns.memory[k] = particles.memory[k].data();
     return columns;
 }
 
 /// The strains of particles, compression positive.
 struct Strains {
-    const double *xx, *xy, *yx, *yy; // velocity gradient [1/s]
-    double dt;                       // [s]
+    const double *xx, *xy, *yx, *yy; // velocity gradient, xx and yy from particle `first` on [1/s]
+    std::size_t first;
+    double dt; // [s]
 
     Strain of(std::size_t p) const
     {
-        return {-dt * (xx[p] - yy[p]), -dt * (xy[p] + yx[p]), -dt * (xx[p] + yy[p])};
+        const std::size_t k = p - first;
+        return {-dt * (xx[k] - yy[k]), -dt * (xy[p] + yx[p]), -dt * (xx[k] + yy[k])};
     }
 };
 
@@ -183,11 +186,12 @@ void set_state(std::size_t p, const Pm4SandState& state, Particles& particles)
     columns_of(particles).set(p, state);
 }
 
-void update(const Pm4Sand& law, double dt, std::size_t first, std::size_t last, Particles& particles)
+void update(const Pm4Sand& law, double dt, std::size_t first, std::size_t last, const double* L_xx,
+            const double* L_yy, Particles& particles)
 {
     const Gradients& L = particles.velocity_gradient_solid;
     const Columns columns = columns_of(particles);
-    const Strains strains = {L.xx.data(), L.xy.data(), L.yx.data(), L.yy.data(), dt};
+    const Strains strains = {L_xx, L.xy.data(), L.yx.data(), L_yy, first, dt};
     if (last > first + 1) return advance_points(law, strains, first, last, columns);
     Pm4SandState state = columns.state(first); // lanes would be empty
     advance_in_substeps(law, strains.of(first), state);

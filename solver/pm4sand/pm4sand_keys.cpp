@@ -12,7 +12,7 @@ constexpr Pm4Sand standard = {};
 
 using Key = LawKey<Pm4Sand>;
 
-constexpr std::array<Key, 27> keys = {{
+constexpr std::array<Key, 29> keys = {{
     {{.name = "relative_density",
       .unit = "-",
       .meaning = "Relative density Dr; gives (N1)60 = 46 Dr^2 (Idriss and Boulanger 2008).",
@@ -165,14 +165,14 @@ constexpr std::array<Key, 27> keys = {{
       .meaning = "F_sed,min: least factor on the moduli while liquefied sand settles.",
       .allowed = {.lower = 0.0, .upper = 1.0, .lower_open = true},
       .usual = {0.02, 1.0},
-      .absent = "0.03 exp(2.6 Dr), at most 0.99; calibrated 0.04"},
+      .absent = "0.03 exp(2.6 Dr), at most 0.99"},
      &Pm4Sand::sedimentation_floor},
     {{.name = "sedimentation_stress",
       .unit = "Pa",
       .meaning = "p_sed,o: mean stress up to which settling of liquefied sand is softened.",
       .allowed = not_negative,
       .usual = {0.0, 1e5},
-      .absent = "20 kPa; calibrated 100 kPa"},
+      .standard = standard.sedimentation_stress},
      &Pm4Sand::sedimentation_stress},
     {{.name = "reconsolidation",
       .unit = "-",
@@ -183,6 +183,22 @@ constexpr std::array<Key, 27> keys = {{
       .usual = {0.0, 1.0},
       .standard = standard.reconsolidation},
      &Pm4Sand::reconsolidation},
+    {{.name = "reconsolidation_slope",
+      .unit = "-",
+      .meaning = "Volumetric strain of reconsolidation over the largest shear strain, which counts to 8 %, "
+                 "beside the strain of the law [Yoshimine et al. 2006].",
+      .allowed = not_negative,
+      .usual = {0.0, 1.5},
+      .absent = "0; calibrated 1.5 exp(-2.5 Dr)"},
+     &Pm4Sand::reconsolidation_slope},
+    {{.name = "liquefied_conductivity",
+      .unit = "-",
+      .meaning =
+          "Hydraulic conductivity at ru = 1 over that at rest; rises with ru^8.9 [Shahir et al. 2012].",
+      .allowed = {.lower = 1.0},
+      .usual = {1.0, 10.0},
+      .absent = "1; calibrated 5"},
+     &Pm4Sand::liquefied_conductivity},
     {{.name = "static_poisson_ratio",
       .unit = "-",
       .meaning = "Poisson's ratio in the relaxation; level ground settles to K0 = nu / (1 - nu), 1/3 to 0.5.",

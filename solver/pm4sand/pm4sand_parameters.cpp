@@ -74,9 +74,9 @@ Pm4Sand calibrated_pm4sand()
 {
     Pm4Sand law;
     law.bounding_exponent = not_given;
+    law.reconsolidation_slope = not_given;
+    law.liquefied_conductivity = 5.0;
     law.yield_radius = 0.005;
-    law.sedimentation_floor = 0.04;
-    law.sedimentation_stress = atmospheric_pressure;
     return law;
 }
 
@@ -94,6 +94,7 @@ Pm4Sand complete_calibrated(Pm4Sand law)
     fill(law.modulus_ratio, std::max(0.3, law.relative_density + 0.11));
     fill(law.bounding_exponent, std::clamp(0.8 - 1.5 * (law.relative_density - 0.35), 0.5, 0.8));
     fill(law.contraction_rate, interpolated(rates, law.relative_density));
+    fill(law.reconsolidation_slope, 1.5 * std::exp(-2.5 * law.relative_density));
     return complete(law);
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "solver/base/conventions.hpp"
+#include "solver/reconsolidation/shaking_history.hpp"
 #include "solver/soil/law_key.hpp"
 
 #include <array>
@@ -46,12 +47,15 @@ struct Pm4Sand {
     double yield_radius = 0.01;                               // m [-]
     double sedimentation_floor = not_given;                   // F_sed,min [-]
     double sedimentation_stress = 0.2 * atmospheric_pressure; // p_sed,o [Pa]
-    double reconsolidation = 0.0; // share of the softening while liquefied sand settles [-]
+    double reconsolidation = 0.0;        // share of the softening while liquefied sand settles [-]
+    double reconsolidation_slope = 0.0;  // volumetric strain per largest shear strain [-] [YWS06]
+    double liquefied_conductivity = 1.0; // k at ru = 1 over k before [-] [Sha12]
 
     // of this program
     double static_poisson_ratio = 1.0 / 3.0; // nu while settling under gravity [-]
     double stress_tolerance = 1e-3;          // error of the stress in a substep, relative [-]
     double resolved_floors = 20.0;           // below this multiple of p_min errors count as at it [-]
+    SandMemory remembers = SandMemory::of_cycles;
 
     // derived by complete()
     double critical_ratio = not_given;  // M = 2 sin phi_cv [-]
@@ -62,17 +66,20 @@ struct Pm4Sand {
 inline bool operator==(const Pm4Sand& a, const Pm4Sand& b)
 {
     using Bits = std::array<std::uint64_t, sizeof(Pm4Sand) / sizeof(std::uint64_t)>;
+    static_assert(sizeof(Bits) == sizeof(Pm4Sand));
     return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 /// The parameters with a value for every one that is not given, but those of the state at consolidation.
 Pm4Sand complete(Pm4Sand law);
 
-/// Parameters that complete_calibrated() completes: damping at 0.001 to 0.1 % and settlement after cycles of
-/// 8 % under 100 kPa are those of laboratories, which the report's values miss, by the parameters that it
-/// leaves to the user: h0 = Dr + 0.11, m = 0.005, F_sed,min = 0.04, p_sed,o = Pa, and hpo for the same cyclic
-/// strength. With n_b = 0.8 in loose sand, 0.5 from Dr = 0.55 on, CSR ~ N^-b has b = 0.26 to 0.29 (3 % single
-/// amplitude, Dr from 0.35 to 0.75); with n_b = 0.5 it is 0.23 at Dr = 0.35 [own].
+/// Parameters that complete_calibrated() completes: damping at 0.001 to 0.1 % is that of laboratories, which
+/// the report's values miss, by the parameters that it leaves to the user: h0 = Dr + 0.11, m = 0.005, and hpo
+/// for the same cyclic strength. Settlement after liquefaction is that of [YWS06], 1.5 exp(-2.5 Dr) of the
+/// shear strain, by a line beside the law (reconsolidation/compaction.hpp), and liquefied sand conducts five
+/// times as well, as calibrated UBCSAND does. With n_b = 0.8 in loose sand, 0.5 from Dr = 0.55 on, CSR ~ N^-b
+/// has b = 0.26 to 0.29 (3 % single amplitude, Dr from 0.35 to 0.75); with n_b = 0.5 it is 0.23 at Dr = 0.35
+/// [own].
 Pm4Sand calibrated_pm4sand();
 Pm4Sand complete_calibrated(Pm4Sand law);
 

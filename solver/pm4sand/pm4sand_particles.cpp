@@ -2,19 +2,23 @@
 
 #include "solver/base/failure.hpp"
 #include "solver/pm4sand/pm4sand_arrays.hpp"
+#include "solver/reconsolidation/cell_reconsolidation.hpp"
+#include "solver/reconsolidation/liquefied_conductivity.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 namespace quicksand {
 
 namespace {
 
 constexpr bool shown = true;
+constexpr std::size_t void_ratio = 20; // its column [-]
 
-constexpr std::array<MemoryNumber, 24> memory = {{
+constexpr std::array<MemoryNumber, numbers_of_cycles + history_numbers> memory = {{
     {"alpha_x", "-", "back-stress ratio, (a_xx - a_yy)/2", Component::x, shown},
     {"alpha_y", "-", "the same, a_xy", Component::y, shown},
     {"alpha_in_x", "-", "back-stress ratio where loading began, apparent, (a_xx - a_yy)/2", Component::x,
@@ -24,12 +28,13 @@ constexpr std::array<MemoryNumber, 24> memory = {{
     {"alpha_turn_y", "-", "the same, a_xy", Component::y},
     {"alpha_before_x", "-", "alpha_in of the loading before, (a_xx - a_yy)/2", Component::x},
     {"alpha_before_y", "-", "the same, a_xy", Component::y},
-    {"alpha_least_x", "-", "least back-stress ratio of the positive reversals, (a_xx - a_yy)/2",
+    {"alpha_middle_x", "-",
+     "between the least back-stress ratio of the positive reversals and the largest of the negative ones, "
+     "(a_xx - a_yy)/2",
      Component::x},
-    {"alpha_least_y", "-", "the same, a_xy", Component::y},
-    {"alpha_most_x", "-", "largest back-stress ratio of the negative reversals, (a_xx - a_yy)/2",
-     Component::x},
-    {"alpha_most_y", "-", "the same, a_xy", Component::y},
+    {"alpha_middle_y", "-", "the same, a_xy", Component::y},
+    {"alpha_beyond_x", "-", "the largest of the negative ones less the middle, (a_xx - a_yy)/2"},
+    {"alpha_beyond_y", "-", "the same, a_xy"},
     {"fabric_x", "-", "fabric-dilatancy tensor z, (z_xx - z_yy)/2", Component::x, shown},
     {"fabric_y", "-", "the same, z_xy", Component::y, shown},
     {"fabric_in_x", "-", "z at the last reversal, (z_xx - z_yy)/2", Component::x},
@@ -43,6 +48,13 @@ constexpr std::array<MemoryNumber, 24> memory = {{
     {"fabric_limit", "-", "z_max at consolidation"},
     {"dilatancy_factor", "-", "A_d0 at consolidation"},
     {"least_stress", "Pa", "p_min at consolidation"},
+    {"start_mean", "Pa", "mean stress in the plane at the start of shaking"},
+    {"shear_x", "-", "strain since the start of shaking, eps_x - eps_y", Component::x},
+    {"shear_y", "-", "the same, gamma_xy", Component::y},
+    {"largest_shear", "-", "largest shear strain since the start of shaking", Component::scalar, shown},
+    {"liquefied_shear", "-", "the same when the sand last had liquefied; 0: it has not", Component::scalar,
+     shown},
+    {"compaction", "-", "volumetric strain of reconsolidation", Component::scalar, shown},
 }};
 
 /// G at a mean stress p, without fabric and shear [Pa].
@@ -68,11 +80,72 @@ double stress_ratio(const SymmetricTensors& stress, std::size_t p)
     return q / std::max(-0.5 * (stress.xx[p] + stress.yy[p]), 1e-9);
 }
 
+ShakingHistory history_of(Particles& particles)
+{
+    return history_at(numbers_of_cycles, particles.memory);
+}
+
+/// The strain that compaction leaves, in pieces; the voids lose what compaction takes.
+void update_with_history(const Pm4Sand& law, double dt, std::size_t first, std::size_t last,
+                         Particles& particles)
+{
+    NormalRates rates;
+    const Gradients& L = particles.velocity_gradient_solid;
+    const ShakingHistory history = history_of(particles);
+    for (std::size_t p = first; p < last; p += NormalRates::most) {
+        const std::size_t end = std::min(last, p + NormalRates::most);
+        advance_history(law, dt, p, end, particles, history, rates);
+        update(law, dt, p, end, rates.xx.data(), rates.yy.data(), particles);
+        for (std::size_t q = p; q < end; ++q) {
+            const double lost = dt * (rates.xx[q - p] + rates.yy[q - p] - L.xx[q] - L.yy[q]);
+            particles.memory[void_ratio][q] -= (1.0 + particles.memory[void_ratio][q]) * lost;
+        }
+    }
+}
+
+/// The stress ratio of a particle, compression positive.
+Vector2 ratio_of(std::size_t p, const Particles& particles)
+{
+    const SymmetricTensors& stress = particles.stress;
+    return Vector2(0.5 * (stress.yy[p] - stress.xx[p]), -stress.xy[p]) / mean_stress(stress, p);
+}
+
+/// Move the yield surface, and where its loadings began, with a stress that something else than strain has
+/// changed.
+void carry_back_stress(const Vector2& change, std::size_t p, Particles& particles)
+{
+    constexpr std::size_t first = 0, last = 8; // columns of vectors, x and y in turn
+    for (std::size_t k = first; k <= last; k += 2) {
+        particles.memory[k][p] += change.x();
+        particles.memory[k + 1][p] += change.y();
+    }
+}
+
 } // namespace
 
-LawMemory memory_of(const Pm4Sand&)
+bool keeps_history(const Pm4Sand& law)
 {
-    return memory;
+    return law.remembers == SandMemory::of_shaking || law.reconsolidation_slope > 0.0 ||
+           law.liquefied_conductivity > 1.0;
+}
+
+LawMemory memory_of(const Pm4Sand& law)
+{
+    return keeps_history(law) ? LawMemory(memory) : LawMemory(memory).first(numbers_of_cycles);
+}
+
+double conductivity_factor(const Pm4Sand& law, std::size_t p, const Particles& particles)
+{
+    const bool has_history = particles.memory.size() >= memory.size(); // not before the shaking
+    if (law.liquefied_conductivity <= 1.0 || !has_history) return 1.0;
+    const double start = particles.memory[numbers_of_cycles][p];
+    return liquefied_conductivity_factor(law.liquefied_conductivity, mean_stress(particles.stress, p),
+                                         least_mean_stress(law), start);
+}
+
+PlaneSkeleton skeleton_at(const Pm4Sand& law, double s)
+{
+    return {law.bulk_over_shear * largest_shear_modulus(law, s), 1.0}; // its flow leads to K_0
 }
 
 double shear_modulus(const Pm4Sand& law)
@@ -87,7 +160,7 @@ double constrained_modulus(const Pm4Sand& law)
 
 double shear_modulus_at(const Pm4Sand& law, std::size_t p, const Particles& particles)
 {
-    const bool has_begun = particles.memory.size() >= memory.size(); // before that sand has no fabric
+    const bool has_begun = particles.memory.size() >= numbers_of_cycles; // before that sand has no fabric
     return has_begun ? shear_modulus(law, state_of(p, particles))
                      : largest_shear_modulus(law, mean_stress(particles.stress, p));
 }
@@ -117,20 +190,50 @@ ParticleModuli expected_moduli(const Pm4Sand& law, double dt, std::size_t first,
 
 void update_stress(const Pm4Sand& law, double dt, std::size_t first, std::size_t last, Particles& particles)
 {
-    ENSURE(particles.memory.size() >= memory.size());
-    update(law, dt, first, last, particles);
+    ENSURE(particles.memory.size() >= memory_of(law).size());
+    if (keeps_history(law)) return update_with_history(law, dt, first, last, particles);
+    const Gradients& L = particles.velocity_gradient_solid;
+    update(law, dt, first, last, L.xx.data() + first, L.yy.data() + first, particles);
+}
+
+void even_out_cell(const Pm4Sand& law, double dt, std::span<const std::int32_t> points, Particles& particles)
+{
+    ENSURE(particles.memory.size() >= memory_of(law).size());
+    const SettlingSkeleton skeleton = {law.reconsolidation_slope,
+                                       [&](double s) { return skeleton_at(law, s).K; }};
+    std::vector<Vector2> ratios;
+    for (const std::int32_t p : points) ratios.push_back(ratio_of(static_cast<std::size_t>(p), particles));
+    even_reconsolidation(skeleton, dt, points, history_of(particles), particles);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const auto p = static_cast<std::size_t>(points[k]);
+        carry_back_stress(ratio_of(p, particles) - ratios[k], p, particles);
+    }
 }
 
 std::size_t start_memory(const Pm4Sand& law, std::size_t first, std::size_t last, Particles& particles)
 {
-    ENSURE(particles.memory.size() >= memory.size());
+    ENSURE(particles.memory.size() >= memory_of(law).size());
     std::size_t changed = 0;
     for (std::size_t p = first; p < last; ++p) {
         Pm4SandState state = state_of(p, particles);
         changed += begin_shaking(law, state) ? 1U : 0U;
         set_state(p, state, particles);
+        if (keeps_history(law)) begin_history(mean_stress(particles.stress, p), p, history_of(particles));
     }
     return changed;
+}
+
+void complete_memory(const Pm4Sand& law, std::size_t first, std::size_t last, Particles& particles)
+{
+    if (!keeps_history(law)) return;
+    const ShakingHistory history = history_of(particles);
+    for (std::size_t p = first; p < last; ++p) {
+        if (history.start_mean[p] > 0.0) continue;
+        constexpr double over_vertical = 0.75; // (1 + K_0)/2
+        begin_history(std::max(mean_stress(particles.stress, p),
+                               over_vertical * particles.initial_vertical_effective_stress[p]),
+                      p, history);
+    }
 }
 
 std::size_t count_at_failure(const Pm4Sand& law, std::size_t first, std::size_t last,

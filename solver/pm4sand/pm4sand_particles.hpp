@@ -4,6 +4,7 @@
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
 #include "solver/pm4sand/pm4sand.hpp"
+#include "solver/reconsolidation/compaction.hpp"
 #include "solver/soil/law_interface.hpp"
 #include "solver/ubcsand/settling_sand.hpp"
 
@@ -37,6 +38,44 @@ ParticleModuli expected_moduli(const Pm4Sand& law, double dt, std::size_t first,
 /// Add the stress of the strain L dt to the particles [first, last) and advance their memory, rotated stress
 /// and memory given. Pre: start_memory.
 void update_stress(const Pm4Sand& law, double dt, std::size_t first, std::size_t last, Particles& particles);
+
+/// What reconsolidation/compaction.hpp asks.
+inline double reconsolidation_slope(const Pm4Sand& law)
+{
+    return law.reconsolidation_slope;
+}
+inline double least_mean_stress(const Pm4Sand&) // 3 p_min: cycles of shear end at 2 p_min
+{
+    return 3.0 * atmospheric_pressure / 200.0;
+}
+PlaneSkeleton skeleton_at(const Pm4Sand& law, double s);
+
+/// Liquefied sand of a cell settles as one, see cell_reconsolidation.hpp.
+inline bool settles_by_cells(const Pm4Sand& law)
+{
+    return law.reconsolidation_slope > 0.0;
+}
+void even_out_cell(const Pm4Sand& law, double dt, std::span<const std::int32_t> points, Particles& particles);
+
+/// k of the particle's place in its liquefaction over that of sand at rest [-].
+double conductivity_factor(const Pm4Sand& law, std::size_t p, const Particles& particles);
+
+inline double largest_conductivity_factor(const Pm4Sand& law)
+{
+    return law.liquefied_conductivity;
+}
+
+/// Whether the law asks for a history, or a later stage does.
+bool keeps_history(const Pm4Sand& law);
+
+inline void keep_history(Pm4Sand& law)
+{
+    law.remembers = SandMemory::of_shaking;
+}
+
+/// A history begins at the present stress, but for s_0: that of the start of shaking at K_0 = 1/2. Sand that
+/// has liquefied before does not know it.
+void complete_memory(const Pm4Sand& law, std::size_t first, std::size_t last, Particles& particles);
 
 /// What a particle remembers; meaning and signs as in Pm4SandState.
 LawMemory memory_of(const Pm4Sand& law);

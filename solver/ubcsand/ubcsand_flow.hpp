@@ -102,6 +102,15 @@ inline HardeningFactors softened_factors(const UbcSand& m, double factor, const 
 /// The static shear over the vertical stress under which locked sand flows as if it were not.
 inline constexpr double whole_static_shear = 0.2; // [-]
 
+/// The static shear in the sense of q over the whole one [-].
+inline double part_of_static_shear(const Deviator& q, const UbcSandState& state)
+{
+    constexpr double least = 1e-200; // [Pa]
+    const double size = larger(std::sqrt(q.x * q.x + q.y * q.y), least);
+    const double along = larger(0.0, accord(q, state.static_x, state.static_y)) / size;
+    return smaller(1.0, along * (1.0 / whole_static_shear));
+}
+
 /// Sand that is locked in the sense of its static shear makes a part of its flow there softened all the same,
 /// in proportion to that shear, and the rest as hard sand: 1/F = part/F_soft + (1 - part)/F_hard.
 template <Locking locking>
@@ -113,8 +122,7 @@ inline HardeningFactors hardening_factors(const UbcSand& m, const Deviator& q, c
     } else {
         const HardeningFactors soft = softened_factors(m, factor, state),
                                hard = softened_factors(m, 1.0, state);
-        const double shear = std::sqrt(state.static_x * state.static_x + state.static_y * state.static_y);
-        const double part = smaller(1.0, shear * (1.0 / whole_static_shear)), rest = 1.0 - part;
+        const double part = part_of_static_shear(q, state), rest = 1.0 - part;
         const Inverses per =
             inverses(part * hard.secondary + rest * soft.secondary, part * hard.virgin + rest * soft.virgin);
         const double partial = select(is_locked(q, state), factor, 1.0);

@@ -38,8 +38,10 @@ inline void turn_memory(const Rotation& turn, UbcSandState& state)
     turn_vector(turn, state.back_x, state.back_y);
 }
 
-/// Of the longer of the present leg of the strain and the last one, which a reversal must go back.
+/// Of the longer of the present leg of the strain and the last one, which a reversal must go back; and a
+/// strain, squared, that is more than rounding and less than any strain of soil.
 inline constexpr double least_fraction_of_a_leg = 0.25; // [-]
+inline constexpr double least_strain_squared = 1e-18;   // [-]
 
 /// What the strain must go back to have turned, squared: the ripple's strain, or a fraction of the leg if
 /// that is less. [-]
@@ -47,7 +49,7 @@ inline double least_turn(const UbcSand& m, const UbcSandState& state)
 {
     const double leg = state.leg_x * state.leg_x + state.leg_y * state.leg_y;
     const double fraction = least_fraction_of_a_leg * least_fraction_of_a_leg * larger(leg, state.last_leg);
-    return smaller(m.ripple_squared, fraction);
+    return smaller(m.ripple_squared, larger(fraction, least_strain_squared));
 }
 
 /// Follow the strain in its plane of shear: the leg goes from where it last turned to the farthest point

@@ -1,8 +1,10 @@
 #include "solver/ubcsand/ubcsand_particles.hpp"
 
 #include "solver/base/failure.hpp"
-#include "solver/ubcsand/cell_reconsolidation.hpp"
-#include "solver/ubcsand/ubcsand_history.hpp"
+#include "solver/reconsolidation/cell_reconsolidation.hpp"
+#include "solver/reconsolidation/compaction.hpp"
+#include "solver/reconsolidation/liquefied_conductivity.hpp"
+#include "solver/ubcsand/ubcsand_kernel.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,9 +15,10 @@ namespace quicksand {
 
 namespace {
 
-constexpr std::size_t of_cycles = 15; // numbers that every law of the kind remembers [-]
-constexpr std::size_t dilated = 22;   // the first of the two that tell where the sand has dilated [-]
-constexpr std::size_t of_start = 24;  // the first of the two of its static shear [-]
+constexpr std::size_t of_cycles = 15;  // numbers that every law of the kind remembers [-]
+constexpr std::size_t of_history = 16; // the first of a history's [-]
+constexpr std::size_t dilated = 22;    // the first of the two that tell where the sand has dilated [-]
+constexpr std::size_t of_start = 24;   // the first of the two of its static shear [-]
 
 constexpr std::array<MemoryNumber, 26> memory = {{
     {"eta_max", "-", "largest stress ratio so far", Component::scalar, true},
@@ -97,12 +100,9 @@ UbcSandArrays arrays_of(const UbcSand& law, Particles& particles)
             has_history ? particles.memory[of_start + 1].data() : nullptr};
 }
 
-UbcSandHistory history_of(Particles& particles)
+ShakingHistory history_of(Particles& particles)
 {
-    SoilMemory& m = particles.memory;
-    std::size_t k = of_cycles;
-    return {m[k].data(),     m[k + 1].data(), m[k + 2].data(), m[k + 3].data(),
-            m[k + 4].data(), m[k + 5].data(), m[k + 6].data()};
+    return history_at(of_history, particles.memory);
 }
 
 /// The arrays from point p on.
@@ -161,19 +161,18 @@ void update_points(const UbcSand& law, double dt, std::size_t first, std::size_t
     update(law, dt, first, last, points);
 }
 
-/// The strain that compaction leaves, in pieces of a size that the processor keeps at hand.
+/// The strain that compaction leaves, in pieces.
 void update_with_history(const UbcSand& law, double dt, std::size_t first, std::size_t last,
                          Particles& particles)
 {
-    constexpr std::size_t piece = 512;
-    std::array<double, piece> L_xx, L_yy;
+    NormalRates rates;
     const UbcSandArrays arrays = arrays_of(law, particles);
-    const UbcSandHistory history = history_of(particles);
-    for (std::size_t p = first; p < last; p += piece) {
-        const std::size_t end = std::min(last, p + piece);
-        advance_history(law, dt, p, end, particles, history, L_xx.data(), L_yy.data());
+    const ShakingHistory history = history_of(particles);
+    for (std::size_t p = first; p < last; p += NormalRates::most) {
+        const std::size_t end = std::min(last, p + NormalRates::most);
+        advance_history(law, dt, p, end, particles, history, rates);
         UbcSandArrays points = from(p, arrays);
-        points.L_xx = L_xx.data(), points.L_yy = L_yy.data();
+        points.L_xx = rates.xx.data(), points.L_yy = rates.yy.data();
         update_points(law, dt, 0, end - p, points);
     }
 }
@@ -181,7 +180,8 @@ void update_with_history(const UbcSand& law, double dt, std::size_t first, std::
 /// Begin with the state of the start of shaking.
 void begin_with(const UbcSandState& start, std::size_t p, Particles& particles)
 {
-    begin_history(start, p, history_of(particles));
+    begin_history(0.5 * (start.sigma_x + start.sigma_y), p, history_of(particles));
+    particles.memory[of_cycles][p] = start.start_factor;
     particles.memory[of_start][p] = start.static_x;
     particles.memory[of_start + 1][p] = start.static_y;
 }
@@ -220,8 +220,8 @@ double conductivity_factor(const UbcSand& law, std::size_t p, const Particles& p
     const bool has_history = particles.memory.size() >= memory.size(); // not before the shaking
     if (law.liquefied_conductivity <= 1.0 || !has_history) return 1.0;
     const double s = std::max(law.s_min, -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]));
-    const SoilMemory& m = particles.memory;
-    return conductivity_factor(law, s, m[of_cycles + 1][p]);
+    return liquefied_conductivity_factor(law.liquefied_conductivity, s, law.s_min,
+                                         particles.memory[of_history][p]);
 }
 
 void hold_water(UbcSand& law, double dry_fraction)
@@ -263,6 +263,13 @@ std::string objection_to_stress(const UbcSand& law, std::size_t p, const Particl
     return what.str();
 }
 
+PlaneSkeleton skeleton_at(const UbcSand& law, double s)
+{
+    const ubcsand::Moduli stiffest = ubcsand::moduli_at(law, s);
+    const ubcsand::Moduli loading = ubcsand::moduli_of(law.least_fraction * stiffest.G, stiffest.B);
+    return {stiffest.K, loading.K / (3.0 * loading.G)};
+}
+
 ParticleModuli particle_moduli(const UbcSand& law, std::size_t first, std::size_t last,
                                const Particles& particles)
 {
@@ -287,7 +294,8 @@ void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t
 void even_out_cell(const UbcSand& law, double dt, std::span<const std::int32_t> points, Particles& particles)
 {
     ENSURE(particles.memory.size() >= memory_of(law).size());
-    even_reconsolidation(law, dt, points, history_of(particles), particles);
+    const SettlingSkeleton skeleton = {law.reconsolidation, [&](double s) { return skeleton_at(law, s).K; }};
+    even_reconsolidation(skeleton, dt, points, history_of(particles), particles);
 }
 
 std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles)
@@ -310,7 +318,7 @@ void complete_memory(const UbcSand& law, std::size_t first, std::size_t last, Pa
 {
     if (!keeps_history(law)) return;
     const UbcSandArrays arrays = arrays_of(law, particles);
-    const UbcSandHistory history = history_of(particles);
+    const ShakingHistory history = history_of(particles);
     for (std::size_t p = first; p < last; ++p) {
         if (history.start_mean[p] > 0.0) continue;
         UbcSandState state = arrays.state(p);

@@ -3,6 +3,7 @@
 
 #include "solver/particles/particle_moduli.hpp"
 #include "solver/particles/particles.hpp"
+#include "solver/reconsolidation/compaction.hpp"
 #include "solver/soil/law_interface.hpp"
 #include "solver/ubcsand/ubcsand.hpp"
 
@@ -32,6 +33,17 @@ ParticleModuli expected_moduli(const UbcSand& law, double dt, std::size_t first,
 /// Add the stress of the strain L dt to the particles [first, last) and advance their memory, rotated stress
 /// and memory given. Pre: start_memory.
 void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t last, Particles& particles);
+
+/// What reconsolidation/compaction.hpp asks.
+inline double reconsolidation_slope(const UbcSand& law)
+{
+    return law.reconsolidation;
+}
+inline double least_mean_stress(const UbcSand& law)
+{
+    return law.s_min;
+}
+PlaneSkeleton skeleton_at(const UbcSand& law, double s);
 
 /// Liquefied sand of a cell settles as one, see cell_reconsolidation.hpp.
 inline bool settles_by_cells(const UbcSand& law)

@@ -2,16 +2,13 @@
 // is done with them: ubcsand.hpp.
 #pragma once
 
+#include "solver/reconsolidation/shaking_history.hpp"
 #include "solver/ubcsand/ubcsand_parameters.hpp"
 
 namespace quicksand {
 
 /// Elastic moduli with any exponents or with square roots, and G that stays or softens with small strains.
 enum class ElasticForm { powers, square_roots, softening_powers, softening_square_roots };
-
-/// Whether the sand remembers strains and stresses of the whole shaking where its own law has no use for
-/// them.
-enum class SandMemory { of_cycles, of_shaking };
 
 /// The law made ready: parameters as the kernel uses them. Make it with `make_ubcsand` only.
 struct UbcSand {

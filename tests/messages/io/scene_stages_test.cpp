@@ -185,17 +185,40 @@ TEST(SceneStageMessages, SandThatHasBeenShakenSettlesAsInLaboratories)
         return fixtures::SceneFolder().message(scene + settle_stage + rest);
     };
     const std::string said =
-        "settles in the stage \"drain\" by a fraction of what laboratories measure: its ";
-    for (const auto& [model, key] :
-         {std::pair("ubcsand", "reconsolidation_slope"), std::pair("pm4sand", "reconsolidation")}) {
-        const std::string sand = "model = \"" + std::string(model) + "\"\nrelative_density = 0.5\n";
-        const std::string given = "[stages.materials.sand]\n" + std::string(key) + " = 1\n";
-        EXPECT_NE(warnings(sand, shake + drain).find(said + key + " is 0"), std::string::npos) << model;
+        "the sand \"sand\" settles after liquefaction by a fraction of what "
+        "laboratories measure, with a reconsolidation_slope of 0, in the stage \"drain\"";
+    const std::string second_drain = "[[stages]]\nname = \"again\"\nkind = \"consolidate\"\nduration = "
+                                     "100\n[stages.materials.sand]\nreconsolidation_slope = 0\n";
+    for (const std::string model : {"ubcsand", "pm4sand"}) {
+        const std::string sand = "model = \"" + model + "\"\nrelative_density = 0.5\n";
+        const std::string given = "[stages.materials.sand]\nreconsolidation_slope = 0.3\n";
+        EXPECT_NE(warnings(sand, shake + drain).find(said), std::string::npos) << model;
         EXPECT_EQ(warnings(sand, shake + drain + given).find(said), std::string::npos) << model;
+        EXPECT_NE(warnings(sand, shake + drain + given + second_drain).find("in the stage \"again\""),
+                  std::string::npos)
+            << model;
         EXPECT_EQ(warnings(sand, drain).find(said), std::string::npos) << model;
+        EXPECT_EQ(warnings(sand + "law = \"calibrated\"\n", shake + drain).find(said), std::string::npos);
+        EXPECT_EQ(warnings(sand + "porosity = 1.4\n", shake + drain).find(said), std::string::npos);
     }
-    EXPECT_EQ(warnings("model = \"ubcsand\"\nrelative_density = 0.5\nlaw = \"calibrated\"\n", shake + drain)
-                  .find(said),
+}
+
+TEST(SceneStageMessages, ThePostShakingOptionIsForAfterTheShaking)
+{
+    const std::string linear =
+        "model = \"linear_elastic\"\nshear_modulus = \"60 MPa\"\npoisson_ratio = 0.3\n";
+    const std::string sand = "model = \"pm4sand\"\nrelative_density = 0.5\n";
+    const std::string drain = "[[stages]]\nname = \"drain\"\nkind = \"consolidate\"\nduration = "
+                              "100\n[stages.materials.sand]\nreconsolidation = 1\n";
+    const auto warnings = [&](const std::string& rest) {
+        const std::string scene = fixtures::replaced(fixtures::column_scene, linear, sand);
+        return fixtures::SceneFolder().message(scene + settle_stage + rest);
+    };
+    const std::string again = fixtures::replaced(shake, "shaking", "again");
+    EXPECT_EQ(warnings(shake + drain).find("post-shaking option"), std::string::npos);
+    EXPECT_NE(warnings(shake + drain + again)
+                  .find("the sand \"sand\" is shaken with its post-shaking option, reconsolidation, which "
+                        "softens it, in the stage \"again\""),
               std::string::npos);
 }
 

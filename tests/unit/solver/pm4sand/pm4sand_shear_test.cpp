@@ -95,6 +95,24 @@ TEST(Pm4SandShear, CalibratedDampsAndSettlesAsLaboratoriesMeasure)
         EXPECT_GT(s.strain_of_cycles[k], 1.005 * s.strain_of_cycles[k - 1]);
 }
 
+// Ishihara and Yoshimine (1992) as Yoshimine and others (2006) put it, 1.5 exp(-2.5 Dr) of the shear strain.
+TEST(Pm4SandShear, CalibratedSettlesInProportionToItsShearStrain)
+{
+    for (const double density : {0.35, 0.55, 0.75}) {
+        Pm4Sand sand = calibrated_pm4sand();
+        sand.relative_density = density;
+        const SkeletonLaw law = complete_calibrated(sand);
+        for (const double stress : {10e3, 100e3, 200e3})
+            for (const double gamma : {0.02, 0.04, 0.08}) {
+                const CyclicTest test = reconsolidate(law, law, {stress, 0.5, 0.0}, {gamma, 10.0});
+                const double ratio =
+                    test.path.back().volumetric_strain() / (1.5 * std::exp(-2.5 * density) * gamma);
+                EXPECT_GT(ratio, 1.0 / 1.5) << density << ' ' << stress << ' ' << gamma;
+                EXPECT_LT(ratio, 1.5) << density << ' ' << stress << ' ' << gamma;
+            }
+    }
+}
+
 // The stress is not continuous in the strain where errors choose the substeps.
 TEST(Pm4SandShear, HoldsTheVerticalStressAtLargeStrains)
 {

@@ -1,6 +1,7 @@
 // UBCSAND with the calibrated factors: closed forms of its parts, and published numbers of the whole.
 #include "solver/element/sand_survey.hpp"
-#include "solver/ubcsand/ubcsand_history.hpp"
+#include "solver/reconsolidation/liquefied_conductivity.hpp"
+#include "solver/ubcsand/ubcsand_particles.hpp"
 
 #include <gtest/gtest.h>
 
@@ -70,9 +71,8 @@ TEST(UbcSandCalibrated, SmallStrainsFollowTheHyperbola)
 }
 
 struct OnePoint {
-    std::array<double, 7> numbers{};
-    UbcSandHistory history{&numbers[0], &numbers[1], &numbers[2], &numbers[3],
-                           &numbers[4], &numbers[5], &numbers[6]};
+    std::array<double, history_numbers> numbers{};
+    ShakingHistory history{&numbers[0], &numbers[1], &numbers[2], &numbers[3], &numbers[4], &numbers[5]};
 };
 
 /// On the way from the floor to s_0 the compaction is the slope times the shear strain, at most 8 %, and the
@@ -130,18 +130,20 @@ TEST(UbcSandCalibrated, RipplesBelowTheLineDoNotCompact)
 TEST(UbcSandCalibrated, ConductivityRisesOnlyNearLiquefaction)
 {
     const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
-    const double floor = law.s_min, middle = 0.5 * (floor + 75e3);
-    EXPECT_EQ(conductivity_factor(law, 75e3, 75e3), 1.0);
-    EXPECT_DOUBLE_EQ(conductivity_factor(law, floor, 75e3), 5.0);
-    EXPECT_NEAR(conductivity_factor(law, middle, 75e3), 1.0 + 4.0 * std::pow(0.5, 8.9), 1e-12);
+    const double most = law.liquefied_conductivity, floor = law.s_min, middle = 0.5 * (floor + 75e3);
+    EXPECT_EQ(liquefied_conductivity_factor(most, 75e3, floor, 75e3), 1.0);
+    EXPECT_DOUBLE_EQ(liquefied_conductivity_factor(most, floor, floor, 75e3), 5.0);
+    EXPECT_NEAR(liquefied_conductivity_factor(most, middle, floor, 75e3), 1.0 + 4.0 * std::pow(0.5, 8.9),
+                1e-12);
 }
 
 /// Else water from below would lift sand near the surface, which has hardly any stress to lose.
 TEST(UbcSandCalibrated, SandAtTheFloorFloatsHoweverLittleStressItHad)
 {
     const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
-    EXPECT_DOUBLE_EQ(conductivity_factor(law, law.s_min, 2.0 * law.s_min), 5.0);
-    EXPECT_DOUBLE_EQ(conductivity_factor(law, law.s_min, law.s_min), 5.0);
+    const double most = law.liquefied_conductivity, floor = law.s_min;
+    EXPECT_DOUBLE_EQ(liquefied_conductivity_factor(most, floor, floor, 2.0 * floor), 5.0);
+    EXPECT_DOUBLE_EQ(liquefied_conductivity_factor(most, floor, floor, floor), 5.0);
 }
 
 /// Blocks of lanes give the bits of single points.
@@ -266,6 +268,28 @@ TEST(UbcSandCalibrated, FlowsInTheSenseOfItsStaticShearThoughLocked)
     EXPECT_GT(steep, gentle + 2e-3);
     EXPECT_NEAR(strain_to_5_kPa(-0.1, 0.0), level, 2e-3); // against it
     EXPECT_NEAR(strain_to_5_kPa(0.1, 0.7), steep, 6e-4);
+}
+
+/// Loading at right angles to the static shear is neither along nor against it: a rounding error does not
+/// decide.
+TEST(UbcSandCalibrated, StaticShearCountsAlongTheLoadingAlone)
+{
+    const UbcSand law = make_ubcsand(calibrated(generic(12.0)));
+    const auto strain_to_4_kPa = [&](double tau) {
+        UbcSandState state;
+        state.sigma_x = state.sigma_z = 50e3, state.sigma_y = 100e3, state.tau_xy = 10e3;
+        begin_shaking(law, state);
+        const Direction sense{-1.0, 0.0}; // vertical compression
+        for (int cycle = 0; cycle < 6; ++cycle)
+            shear(law, sense, -0.5, state, 30e3), shear(law, sense, 0.5, state, 30e3);
+        shear(law, sense, -0.03, state);
+        state.tau_xy = tau;
+        double strain = 0.0;
+        for (; shear_stress(sense, state) < 4e3 && strain < 0.15; strain += 1e-4)
+            shear(law, sense, 1e-4, state);
+        return strain;
+    };
+    EXPECT_NEAR(strain_to_4_kPa(1e-6), strain_to_4_kPa(-1e-6), 2e-4);
 }
 
 /// The table at (N1)60 = 12: Idriss and Boulanger (2008), Yoshimine and others (2006), Seed and

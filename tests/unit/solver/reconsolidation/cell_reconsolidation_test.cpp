@@ -1,5 +1,5 @@
 // Liquefied sand of one cell: what approaches, and what stays.
-#include "solver/ubcsand/cell_reconsolidation.hpp"
+#include "solver/reconsolidation/cell_reconsolidation.hpp"
 #include "solver/ubcsand/ubcsand_parameters.hpp"
 #include "solver/ubcsand/ubcsand_particles.hpp"
 
@@ -85,6 +85,19 @@ TEST(CellReconsolidation, LeadsToStressesInProportionToThoseOfTheStart)
         const double line = std::min(shear[p], 0.08);
         EXPECT_NEAR(cell.column("compaction")[p] / line, cell.column("compaction")[0] / shear[0], 1e-6);
     }
+}
+
+/// What comes on top of s_0 is carried by all of them alike.
+TEST(CellReconsolidation, SharesALaterLoadEvenly)
+{
+    Cell cell;
+    for (Scalars* stress : {&cell.particles.stress.xx, &cell.particles.stress.yy})
+        for (double& value : *stress) value -= 80e3;
+    for (int step = 0; step < 400; ++step) cell.even_out(0.01);
+    const SymmetricTensors& stress = cell.particles.stress;
+    const auto mean = [&](std::size_t p) { return -0.5 * (stress.xx[p] + stress.yy[p]); };
+    const Scalars start = cell.column("start_mean");
+    for (std::size_t p = 1; p < 3; ++p) EXPECT_NEAR(mean(p) - mean(0), start[p] - start[0], 1.0) << p;
 }
 
 TEST(CellReconsolidation, RestsInSoilThatExpandsOrIsSheared)

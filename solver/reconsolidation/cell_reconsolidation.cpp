@@ -1,6 +1,4 @@
-#include "solver/ubcsand/cell_reconsolidation.hpp"
-
-#include "solver/ubcsand/ubcsand_kernel.hpp"
+#include "solver/reconsolidation/cell_reconsolidation.hpp"
 
 #include <algorithm>
 
@@ -21,7 +19,7 @@ struct LiquefiedCell {
 };
 
 template <class Visit>
-void for_each_liquefied(std::span<const std::int32_t> points, const UbcSandHistory& history, Visit&& visit)
+void for_each_liquefied(std::span<const std::int32_t> points, const ShakingHistory& history, Visit&& visit)
 {
     for (const std::int32_t point : points) {
         const auto p = static_cast<std::size_t>(point);
@@ -29,8 +27,8 @@ void for_each_liquefied(std::span<const std::int32_t> points, const UbcSandHisto
     }
 }
 
-LiquefiedCell sum_liquefied(const UbcSand& law, std::span<const std::int32_t> points,
-                            const UbcSandHistory& history, const Particles& particles)
+LiquefiedCell sum_liquefied(double slope, std::span<const std::int32_t> points, const ShakingHistory& history,
+                            const Particles& particles)
 {
     const Gradients& L = particles.velocity_gradient_solid;
     const SymmetricTensors& stress = particles.stress;
@@ -46,40 +44,42 @@ LiquefiedCell sum_liquefied(const UbcSand& law, std::span<const std::int32_t> po
         cell.yy += V * stress.yy[p];
         cell.zz += V * stress.zz[p];
         cell.xy += V * stress.xy[p];
-        cell.whole += V * whole_compaction(law, p, history);
+        cell.whole += V * whole_compaction(slope, p, history);
         cell.compaction += V * history.compaction[p];
     });
     return cell;
 }
 
 /// The part of the differences in a cell that fades in a step of dt [-].
-double fading_part(const UbcSand& law, double dt, const LiquefiedCell& cell)
+double fading_part(const SettlingSkeleton& skeleton, double dt, const LiquefiedCell& cell)
 {
     if (!(cell.growth < 0.0)) return 0.0;
     const double squared = cell.growth * cell.growth;
     const double sheared = cell.shear_x * cell.shear_x + cell.shear_y * cell.shear_y;
     const double strain = -dt * cell.growth / cell.volume * squared / (squared + sheared);
     const double s_0 = cell.start / cell.volume;
-    return strain / (strain + elastic_fraction * s_0 / ubcsand::moduli_at(law, s_0).K);
+    return strain / (strain + elastic_fraction * s_0 / skeleton.K_prime(s_0));
 }
 
 } // namespace
 
-void even_reconsolidation(const UbcSand& law, double dt, std::span<const std::int32_t> points,
-                          const UbcSandHistory& history, Particles& particles)
+void even_reconsolidation(const SettlingSkeleton& skeleton, double dt, std::span<const std::int32_t> points,
+                          const ShakingHistory& history, Particles& particles)
 {
-    const LiquefiedCell cell = sum_liquefied(law, points, history, particles);
-    const double part = fading_part(law, dt, cell);
+    const LiquefiedCell cell = sum_liquefied(skeleton.slope, points, history, particles);
+    const double part = fading_part(skeleton, dt, cell);
     if (part <= 0.0) return;
     SymmetricTensors& stress = particles.stress;
     const double done = cell.compaction / cell.whole;
+    const double added = std::max(0.0, -0.5 * (cell.xx + cell.yy) - cell.start) / cell.volume;
     for_each_liquefied(points, history, [&](std::size_t p) {
-        const double share = history.start_mean[p] / cell.start;
+        const double share = (history.start_mean[p] + added) / (cell.start + cell.volume * added);
         stress.xx[p] += part * (share * cell.xx - stress.xx[p]);
         stress.yy[p] += part * (share * cell.yy - stress.yy[p]);
         stress.zz[p] += part * (share * cell.zz - stress.zz[p]);
         stress.xy[p] += part * (share * cell.xy - stress.xy[p]);
-        history.compaction[p] += part * (done * whole_compaction(law, p, history) - history.compaction[p]);
+        history.compaction[p] +=
+            part * (done * whole_compaction(skeleton.slope, p, history) - history.compaction[p]);
     });
 }
 
