@@ -104,6 +104,21 @@ std::string warn_of_lost_history(const Problem& problem, const StageStart& start
                  "sand";
 }
 
+/// Ground that is to consolidate while it still moves from its shaking: the long steps let it coast.
+std::string warn_of_motion(const Scene& scene, const State& reached)
+{
+    constexpr double lasting = 0.05; // [m/s]
+    if (!scene.stage || scene.stage->kind != StageKind::consolidate) return "";
+    double fastest = 0.0;
+    for (std::size_t p = 0; p < reached.particles.size(); ++p)
+        fastest = std::max(fastest, reached.particles.velocity_solid[p].norm());
+    if (!(fastest > lasting)) return "";
+    return fmt::format("warning: the ground moves at up to {} m/s where this stage of consolidation begins, "
+                       "whose steps do not follow that"
+                       "\nhint: let the stage of shaking before it go on until the ground rests",
+                       short_number(fastest, 2));
+}
+
 } // namespace
 
 fs::path folder_of_end(const std::string& from)
@@ -156,6 +171,7 @@ Origin origin_from(const fs::path& folder, const std::vector<ResolvedKey>& now,
     if (origin.start.settles && !settles_undrained(assembled.problem) && has_excess)
         origin.warnings.push_back(warn_of_lost_pressure(assembled.state.particles, origin.reached.particles));
     origin.warnings.push_back(warn_of_lost_history(assembled.problem, origin.start, origin.reached));
+    origin.warnings.push_back(warn_of_motion(assembled.scene, origin.reached));
     std::erase(origin.warnings, "");
     return origin;
 }
