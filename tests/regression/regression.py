@@ -67,8 +67,12 @@ def findings(table, documents, values):
 
 
 def update(table, run, values):
-    """Take the numbers of a run over, all of them, and tell those that were out of tolerance."""
+    """Take the numbers of a run over, all of them, and tell those that were out of tolerance. A part of a longer
+    run gives the first of its lists; the rest stays."""
     found = {name: got for name, got in values.items() if not isinstance(got, str)}
+    for name, got in found.items():
+        if isinstance(got, list):
+            found[name] = got + table.numbers[name]["value"][len(got):]
     for name, got in found.items():
         if differs(table, table.numbers[name], got):
             print(f"{name}: {written(table.numbers[name]['value'])} -> {written(got)}")

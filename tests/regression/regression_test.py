@@ -138,6 +138,10 @@ class Regression(unittest.TestCase):
         expected = expected.replace("before all", f"{datetime.date.today()}")
         self.assertEqual((self.root / "numbers.toml").read_text(), expected)
 
+    def test_an_update_of_a_shortened_run_keeps_the_rest_of_lists(self):
+        regression.update(self.table, "grids_short", {"grids.errors": [4.02]})
+        self.assertIn("value = [4.02, 1]", (self.root / "numbers.toml").read_text())
+
     def test_a_number_needs_a_run_and_a_tolerance(self):
         self.change("numbers.toml", 'take = "last", tolerance = "close"', 'take = "last"')
         with self.assertRaisesRegex(SystemExit, "dike.settlement: its tolerance is none of close"):
