@@ -199,11 +199,15 @@ void update_stress(const Pm4Sand& law, double dt, std::size_t first, std::size_t
 void even_out_cell(const Pm4Sand& law, double dt, std::span<const std::int32_t> points, Particles& particles)
 {
     ENSURE(particles.memory.size() >= memory_of(law).size());
+    const ShakingHistory history = history_of(particles);
+    if (std::none_of(points.begin(), points.end(),
+                     [&](std::int32_t p) { return history.liquefied_shear[p] > 0.0; }))
+        return;
     const SettlingSkeleton skeleton = {law.reconsolidation_slope,
                                        [&](double s) { return skeleton_at(law, s).K; }};
     std::vector<Vector2> ratios;
     for (const std::int32_t p : points) ratios.push_back(ratio_of(static_cast<std::size_t>(p), particles));
-    even_reconsolidation(skeleton, dt, points, history_of(particles), particles);
+    even_reconsolidation(skeleton, dt, points, history, particles);
     for (std::size_t k = 0; k < points.size(); ++k) {
         const auto p = static_cast<std::size_t>(points[k]);
         carry_back_stress(ratio_of(p, particles) - ratios[k], p, particles);
