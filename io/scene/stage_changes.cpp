@@ -117,10 +117,10 @@ std::map<std::string, std::string> given_soil_keys(const Keys& keys, const std::
     return soil;
 }
 
-/// Warn of the materials of regions that are as `is_doubtful` says, at a key of theirs.
-template <class Doubt>
-bool doubt_materials(const Scene& stage, std::string_view key, const std::string& hint, Doubt&& is_doubtful,
-                     std::string_view what, Diagnostics& findings)
+/// Warn of the materials of regions that are as `is_doubtful` says, at a key of theirs; whether there are
+/// any.
+bool doubt_materials(const Scene& stage, std::string_view key, const std::string& hint,
+                     bool (*is_doubtful)(const SkeletonLaw&), std::string_view what, Diagnostics& findings)
 {
     bool told = false;
     for (const SceneMaterial& material : stage.materials) {

@@ -136,11 +136,7 @@ LawMemory memory_of(const Pm4Sand& law)
 
 double conductivity_factor(const Pm4Sand& law, std::size_t p, const Particles& particles)
 {
-    const bool has_history = particles.memory.size() >= memory.size(); // not before the shaking
-    if (law.liquefied_conductivity <= 1.0 || !has_history) return 1.0;
-    const double start = particles.memory[numbers_of_cycles][p];
-    return liquefied_conductivity_factor(law.liquefied_conductivity, mean_stress(particles.stress, p),
-                                         least_mean_stress(law), start);
+    return liquefied_conductivity_factor(law, numbers_of_cycles, p, particles);
 }
 
 PlaneSkeleton skeleton_at(const Pm4Sand& law, double s)
@@ -203,11 +199,9 @@ void even_out_cell(const Pm4Sand& law, double dt, std::span<const std::int32_t> 
     if (std::none_of(points.begin(), points.end(),
                      [&](std::int32_t p) { return history.liquefied_shear[p] > 0.0; }))
         return;
-    const SettlingSkeleton skeleton = {law.reconsolidation_slope,
-                                       [&](double s) { return skeleton_at(law, s).K; }};
     std::vector<Vector2> ratios;
     for (const std::int32_t p : points) ratios.push_back(ratio_of(static_cast<std::size_t>(p), particles));
-    even_reconsolidation(skeleton, dt, points, history, particles);
+    even_reconsolidation(settling_skeleton(law), dt, points, history, particles);
     for (std::size_t k = 0; k < points.size(); ++k) {
         const auto p = static_cast<std::size_t>(points[k]);
         carry_back_stress(ratio_of(p, particles) - ratios[k], p, particles);

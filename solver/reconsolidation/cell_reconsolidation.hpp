@@ -1,3 +1,8 @@
+// How the liquefied sand of a cell settles as one [own].
+//
+// Why        Liquefied sand settles by per cents, and 0.1 % too much are 10 kPa once its own line has ended.
+//            The particles of a cell differ by more than that: the strain of one across the border of two
+//            cells is between theirs. Nodal forces know the sum over the cell alone.
 // How        While the cell settles, the stresses of its liquefied particles approach the cell's mean, in
 //            proportion to its s_0 + a, a what the cell carries above its mean s_0 by later loads, and their
 //            compactions the same part of their lines:
@@ -9,7 +14,7 @@
 #pragma once
 
 #include "solver/particles/particles.hpp"
-#include "solver/reconsolidation/shaking_history.hpp"
+#include "solver/reconsolidation/compaction.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -22,6 +27,12 @@ struct SettlingSkeleton {
     double slope;                          // of whole_compaction() [-]
     std::function<double(double)> K_prime; // at a mean stress, d s over the volumetric strain [Pa]
 };
+
+template <class Law>
+SettlingSkeleton settling_skeleton(const Law& law)
+{
+    return {reconsolidation_slope(law), [&law](double s) { return skeleton_at(law, s).K; }};
+}
 
 /// Let the stresses and compactions of the particles `points`, which are in one cell, approach each other
 /// after a step of dt.

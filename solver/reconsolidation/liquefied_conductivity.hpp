@@ -6,8 +6,11 @@
 // unchanged voids, and slopes shaken a little less do not liquefy at all [own].
 #pragma once
 
+#include "solver/particles/particles.hpp"
+
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace quicksand {
 
@@ -19,6 +22,18 @@ inline double liquefied_conductivity_factor(double largest, double s, double flo
     const double lost = start_mean - s, whole = start_mean - floor;
     const double ru = whole > 0.0 ? std::clamp(lost / whole, 0.0, 1.0) : 1.0;
     return 1.0 + (largest - 1.0) * std::pow(ru, exponent);
+}
+
+/// The same of a particle whose memory has a ShakingHistory from the column `first` on; 1 before the shaking,
+/// when there is no memory.
+template <class Law>
+double liquefied_conductivity_factor(const Law& law, std::size_t first, std::size_t p,
+                                     const Particles& particles)
+{
+    if (law.liquefied_conductivity <= 1.0 || particles.memory.size() <= first) return 1.0;
+    const double floor = least_mean_stress(law);
+    const double s = std::max(floor, -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]));
+    return liquefied_conductivity_factor(law.liquefied_conductivity, s, floor, particles.memory[first][p]);
 }
 
 } // namespace quicksand

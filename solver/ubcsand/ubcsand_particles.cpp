@@ -217,11 +217,7 @@ LawMemory memory_of(const UbcSand& law)
 
 double conductivity_factor(const UbcSand& law, std::size_t p, const Particles& particles)
 {
-    const bool has_history = particles.memory.size() >= memory.size(); // not before the shaking
-    if (law.liquefied_conductivity <= 1.0 || !has_history) return 1.0;
-    const double s = std::max(law.s_min, -0.5 * (particles.stress.xx[p] + particles.stress.yy[p]));
-    return liquefied_conductivity_factor(law.liquefied_conductivity, s, law.s_min,
-                                         particles.memory[of_history][p]);
+    return liquefied_conductivity_factor(law, of_history, p, particles);
 }
 
 void hold_water(UbcSand& law, double dry_fraction)
@@ -294,8 +290,7 @@ void update_stress(const UbcSand& law, double dt, std::size_t first, std::size_t
 void even_out_cell(const UbcSand& law, double dt, std::span<const std::int32_t> points, Particles& particles)
 {
     ENSURE(particles.memory.size() >= memory_of(law).size());
-    const SettlingSkeleton skeleton = {law.reconsolidation, [&](double s) { return skeleton_at(law, s).K; }};
-    even_reconsolidation(skeleton, dt, points, history_of(particles), particles);
+    even_reconsolidation(settling_skeleton(law), dt, points, history_of(particles), particles);
 }
 
 std::size_t start_memory(const UbcSand& law, std::size_t first, std::size_t last, Particles& particles)
