@@ -227,10 +227,7 @@ void complete_memory(const Pm4Sand& law, std::size_t first, std::size_t last, Pa
     const ShakingHistory history = history_of(particles);
     for (std::size_t p = first; p < last; ++p) {
         if (history.start_mean[p] > 0.0) continue;
-        constexpr double over_vertical = 0.75; // (1 + K_0)/2
-        begin_history(std::max(mean_stress(particles.stress, p),
-                               over_vertical * particles.initial_vertical_effective_stress[p]),
-                      p, history);
+        begin_history(late_start_mean(mean_stress(particles.stress, p), p, particles), p, history);
     }
 }
 

@@ -1,11 +1,10 @@
 // How the volume of liquefied sand falls as it carries its stress again, beside the strain of its own law.
 //
-// Reconsolidation  The compaction belongs to a line, root(s/s_0) of whole_compaction() at a mean stress s,
-// s_0
-//            that of the start: the stiffness on it is that of the elastic law over a constant. Below the
-//            line the sand is elastic, so that ripples do not compact it. A point above the line, which
-//            dilation has carried there, catches up on the way to s_0. The compaction is vertical, and what
-//            remains of the strain leads to K_0 = 1/2 [own].
+// The compaction belongs to a line, root(s/s_0) of whole_compaction() at a mean stress s, s_0 that of the
+// start: the stiffness on it is that of the elastic law over a constant. Below the line the sand is elastic,
+// so that ripples do not compact it. A point above the line, which dilation has carried there, catches up on
+// the way to s_0. The compaction is vertical, and what remains of the strain leads to K_0 = 1/2 [own].
+//
 // A law has
 //   reconsolidation_slope(law)   volumetric strain per largest shear strain [-]
 //   least_mean_stress(law)       its floor [Pa]

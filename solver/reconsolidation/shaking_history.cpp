@@ -25,6 +25,12 @@ void begin_history(double start_mean, std::size_t p, const ShakingHistory& histo
     history.largest_shear[p] = history.liquefied_shear[p] = history.compaction[p] = 0.0;
 }
 
+double late_start_mean(double present, std::size_t p, const Particles& particles)
+{
+    constexpr double over_vertical = 0.75; // (1 + K_0)/2
+    return std::max(present, over_vertical * particles.initial_vertical_effective_stress[p]);
+}
+
 void note_shear(double x, double y, double mean_stress, double floor, std::size_t p,
                 const ShakingHistory& history)
 {

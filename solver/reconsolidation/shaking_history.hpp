@@ -30,6 +30,10 @@ ShakingHistory history_at(std::size_t first, SoilMemory& memory);
 /// Begin with a mean stress [Pa] of the start.
 void begin_history(double start_mean, std::size_t p, const ShakingHistory& history);
 
+/// s_0 [Pa] of a history that begins after the shaking has: the present mean stress [Pa], or that of the
+/// start at K_0 = 1/2 where this is larger.
+double late_start_mean(double present, std::size_t p, const Particles& particles);
+
 /// Add a shear strain of (x, y) = (eps_x - eps_y, gamma_xy). Sand has liquefied at a tenth of s_0 and at the
 /// floor of its law; `mean_stress` is at least that floor [Pa].
 void note_shear(double x, double y, double mean_stress, double floor, std::size_t p,

@@ -319,9 +319,7 @@ void complete_memory(const UbcSand& law, std::size_t first, std::size_t last, Pa
         UbcSandState state = arrays.state(p);
         begin_shaking(law, state);
         begin_with(state, p, particles);
-        constexpr double over_vertical = 0.75; // (1 + K_0)/2
-        history.start_mean[p] =
-            std::max(history.start_mean[p], over_vertical * particles.initial_vertical_effective_stress[p]);
+        history.start_mean[p] = late_start_mean(history.start_mean[p], p, particles);
     }
 }
 
